@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edits/files.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+Error system_error(const std::string& what, const std::string& path) {
+  return {what + ": " + std::strerror(errno), path, ""};
+}
+
+bool write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t n = ::write(descriptor, content.data(), content.size());
+    if (n < 0 && errno != EINTR) return false;
+    if (n > 0) content.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+bool is_analysed(const fs::path& path) {
+  static const std::set<std::string> extensions = {".c",   ".cc",  ".cpp", ".cxx",    ".h",
+                                                   ".hh",  ".hpp", ".hxx", ".inl",    ".ipp",
+                                                   ".tpp", ".msg", ".srv", ".action", ".cmake"};
+  const std::string name = path.filename().string();
+  return extensions.count(path.extension().string()) || name == "CMakeLists.txt" || name == "package.xml";
+}
+
+bool is_hidden(const fs::path& path) {
+  return path.filename().string().front() == '.';
+}
+
+}  // namespace
+
+Expected<std::string> read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return system_error("can not be read", path);
+  std::ostringstream content;
+  content << file.rdbuf();
+  return content.str();
+}
+
+Expected<void> write_file(const std::string& path, std::string_view content) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) return system_error("can not be written", path);
+  const bool written = write_all(descriptor, content) && ::fsync(descriptor) == 0;
+  const Error error = system_error("can not be written", path);
+  ::close(descriptor);
+  if (!written) return error;
+  return {};
+}
+
+void sync_folder(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+std::uint64_t content_hash(std::string_view content) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return hash;
+}
+
+Snapshot snapshot(const std::string& package_dir) {
+  Snapshot files;
+  std::error_code ignored;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (auto at = fs::recursive_directory_iterator(package_dir, options, ignored), end = decltype(at){};
+       at != end; at.increment(ignored)) {
+    if (is_hidden(at->path())) {
+      at.disable_recursion_pending();
+      continue;
+    }
+    if (!at->is_regular_file(ignored) || !is_analysed(at->path())) continue;
+    if (const Expected<std::string> content = read_file(at->path()))
+      files[at->path()] = content_hash(*content);
+  }
+  return files;
+}
+
+Expected<void> check_unchanged(const std::string& package_dir, const Snapshot& since) {
+  const Snapshot now = snapshot(package_dir);
+  auto differs_in = [](const Snapshot& all, const Snapshot& other) -> const std::string* {
+    for (const auto& [path, hash] : all) {
+      const auto found = other.find(path);
+      if (found == other.end() || found->second != hash) return &path;
+    }
+    return nullptr;
+  };
+  const std::string* changed = differs_in(since, now);
+  if (!changed) changed = differs_in(now, since);
+  if (!changed) return {};
+  return Error{"changed while the package was being analysed; nothing was written", *changed,
+               "run tzc-rewrite again"};
+}
+
+bool is_below(const std::string& path, const std::string& folder) {
+  return path.size() > folder.size() && path.compare(0, folder.size(), folder) == 0 &&
+         (folder.back() == '/' || path[folder.size()] == '/');
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "edits/edit.h"
+
+namespace tzc::rewriter {
+
+Expected<std::string> read_file(const std::string& path);
+
+/// Writes through to the disk (fsync). The folder must exist.
+Expected<void> write_file(const std::string& path, std::string_view content);
+
+/// Makes the entries of a folder durable. Best effort: not every file system can.
+void sync_folder(const std::string& path);
+
+/// FNV-1a over the content. Detects change, not malice.
+std::uint64_t content_hash(std::string_view content);
+
+/// Path -> hash of every source and build file below a package: what the analysis is about to read.
+using Snapshot = std::map<std::string, std::uint64_t>;
+Snapshot snapshot(const std::string& package_dir);
+
+/// An error that names the first file that changed, appeared or vanished since.
+Expected<void> check_unchanged(const std::string& package_dir, const Snapshot& since);
+
+/// Whether a path lies in a folder (both canonical).
+bool is_below(const std::string& path, const std::string& folder);
+
+}  // namespace tzc::rewriter
