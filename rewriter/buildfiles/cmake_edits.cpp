@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "buildfiles/cmake_edits.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "buildfiles/insertion.h"
+
+namespace tzc::rewriter {
+namespace {
+
+const std::set<std::string> find_package_words = {
+    "REQUIRED", "QUIET", "OPTIONAL_COMPONENTS", "COMPONENTS", "CONFIG", "NO_MODULE", "EXACT", "MODULE"};
+const std::set<std::string> catkin_package_words = {"INCLUDE_DIRS",
+                                                    "LIBRARIES",
+                                                    "CATKIN_DEPENDS",
+                                                    "DEPENDS",
+                                                    "CFG_EXTRAS",
+                                                    "EXPORTED_TARGETS",
+                                                    "SKIP_CMAKE_CONFIG_GENERATION",
+                                                    "SKIP_PKG_CONFIG_GENERATION"};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+template <class Visit>
+void each_command(const CmakeProject& project, const std::string& name, Visit visit) {
+  for (const CmakeListFile& file : project.files)
+    for (const CmakeCommand& command : file.commands)
+      if (command.name == name && !command.arguments.empty()) visit(file, command);
+}
+
+std::vector<CmakeCommandRef> find_packages(const CmakeProject& project, const std::string& package) {
+  std::vector<CmakeCommandRef> found;
+  each_command(project, "find_package", [&](const CmakeListFile& file, const CmakeCommand& command) {
+    if (command.arguments[0].text == package) found.push_back({&file, &command});
+  });
+  return found;
+}
+
+/// The last argument of the section that starts with the keyword at `keyword`.
+std::size_t section_end(const CmakeCommand& command, std::size_t keyword,
+                        const std::set<std::string>& words) {
+  std::size_t last = keyword;
+  while (last + 1 < command.arguments.size() && !words.count(command.arguments[last + 1].text)) ++last;
+  return last;
+}
+
+/// find_package(catkin REQUIRED a b) is short for REQUIRED COMPONENTS a b.
+bool has_implicit_components(const CmakeCommand& command) {
+  const std::size_t required = find_argument(command, "REQUIRED");
+  return required != std::string::npos && section_end(command, required, find_package_words) != required;
+}
+
+bool has_components(const CmakeCommand& command) {
+  return find_argument(command, "COMPONENTS") != std::string::npos || has_implicit_components(command);
+}
+
+Edit component_edit(CmakeCommandRef ref) {
+  const CmakeCommand& command = *ref.command;
+  std::size_t keyword = find_argument(command, "COMPONENTS");
+  if (keyword == std::string::npos && has_implicit_components(command))
+    keyword = find_argument(command, "REQUIRED");
+  const std::size_t last = keyword == std::string::npos ? command.arguments.size() - 1
+                                                        : section_end(command, keyword, find_package_words);
+  return add_argument(ref.file->path, ref.file->content, command, last,
+                      keyword == std::string::npos ? "COMPONENTS tzc" : "tzc");
+}
+
+bool names_tzc_or_catkin(const std::string& value, const std::string& suffix) {
+  return contains(value, "{catkin_" + suffix) || contains(value, "{tzc_" + suffix) || value == "tzc" ||
+         value.compare(0, 5, "tzc::") == 0;
+}
+
+bool any_value(const CmakeCommandRef& ref, std::size_t first, const std::string& suffix) {
+  const std::set<std::string> values = ref.file->values.expand(*ref.command, first);
+  return std::any_of(values.begin(), values.end(),
+                     [&](auto& value) { return names_tzc_or_catkin(value, suffix); });
+}
+
+bool made_by_catkin_simple(const CmakeProject& project, const std::string& target) {
+  const CmakeCommandRef made = find_target(project, target);
+  return made && made.command->name.compare(0, 3, "cs_") == 0;
+}
+
+bool is_linked(const CmakeProject& project, const std::string& target, std::set<std::string>& seen) {
+  if (!seen.insert(target).second) return false;
+  if (made_by_catkin_simple(project, target)) return true;
+  for (const CmakeCommandRef& ref : commands_of_target(project, "target_link_libraries", target)) {
+    if (any_value(ref, 1, "LIBRARIES")) return true;
+    for (const std::string& library : ref.file->values.expand(*ref.command, 1))
+      if (find_target(project, library) && is_linked(project, library, seen)) return true;
+  }
+  return false;
+}
+
+/// Whether a command for the whole folder (include_directories, link_libraries) reaches the file.
+bool folder_has(const CmakeProject& project, const CmakeListFile& file, const std::string& name,
+                const std::string& suffix) {
+  auto has = [&](const CmakeListFile& one) {
+    return std::any_of(one.commands.begin(), one.commands.end(), [&](const CmakeCommand& command) {
+      return command.name == name && any_value({&one, &command}, 0, suffix);
+    });
+  };
+  return has(file) || std::any_of(file.parents.begin(), file.parents.end(),
+                                  [&](std::size_t parent) { return has(project.files[parent]); });
+}
+
+/// Appends to the target's last command of that name, or adds one behind the command that makes the target.
+Edits extend(const CmakeProject& project, const std::string& target, const std::string& name,
+             const std::string& scope, const std::string& value) {
+  const std::vector<CmakeCommandRef> present = commands_of_target(project, name, target);
+  if (!present.empty()) {
+    const CmakeCommandRef last = present.back();
+    return {add_argument(last.file->path, last.file->content, *last.command,
+                         last.command->arguments.size() - 1, value)};
+  }
+  const CmakeCommandRef made = find_target(project, target);
+  if (!made) return {};
+  const std::string written = made.command->arguments[0].text;
+  return {add_line(made.file->path, made.file->content, made.command->close,
+                   name + "(" + written + " " + scope + value + ")")};
+}
+
+}  // namespace
+
+CatkinUse catkin_use(const CmakeProject& project) {
+  if (!find_packages(project, "catkin_simple").empty()) return CatkinUse::simple;
+  return find_packages(project, "catkin").empty() ? CatkinUse::none : CatkinUse::components;
+}
+
+Edits add_component(const CmakeProject& project) {
+  std::vector<CmakeCommandRef> commands = find_packages(project, "catkin");
+  const auto with = [](const CmakeCommandRef& ref) { return has_components(*ref.command); };
+  const auto bare = std::stable_partition(commands.begin(), commands.end(), with);
+  // A bare find_package(catkin) beside one with components only initialises catkin.
+  commands.erase(bare == commands.begin() && !commands.empty() ? bare + 1 : bare, commands.end());
+  Edits edits;
+  for (const CmakeCommandRef& ref : commands)
+    if (!ref.file->values.expand(*ref.command, 1).count("tzc")) edits.push_back(component_edit(ref));
+  return edits;
+}
+
+Edits add_include(const CmakeProject& project, const std::string& target) {
+  const CmakeCommandRef made = find_target(project, target);
+  if (!made || made_by_catkin_simple(project, target)) return {};
+  if (folder_has(project, *made.file, "include_directories", "INCLUDE_DIRS")) return {};
+  for (const CmakeCommandRef& ref : commands_of_target(project, "target_include_directories", target))
+    if (any_value(ref, 1, "INCLUDE_DIRS")) return {};
+  return extend(project, target, "target_include_directories", "PRIVATE ", "${tzc_INCLUDE_DIRS}");
+}
+
+Edits add_link(const CmakeProject& project, const std::string& target) {
+  const CmakeCommandRef made = find_target(project, target);
+  std::set<std::string> seen;
+  if (!made || is_linked(project, target, seen)) return {};
+  if (folder_has(project, *made.file, "link_libraries", "LIBRARIES")) return {};
+  return extend(project, target, "target_link_libraries", "", "${tzc_LIBRARIES}");
+}
+
+Edits add_message_dependency(const CmakeProject& project, const std::string& target,
+                             const std::string& package) {
+  for (const CmakeCommandRef& ref : commands_of_target(project, "add_dependencies", target))
+    for (const std::string& value : ref.file->values.expand(*ref.command, 1))
+      if (value == "${" + package + "_EXPORTED_TARGETS}" || value == package + "_generate_messages")
+        return {};
+  if (made_by_catkin_simple(project, target)) return {};
+  return extend(project, target, "add_dependencies", "", "${${PROJECT_NAME}_EXPORTED_TARGETS}");
+}
+
+Edits add_catkin_depends(const CmakeProject& project) {
+  Edits edits;
+  each_command(project, "catkin_package", [&](const CmakeListFile& file, const CmakeCommand& command) {
+    const std::size_t keyword = find_argument(command, "CATKIN_DEPENDS");
+    if (file.values.expand(command).count("tzc")) return;
+    if (keyword != std::string::npos)
+      edits.push_back(add_argument(file.path, file.content, command,
+                                   section_end(command, keyword, catkin_package_words), "tzc"));
+    else
+      edits.push_back(
+          add_line(file.path, file.content, command.arguments.back().begin, "CATKIN_DEPENDS tzc"));
+  });
+  return edits;
+}
+
+std::set<std::string> exported_folders(const CmakeProject& project, const std::string& package_dir) {
+  std::set<std::string> folders;
+  each_command(project, "catkin_package", [&](const CmakeListFile& file, const CmakeCommand& command) {
+    const std::size_t keyword = find_argument(command, "INCLUDE_DIRS");
+    if (keyword == std::string::npos) return;
+    for (std::size_t i = keyword + 1; i <= section_end(command, keyword, catkin_package_words); ++i)
+      for (const std::string& folder : file.values.expand(command.arguments[i].text))
+        folders.insert((std::filesystem::path(package_dir) / folder).lexically_normal());
+  });
+  return folders;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "buildfiles/cmake_project.h"
+#include "edits/edit.h"
+
+namespace tzc::rewriter {
+
+/// Whether CMakeLists.txt asks for catkin in a way that we can add to.
+enum class CatkinUse { components, simple, none };
+CatkinUse catkin_use(const CmakeProject& project);
+
+/// `tzc` among the components of each find_package(catkin ...).
+Edits add_component(const CmakeProject& project);
+
+/// What makes the target compile and link against TZC, as far as it lacks it. The target must be
+/// found_target().
+Edits add_include(const CmakeProject& project, const std::string& target);
+Edits add_link(const CmakeProject& project, const std::string& target);
+
+/// The package's own message headers are generated before the target is compiled.
+Edits add_message_dependency(const CmakeProject& project, const std::string& target,
+                             const std::string& package);
+
+/// catkin_package(CATKIN_DEPENDS tzc), for packages whose exported headers include TZC's.
+Edits add_catkin_depends(const CmakeProject& project);
+
+/// Folders that catkin_package(INCLUDE_DIRS) exports, absolute.
+std::set<std::string> exported_folders(const CmakeProject& project, const std::string& package_dir);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "buildfiles/cmake_file.h"
+#include "buildfiles/cmake_values.h"
+
+namespace tzc::rewriter {
+
+/// One CMakeLists.txt of a package, with what its parents may have set.
+struct CmakeListFile {
+  std::string path;
+  std::string content;
+  std::vector<CmakeCommand> commands;
+  CmakeValues values;
+  std::vector<std::size_t> parents;  ///< indices into CmakeProject::files, the top level first
+};
+
+struct CmakeProject {
+  std::vector<CmakeListFile>
+      files;  ///< the package's own CMakeLists.txt first, then those of its add_subdirectory()
+};
+
+/// Reads the package's CMakeLists.txt and, where the folders are constants, those below it.
+Expected<CmakeProject> load_cmake_project(const std::string& package_dir);
+
+/// A command and the file it stands in.
+struct CmakeCommandRef {
+  const CmakeListFile* file = nullptr;
+  const CmakeCommand* command = nullptr;
+  explicit operator bool() const { return command != nullptr; }
+};
+
+/// The command that makes a target: add_executable, add_library, or any other (catkin_add_gtest,
+/// cs_add_library, ...) whose first argument may be the target's name.
+CmakeCommandRef find_target(const CmakeProject& project, const std::string& target);
+
+/// The commands of that name whose first argument may be the target's name.
+std::vector<CmakeCommandRef> commands_of_target(const CmakeProject& project, const std::string& command,
+                                                const std::string& target);
+
+}  // namespace tzc::rewriter

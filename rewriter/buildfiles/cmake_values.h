@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "buildfiles/cmake_file.h"
+
+namespace tzc::rewriter {
+
+/// What variables may hold, without running CMake: every value that some set(), list(APPEND), foreach() or
+/// project() of the file gives them, whatever the control flow. References to unknown variables stay as
+/// written: "${catkin_LIBRARIES}".
+class CmakeValues {
+ public:
+  void learn(const CmakeCommand& command);
+
+  /// Every text that an argument may expand to (lists split at ';'). Bounded: after 256 values it gives up
+  /// growing.
+  std::set<std::string> expand(const std::string& text) const;
+  std::set<std::string> expand(const CmakeCommand& command, std::size_t first = 0) const;
+
+  bool may_be(const std::string& text, const std::string& value) const {
+    return expand(text).count(value) != 0;
+  }
+
+ private:
+  void add(const std::string& variable, const CmakeCommand& command, std::size_t first);
+
+  std::map<std::string, std::set<std::string>> values_;
+};
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "buildfiles/plan.h"
+
+#include "buildfiles/cmake_edits.h"
+#include "buildfiles/compile_targets.h"
+#include "buildfiles/language_standard.h"
+#include "buildfiles/package_xml.h"
+#include "edits/files.h"
+#include "report/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+void append(Edits& all, const Edits& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+std::string joined(const std::set<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+  return text;
+}
+
+class Planner {
+ public:
+  explicit Planner(const BuildNeeds& needs) : needs_(needs) {}
+
+  Expected<BuildPlan> run() {
+    if (Expected<void> done = find_targets(); !done) return done.error();
+    const Expected<PackageXml> package = read_package_xml(needs_.package_dir);
+    if (!package) return package.error();
+    package_ = *package;
+    if (!package_.catkin) return by_hand(), plan_;
+    if (Expected<void> done = plan_package_xml(); !done) return done.error();
+    if (Expected<void> done = plan_cmake(); !done) return done.error();
+    return plan_;
+  }
+
+ private:
+  Expected<void> find_targets() {
+    const auto all = targets_of_files(needs_.build_dir);
+    if (!all) return all.error();
+    for (const std::string& file : needs_.main_files)
+      if (const auto found = all->find(file); found != all->end())
+        targets_.insert(found->second.begin(), found->second.end());
+    return {};
+  }
+
+  void note(const char* code, const std::string& file, const std::string& text) {
+    plan_.notes.push_back({code, Location{file, 1, 1}, text});
+  }
+
+  void by_hand() {
+    note(codes::TZC4001, package_.path,
+         "the package is not built with catkin, so its build files stay as they are; add find_package(tzc "
+         "REQUIRED) and "
+         "target_link_libraries(TARGET tzc::tzc) for " +
+             joined(targets_));
+  }
+
+  Expected<void> plan_package_xml() {
+    const Expected<std::string> content = read_file(package_.path);
+    if (!content) return content.error();
+    const Expected<Edits> edits = depend_on_tzc(*content, package_.path);
+    if (!edits) return edits.error();
+    append(plan_.edits, *edits);
+    return {};
+  }
+
+  Expected<void> plan_cmake() {
+    const Expected<CmakeProject> project = load_cmake_project(needs_.package_dir);
+    if (!project) return project.error();
+    for (const CmakeListFile& file : project->files) append(plan_.edits, raise_to_cxx14(file));
+    switch (catkin_use(*project)) {
+      case CatkinUse::components:
+        append(plan_.edits, add_component(*project));
+        break;
+      case CatkinUse::simple:
+        break;  // takes its components from package.xml
+      case CatkinUse::none:
+        note(codes::TZC4002, project->files.front().path,
+             "no find_package(catkin ...) was found; add tzc to the catkin components where they are listed");
+    }
+    for (const std::string& target : targets_) plan_target(*project, target);
+    if (exports_edited_header(*project)) append(plan_.edits, add_catkin_depends(*project));
+    return {};
+  }
+
+  void plan_target(const CmakeProject& project, const std::string& target) {
+    if (!find_target(project, target)) {
+      note(codes::TZC4002, project.files.front().path,
+           "the command that makes the target " + target +
+               " was not found; make sure that it includes "
+               "${catkin_INCLUDE_DIRS} and links ${catkin_LIBRARIES}");
+      return;
+    }
+    append(plan_.edits, add_include(project, target));
+    append(plan_.edits, add_link(project, target));
+    if (uses_own_messages()) append(plan_.edits, add_message_dependency(project, target, package_.name));
+  }
+
+  bool uses_own_messages() const {
+    const auto first = needs_.tzc_types.lower_bound(package_.name + "/");
+    return first != needs_.tzc_types.end() &&
+           first->compare(0, package_.name.size() + 1, package_.name + "/") == 0;
+  }
+
+  bool exports_edited_header(const CmakeProject& project) const {
+    for (const std::string& folder : exported_folders(project, needs_.package_dir))
+      for (const std::string& file : needs_.edited_files)
+        if (is_below(file, folder)) return true;
+    return false;
+  }
+
+  const BuildNeeds& needs_;
+  PackageXml package_;
+  std::set<std::string> targets_;
+  BuildPlan plan_;
+};
+
+}  // namespace
+
+Expected<BuildPlan> plan_build_files(const BuildNeeds& needs) {
+  if (needs.main_files.empty()) return BuildPlan();
+  return Planner(needs).run();
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "edits/edit.h"
+#include "report/model.h"
+
+namespace tzc::rewriter {
+
+/// What the port of the sources asks of the build files.
+struct BuildNeeds {
+  std::string package_dir;
+  std::string build_dir;               ///< with compile_commands.json
+  std::set<std::string> main_files;    ///< whose targets need TZC; canonical
+  std::set<std::string> edited_files;  ///< to see whether an exported header changed
+  std::set<std::string> tzc_types;     ///< "pkg/Type": twins that the ported code includes
+};
+
+struct BuildPlan {
+  Edits edits;
+  std::vector<Note> notes;  ///< what the user has to do by hand
+};
+
+/// Edits of package.xml and CMakeLists.txt. Minimal and idempotent; what can't be edited safely becomes a
+/// note with an instruction, never a guess. An error when a file can't be read.
+Expected<BuildPlan> plan_build_files(const BuildNeeds& needs);
+
+}  // namespace tzc::rewriter
