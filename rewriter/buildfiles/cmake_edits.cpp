@@ -123,6 +123,18 @@ Edits extend(const CmakeProject& project, const std::string& target, const std::
                    name + "(" + written + " " + scope + value + ")")};
 }
 
+/// A keyword with its values behind the last argument: on a line of its own where the command has several.
+Edit add_section(const CmakeListFile& file, const CmakeCommand& command, const std::string& text) {
+  const std::size_t end = command.arguments.back().end;
+  const std::string_view content = file.content;
+  if (content.substr(end, command.close - end).find('\n') != std::string_view::npos)
+    return add_line(file.path, content, end, text);
+  const bool one_line =
+      content.substr(command.begin, end - command.begin).find('\n') == std::string_view::npos;
+  const std::string gap = one_line ? " " : line_ending(content) + indentation(content, end);
+  return Edit{file.path, end, 0, gap + text, -1, "build-files"};
+}
+
 }  // namespace
 
 CatkinUse catkin_use(const CmakeProject& project) {
@@ -178,8 +190,7 @@ Edits add_catkin_depends(const CmakeProject& project) {
       edits.push_back(add_argument(file.path, file.content, command,
                                    section_end(command, keyword, catkin_package_words), "tzc"));
     else
-      edits.push_back(
-          add_line(file.path, file.content, command.arguments.back().begin, "CATKIN_DEPENDS tzc"));
+      edits.push_back(add_section(file, command, "CATKIN_DEPENDS tzc"));
   });
   return edits;
 }

@@ -12,6 +12,8 @@ namespace {
 
 /// Commands that have a target's name as first argument without making it.
 const std::set<std::string> target_users = {"target_link_libraries",
+                                            "find_package",
+                                            "include",
                                             "target_include_directories",
                                             "target_compile_definitions",
                                             "target_compile_features",
@@ -80,6 +82,8 @@ Expected<CmakeProject> load_cmake_project(const std::string& package_dir) {
 }
 
 CmakeCommandRef find_target(const CmakeProject& project, const std::string& target) {
+  for (const char* name : {"add_executable", "add_library"})
+    if (const auto made = commands_of_target(project, name, target); !made.empty()) return made.front();
   for (const CmakeListFile& file : project.files)
     for (const CmakeCommand& command : file.commands)
       if (!target_users.count(command.name) && names_target(file, command, target)) return {&file, &command};

@@ -59,7 +59,7 @@ class BuildFilesCase : public ::testing::TestWithParam<std::string> {
   }
 
   void write_package() {
-    package_.write("package.xml", default_package_xml);
+    package_.write("package.xml", crlf_ ? with_crlf(default_package_xml) : default_package_xml);
     for (const auto& [name, text] : case_.sections())
       if (name != "uses" && name != "expected") package_.write(name, crlf_ ? with_crlf(text) : text);
   }
