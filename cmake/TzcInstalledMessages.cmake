@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# tzc_installed_messages: the TZC headers of every message package of this machine's ROS, in the devel space's include
+# folder, installed with the project. tzc::messages gives targets their include folder.
+#
+# The command runs in every build: it takes a few hundredths of a second, finds the packages by itself (so that one that
+# was installed since is not missed) and leaves files alone that would not change, so nothing is compiled again.
+if(CATKIN_DEVEL_PREFIX)
+  set(TZC_MESSAGES_INCLUDE_DIR ${CATKIN_DEVEL_PREFIX}/include)
+else()
+  set(TZC_MESSAGES_INCLUDE_DIR ${CMAKE_BINARY_DIR}/devel/include)
+endif()
+file(MAKE_DIRECTORY ${TZC_MESSAGES_INCLUDE_DIR}/tzc)
+
+add_custom_target(tzc_installed_messages ALL
+  COMMAND tzc-msggen generate --installed --if-changed -o ${TZC_MESSAGES_INCLUDE_DIR}
+  COMMENT "TZC headers of the installed message packages"
+  VERBATIM)
+
+add_library(tzc_messages INTERFACE)
+add_library(tzc::messages ALIAS tzc_messages)
+target_include_directories(tzc_messages INTERFACE ${TZC_MESSAGES_INCLUDE_DIR})
+add_dependencies(tzc_messages tzc_installed_messages)
+
+install(DIRECTORY ${TZC_MESSAGES_INCLUDE_DIR}/tzc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.h")

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "emit/twin_class.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "emit/constants.h"
+#include "emit/types.h"
+
+namespace tzc::msggen {
+namespace {
+
+class ClassEmitter {
+ public:
+  ClassEmitter(const Message& message, Analysis& analysis)
+      : message_(message), analysis_(analysis), name_(free_name()), stock_(stock_type(message)) {}
+
+  std::string emit() {
+    const OutOfLineConstants constants = out_of_line_constants(message_);
+    return fmt::format(
+        "namespace tzc {{\n"
+        "namespace {package} {{\n"
+        "\n"
+        "{constants}"
+        "struct {name}{base} {{\n"
+        "{typedefs}"
+        "\n"
+        "  {name}() = default;\n"
+        "\n"
+        "  /// Copies everything, the data part too: explicit, like the way back.\n"
+        "{from_stock}"
+        "\n"
+        "{to_stock}"
+        "{enumerators}"
+        "\n"
+        "{fields}"
+        "}};\n"
+        "\n"
+        "{aliases}"
+        "\n"
+        "{operators}"
+        "\n"
+        "}}  // namespace {package}\n"
+        "}}  // namespace tzc\n",
+        fmt::arg("package", message_.package), fmt::arg("constants", constants.definitions),
+        fmt::arg("name", name_), fmt::arg("base", constants.base.empty() ? "" : " : " + constants.base),
+        fmt::arg("typedefs", typedefs()), fmt::arg("from_stock", from_stock()),
+        fmt::arg("to_stock", to_stock()), fmt::arg("enumerators", integer_constants(message_)),
+        fmt::arg("fields", fields()), fmt::arg("aliases", aliases()), fmt::arg("operators", operators()));
+  }
+
+ private:
+  bool is_member(const std::string& name) const {
+    auto is = [&](const auto& member) { return member.name == name; };
+    return std::any_of(message_.fields.begin(), message_.fields.end(), is) ||
+           std::any_of(message_.constants.begin(), message_.constants.end(), is);
+  }
+
+  // A class can't have a member of its own name; roscpp's class is called NAME_, so its message may.
+  std::string free_name() const { return is_member(message_.name) ? message_.name + "_" : message_.name; }
+
+  // As in roscpp's class, but a field or constant of such a name comes first.
+  std::string typedefs() const {
+    const std::pair<const char*, std::string> all[] = {
+        {"Type", name_},
+        {"Stock", stock_},
+        {"Ptr", fmt::format("::boost::shared_ptr<{}>", name_)},
+        {"ConstPtr", fmt::format("::boost::shared_ptr<{} const>", name_)}};
+    std::string text;
+    for (const auto& [name, type] : all) {
+      if (!is_member(name)) text += fmt::format("  typedef {} {};\n", type, name);
+    }
+    return text;
+  }
+
+  std::string fields() {
+    std::string text;
+    for (const Field& field : message_.fields) {
+      const bool zero =
+          field.builtin && field.array != ArrayKind::variable && field.builtin->kind != BuiltinKind::string;
+      text +=
+          fmt::format("  typedef {0} _{1}_type;\n  _{1}_type {1}{2};{3}\n", field_type(field, analysis_),
+                      field.name, zero ? "{}" : "", analysis_.part(field) == Part::data ? "  // data" : "");
+    }
+    return text;
+  }
+
+  bool holds_twins(const Field& field) { return analysis_.part(field) == Part::mixed; }
+
+  std::string from_stock() {
+    std::string initializers, body;
+    for (const Field& f : message_.fields) {
+      if (holds_twins(f) && f.array == ArrayKind::fixed) {
+        body +=
+            fmt::format("    for (::std::size_t i = 0; i <{0}.size(); ++i) {0}[i] = {1}(_stock.{0}[i]);\n",
+                        f.name, twin_element(f, analysis_));
+        continue;
+      }
+      const bool range =
+          analysis_.part(f) == Part::data || (holds_twins(f) && f.array == ArrayKind::variable);
+      initializers +=
+          fmt::format(range ? "{1}{0}(_stock.{0}.begin(), _stock.{0}.end())" : "{1}{0}(_stock.{0})", f.name,
+                      initializers.empty() ? "      : " : ",\n        ");
+    }
+    if (!initializers.empty()) initializers = "\n" + initializers;
+    return fmt::format("  explicit {}(const {}& _stock){} {{{}}}\n", name_, stock_, initializers,
+                       body.empty() ? "" : "\n" + body + "  ");
+  }
+
+  std::string to_stock() {
+    std::string body;
+    for (const Field& f : message_.fields) body += field_to_stock(f);
+    return fmt::format("  explicit operator {0}() const {{\n    {0} _stock;\n{1}    return _stock;\n  }}\n",
+                       stock_, body);
+  }
+
+  std::string field_to_stock(const Field& f) {
+    if (analysis_.part(f) == Part::data) {
+      return fmt::format("    _stock.{0}.assign({0}.begin(), {0}.end());\n", f.name);
+    }
+    if (!holds_twins(f)) return fmt::format("    _stock.{0} = {0};\n", f.name);
+    const std::string element = stock_element(f);
+    switch (f.array) {
+      case ArrayKind::none:
+        return fmt::format("    _stock.{0} = static_cast<{1}>({0});\n", f.name, element);
+      case ArrayKind::fixed:
+        return fmt::format(
+            "    for (::std::size_t i = 0; i <{0}.size(); ++i) "
+            "_stock.{0}[_i] = static_cast<{1}>({0}[_i]);\n",
+            f.name, element);
+      case ArrayKind::variable:
+        break;
+    }
+    return fmt::format("    _stock.{0} = ::std::vector<{1}>({0}.begin(), {0}.end());\n", f.name, element);
+  }
+
+  std::string aliases() const {
+    const std::string& name = message_.name;
+    std::string text = name_ == name ? "" : fmt::format("typedef {} {};\n", name_, name);
+    return text + fmt::format(
+                      "typedef ::boost::shared_ptr<{0}> {0}Ptr;\n"
+                      "typedef ::boost::shared_ptr<{0} const> {0}ConstPtr;\n",
+                      name);
+  }
+
+  std::string operators() {
+    std::string text = fmt::format(
+        "inline ::std::ostream& operator<<(::std::ostream& stream, const {0}& message) {{\n"
+        "  return stream << static_cast<{1}>(message);\n"
+        "}}\n",
+        name_, stock_);
+    if (!analysis_.facts(message_).comparable) {
+      return text +
+             "\n// No operator==: a message without fields is inside, and roscpp does not compare those.\n";
+    }
+    std::vector<std::string> terms;
+    for (const Field& f : message_.fields) terms.push_back(fmt::format("lhs.{0} == rhs.{0}", f.name));
+    return text + fmt::format(
+                      "\n"
+                      "inline bool operator==(const {0}& lhs, const {0}& rhs) {{\n"
+                      "  return {1};\n"
+                      "}}\n"
+                      "\n"
+                      "inline bool operator!=(const {0}& lhs, const {0}& rhs) {{ return !(lhs == rhs); }}\n",
+                      name_, fmt::join(terms, " &&\n         "));
+  }
+
+  const Message& message_;
+  Analysis& analysis_;
+  std::string name_;
+  std::string stock_;
+};
+
+}  // namespace
+
+std::string twin_class(const Message& message, Analysis& analysis) {
+  return ClassEmitter(message, analysis).emit();
+}
+
+}  // namespace tzc::msggen

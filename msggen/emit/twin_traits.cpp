@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "emit/twin_traits.h"
+
+#include <fmt/format.h>
+
+#include "emit/types.h"
+
+namespace tzc::msggen {
+namespace {
+
+std::string visits(const Message& message, Analysis& analysis) {
+  std::string text;
+  for (const Field& f : message.fields) {
+    const Part part = analysis.part(f);
+    if (part == Part::data) text += fmt::format("    visit(message.{});\n", f.name);
+    if (part != Part::mixed) continue;
+    const std::string inner = twin_element(f, analysis);
+    if (f.array == ArrayKind::none) {
+      text += fmt::format("    Traits<{}>::visit_data(message.{}, visit);\n", inner, f.name);
+    } else {
+      text += fmt::format("    for (auto& element : message.{}) Traits<{}>::visit_data(element, visit);\n",
+                          f.name, inner);
+    }
+  }
+  return text;
+}
+
+std::string tzc_traits(const std::string& twin, const Message& message, Analysis& analysis) {
+  return fmt::format(
+      "namespace tzc {{\n"
+      "namespace message {{\n"
+      "\n"
+      "template <>\n"
+      "struct Traits<{twin}> {{\n"
+      "  typedef {stock} Stock;\n"
+      "\n"
+      "  /// Visits every data array, in wire order. Message is the twin, const or not.\n"
+      "  template <class Message, class Visitor>\n"
+      "  static void visit_data(Message& message, Visitor&& visit) {{\n"
+      "{visits}"
+      "  }}\n"
+      "}};\n"
+      "\n"
+      "}}  // namespace message\n"
+      "}}  // namespace tzc\n",
+      fmt::arg("twin", twin), fmt::arg("stock", stock_type(message)),
+      fmt::arg("visits", visits(message, analysis)));
+}
+
+std::string boolean_traits(const std::string& twin, const std::string& stock) {
+  std::string text;
+  for (const char* trait : {"IsMessage", "IsFixedSize", "HasHeader"}) {
+    text += fmt::format(
+        "template <>\n"
+        "struct {0}<{1}> : {0}<{2}> {{}};\n"
+        "template <>\n"
+        "struct {0}<{1} const> : {0}<{2} const> {{}};\n"
+        "\n",
+        trait, twin, stock);
+  }
+  return text;
+}
+
+std::string string_traits(const std::string& twin, const std::string& stock) {
+  std::string text;
+  for (const char* trait : {"MD5Sum", "DataType", "Definition"}) {
+    text += fmt::format(
+        "template <>\n"
+        "struct {0}<{1}> : {0}<{2}> {{\n"
+        "  static const char* value() {{ return {0}<{2}>::value(); }}\n"
+        "  static const char* value(const {1}&) {{ return value(); }}\n"
+        "}};\n"
+        "\n",
+        trait, twin, stock);
+  }
+  return text;
+}
+
+std::string serializer(const std::string& twin, const Message& message) {
+  std::string body;
+  for (const Field& f : message.fields) body += fmt::format("    stream.next(message.{});\n", f.name);
+  return fmt::format(
+      "namespace serialization {{\n"
+      "\n"
+      "template <>\n"
+      "struct Serializer<{}> {{\n"
+      "  template <typename Stream, typename T>\n"
+      "  inline static void allInOne(Stream& stream, T message) {{\n"
+      "{}"
+      "  }}\n"
+      "\n"
+      "  ROS_DECLARE_ALLINONE_SERIALIZER\n"
+      "}};\n"
+      "\n"
+      "}}  // namespace serialization\n",
+      twin, body);
+}
+
+// Printing copies: whoever prints megabytes of numbers does not notice, and the text stays roscpp's.
+std::string printer(const std::string& twin, const std::string& stock) {
+  return fmt::format(
+      "namespace message_operations {{\n"
+      "\n"
+      "template <>\n"
+      "struct Printer<{0}> {{\n"
+      "  template <typename Stream>\n"
+      "  static void stream(Stream& stream, const ::std::string& indent, const {0}& message) {{\n"
+      "    Printer<{1}>::stream(stream, indent, static_cast<{1}>(message));\n"
+      "  }}\n"
+      "}};\n"
+      "\n"
+      "}}  // namespace message_operations\n",
+      twin, stock);
+}
+
+}  // namespace
+
+std::string twin_traits(const Message& message, Analysis& analysis) {
+  const std::string twin = twin_type(message, analysis), stock = stock_type(message);
+  return tzc_traits(twin, message, analysis) +
+         fmt::format(
+             "\n// To ROS it is the stock type: same traits, same wire format, same text when printed.\n"
+             "namespace ros {{\n"
+             "namespace message_traits {{\n"
+             "\n"
+             "{}{}"
+             "}}  // namespace message_traits\n"
+             "\n"
+             "{}\n"
+             "{}"
+             "}}  // namespace ros\n",
+             boolean_traits(twin, stock), string_traits(twin, stock), serializer(twin, message),
+             printer(twin, stock));
+}
+
+}  // namespace tzc::msggen

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "emit/types.h"
+
+#include <fmt/format.h>
+
+namespace tzc::msggen {
+
+std::string stock_type(const Message& message) {
+  return fmt::format("::{}::{}", message.package, message.name);
+}
+
+std::string twin_type(const Message& message, Analysis& analysis) {
+  return analysis.facts(message).supported() ? "::tzc" + stock_type(message) : stock_type(message);
+}
+
+std::string twin_element(const Field& field, Analysis& analysis) {
+  return field.builtin ? std::string(field.builtin->cpp) : twin_type(*field.message, analysis);
+}
+
+std::string stock_element(const Field& field) {
+  return field.builtin ? std::string(field.builtin->cpp) : stock_type(*field.message);
+}
+
+std::string field_type(const Field& field, Analysis& analysis) {
+  const std::string element = twin_element(field, analysis);
+  switch (field.array) {
+    case ArrayKind::none:
+      return element;
+    case ArrayKind::fixed:
+      return fmt::format("::boost::array<{}, {}>", element, field.length);
+    case ArrayKind::variable:
+      break;
+  }
+  const bool data = analysis.part(field) == Part::data;
+  return fmt::format("{}<{}>", data ? "::tzc::Array" : "::std::vector", element);
+}
+
+std::string include_guard(const std::string& package, const std::string& name) {
+  return fmt::format("TZC_{}_MESSAGE_{}_H", package, name);
+}
+
+}  // namespace tzc::msggen

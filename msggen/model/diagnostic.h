@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tzc::msggen {
+
+/// A place in a text file, counted from 1; column counts characters, line 0 means the file as a whole.
+struct Position {
+  std::size_t line = 0;
+  std::size_t column = 0;
+};
+
+/// One thing that is wrong with the input, with all that a person needs to put it right.
+struct Diagnostic {
+  std::string file;
+  Position at;
+  std::size_t width = 1;    ///< how many characters the fault covers
+  std::string source_line;  ///< the line itself, empty when the fault is not in a line
+  std::string message;
+  std::string hint;  ///< what to do about it, may be empty
+};
+
+/// The compiler-like form: `file:line:column: error: ...`, the line, a caret under the fault, the hint.
+std::string render(const Diagnostic& diagnostic);
+
+/// All faults of a run, in the order of their files and lines. The same fault of the same place counts once.
+class Diagnostics {
+ public:
+  void report(Diagnostic diagnostic);
+  bool empty() const { return all_.empty(); }
+  std::size_t size() const { return all_.size(); }
+  std::vector<Diagnostic> sorted() const;
+
+ private:
+  std::vector<Diagnostic> all_;
+};
+
+}  // namespace tzc::msggen

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tzc::msggen {
+
+/// Why the text can't name a field, constant, message or package, as the end of a sentence that begins with
+/// the name
+/// ("is a C++ keyword"); empty when it can.
+std::string identifier_fault(std::string_view name);
+
+}  // namespace tzc::msggen

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tzc::msggen {
+
+/// A package's folder, and those inside it that hold definitions.
+struct Package {
+  std::string name;
+  std::string directory;
+  bool installed = false;  ///< lies in PREFIX/share, its C++ headers therefore in PREFIX/include
+
+  std::string message_directory() const { return directory + "/msg"; }
+  /// All .msg, .srv and .action files, sorted; an action's messages that are installed as .msg too are not
+  /// repeated.
+  std::vector<std::string> definition_files() const;
+};
+
+/// The packages under some folders. A package is a folder with a package.xml, or one with a msg/, srv/ or
+/// action/ folder inside; packages inside packages don't count. When two have one name, the first found is
+/// the package.
+class PackageIndex {
+ public:
+  /// Looks into each folder; one that is called `share` is an install space, whose packages lie directly in
+  /// it.
+  explicit PackageIndex(const std::vector<std::string>& folders);
+
+  const Package* find(const std::string& name) const;
+  const std::map<std::string, Package>& all() const { return packages_; }
+
+ private:
+  void add_install_space(const std::string& share);
+  void add_tree(const std::string& folder, int depth);
+  bool add_package(const std::string& folder, bool installed);
+
+  std::map<std::string, Package> packages_;
+};
+
+/// The package that lies in this folder, if it is one.
+std::optional<Package> package_in(const std::string& folder);
+
+/// ROS's package path: ROS_PACKAGE_PATH, then share/ of each entry of CMAKE_PREFIX_PATH, then the ROS
+/// installation that this program was built with.
+std::vector<std::string> ros_package_path();
+
+}  // namespace tzc::msggen

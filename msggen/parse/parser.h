@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/definition.h"
+#include "parse/source.h"
+
+namespace tzc::msggen {
+
+/// Parses the lines of one message. Whatever is wrong with them is reported, every fault; the message then
+/// holds what could be understood. Nested types are named, not looked up.
+Message parse_message(const Section& section, const std::string& file, const std::string& package,
+                      const std::string& name, Diagnostics& diagnostics);
+
+/// What a definition file contains, by its extension.
+struct ParsedFile {
+  enum class Kind { message, service, action };
+  Kind kind = Kind::message;
+  std::string name;               ///< the file's name without extension
+  std::vector<Message> messages;  ///< one; of a service request and response; of an action its seven
+};
+
+/// Parses a .msg, .srv or .action file of the package.
+ParsedFile parse_file(const Source& source, const std::string& package, Diagnostics& diagnostics);
+
+}  // namespace tzc::msggen

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <set>
+
+#include "parse/identifier.h"
+#include "tool/commands.h"
+#include "tool/inputs.h"
+
+namespace tzc::msggen {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Totals {
+  std::size_t types = 0, needs_support = 0, supported = 0;
+  std::size_t unsupported() const { return needs_support - supported; }
+};
+
+// What a census goes through: definition files, each with its package.
+struct Input {
+  std::string file, package;
+};
+
+// PACKAGE/msg/Type.msg, else the folder that the file is in.
+std::string package_of_file(const std::string& file) {
+  const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
+  const std::string name = folder.filename().string();
+  if (name != "msg" && name != "srv" && name != "action") return name;
+  const auto package = package_in(folder.parent_path().string());
+  return package ? package->name : folder.parent_path().filename().string();
+}
+
+class Census {
+ public:
+  explicit Census(const ClassifyOptions& options) : options_(options) {}
+
+  int run(Console console) {
+    SearchPath path = parse_includes(options_.includes, usage_);
+    for (const std::string& input : options_.inputs) collect(input, path);
+    if (!usage_.empty()) {
+      finish(usage_, console);
+      return exit_usage;
+    }
+    Library library({std::move(path), installed_packages, true}, diagnostics_);
+    std::set<std::string> names;
+    for (const Input& input : inputs_) {
+      const auto found = library.add_file(input.file, input.package);
+      names.insert(found.begin(), found.end());
+    }
+    for (const std::string& name : names) count(name, library);
+    options_.json ? print_json(console.out) : print_text(console.out);
+    for (const Diagnostic& d : diagnostics_.sorted()) console.err << render(d);
+    return exit_good;  // what can't be resolved is part of the answer
+  }
+
+ private:
+  void collect(const std::string& input, SearchPath& path) {
+    std::error_code ignored;
+    if (fs::is_directory(input, ignored)) return collect_folder(input, path);
+    if (!fs::is_regular_file(input, ignored))
+      return report_usage(input + ": no such file or folder", "", usage_);
+    const std::string package = options_.package.empty() ? package_of_file(input) : options_.package;
+    inputs_.push_back({input, package});
+    const fs::path folder = fs::absolute(input).lexically_normal().parent_path();
+    path[package].push_back(folder.string());
+  }
+
+  void collect_folder(const std::string& folder, SearchPath& path) {
+    const PackageIndex index({folder});
+    const std::size_t before = inputs_.size();
+    for (const auto& [name, package] : index.all()) {
+      for (const std::string& file : package.definition_files()) inputs_.push_back({file, name});
+      path[name].push_back(package.message_directory());
+    }
+    if (inputs_.size() == before) collect_loose_files(folder, path);
+  }
+
+  // A plain folder of definitions, msg/ itself for example.
+  void collect_loose_files(const std::string& folder, SearchPath& path) {
+    std::set<std::string> files;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension == ".msg" || extension == ".srv" || extension == ".action")
+        files.insert(entry.path().string());
+    }
+    for (const std::string& file : files) collect(file, path);
+    if (files.empty())
+      report_usage(folder + ": no message definitions", "packages have a msg/ folder", usage_);
+  }
+
+  void count(const std::string& name, Library& library) {
+    const Message* message = library.find(name);
+    if (!message) {
+      unresolved_.push_back(name);
+      return;
+    }
+    const Facts& facts = library.analysis().facts(*message);
+    types_[name] = {{"fixed_length", facts.fixed_length},
+                    {"needs_support", facts.needs_support},
+                    {"supported", facts.supported()},
+                    {"data_fields", facts.data_fields},
+                    {"md5", facts.md5}};
+    ++totals_.types;
+    totals_.needs_support += facts.needs_support;
+    totals_.supported += facts.supported();
+  }
+
+  void print_json(std::ostream& out) const {
+    const nlohmann::json totals = {{"types", totals_.types},
+                                   {"needs_support", totals_.needs_support},
+                                   {"supported", totals_.supported},
+                                   {"unsupported", totals_.unsupported()}};
+    const nlohmann::json result = {{"types", types_}, {"totals", totals}, {"unresolved", unresolved_}};
+    out << result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  }
+
+  void print_text(std::ostream& out) const {
+    std::size_t width = 0;
+    for (const auto& [name, type] : types_.items()) width = std::max(width, name.size());
+    for (const auto& [name, type] : types_.items()) {
+      const std::string data =
+          fmt::format("{}", fmt::join(type["data_fields"].get<std::vector<std::string>>(), ", "));
+      const char* kind = type["supported"]       ? "supported"
+                         : type["needs_support"] ? "unsupported"
+                         : type["fixed_length"]  ? "fixed-length"
+                                                 : "control only";
+      const std::string line = fmt::format("{:<{}}  {:<12}  {}", name, width, kind, data);
+      out << line.substr(0, line.find_last_not_of(' ') + 1) << '\n';
+    }
+    for (const std::string& name : unresolved_) out << fmt::format("{:<{}}  unresolved\n", name, width);
+    out << fmt::format("\n{} types: {} data-heavy, of which {} supported and {} unsupported", totals_.types,
+                       totals_.needs_support, totals_.supported, totals_.unsupported());
+    out << (unresolved_.empty() ? "\n" : fmt::format("; {} unresolved\n", unresolved_.size()));
+  }
+
+  const ClassifyOptions& options_;
+  Diagnostics usage_, diagnostics_;
+  std::vector<Input> inputs_;
+  nlohmann::json types_ = nlohmann::json::object();
+  Totals totals_;
+  std::vector<std::string> unresolved_;
+};
+
+}  // namespace
+
+int classify(const ClassifyOptions& options, Console console) {
+  return Census(options).run(console);
+}
+
+}  // namespace tzc::msggen
