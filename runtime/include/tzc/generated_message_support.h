@@ -15,7 +15,7 @@
 
 #include <cstdint>
 #include <cstring>
-#include <map>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <type_traits>
@@ -46,54 +46,6 @@ struct StockOf {
 /// True for tzc:: messages.
 template <class M>
 struct IsTwin : std::integral_constant<bool, !std::is_same<typename StockOf<M>::type, M>::value> {};
-
-namespace detail {
-
-template <class To, class From>
-struct Convert {
-  static To apply(const From& from) { return static_cast<To>(from); }
-};
-
-template <class To, class ToAllocator, class From, class FromAllocator>
-struct Convert<std::vector<To, ToAllocator>, std::vector<From, FromAllocator> > {
-  static std::vector<To, ToAllocator> apply(const std::vector<From, FromAllocator>& from) {
-    std::vector<To, ToAllocator> to;
-    to.reserve(from.size());
-    for (const From& element : from) to.push_back(Convert<To, From>::apply(element));
-    return to;
-  }
-};
-
-template <class To, class From, std::size_t N>
-struct Convert<boost::array<To, N>, boost::array<From, N> > {
-  static boost::array<To, N> apply(const boost::array<From, N>& from) {
-    boost::array<To, N> to;
-    for (std::size_t i = 0; i < N; ++i) to[i] = Convert<To, From>::apply(from[i]);
-    return to;
-  }
-};
-
-template <class Same>
-struct Convert<Same, Same> {
-  static const Same& apply(const Same& from) { return from; }
-};
-template <class Same, class Allocator>
-struct Convert<std::vector<Same, Allocator>, std::vector<Same, Allocator> > {
-  static const std::vector<Same, Allocator>& apply(const std::vector<Same, Allocator>& from) { return from; }
-};
-template <class Same, std::size_t N>
-struct Convert<boost::array<Same, N>, boost::array<Same, N> > {
-  static const boost::array<Same, N>& apply(const boost::array<Same, N>& from) { return from; }
-};
-
-}  // namespace detail
-
-/// A field of a tzc:: message as a field of the stock message, or the other way round: element by element
-/// through vectors and fixed arrays, by the explicit conversions of tzc:: messages and tzc::Array.
-template <class To, class From>
-To convert(const From& from) {
-  return detail::Convert<To, From>::apply(from);
-}
 
 /// A deep copy as the stock type; all of it lies on the heap.
 template <class M>
