@@ -37,22 +37,37 @@ std::string file_of(const json& entry) {
   return failed ? absolute.lexically_normal() : canonical;
 }
 
-}  // namespace
-
-Expected<std::map<std::string, std::set<std::string>>> targets_of_files(const std::string& build_dir) {
+template <class Visit>
+Expected<void> each_entry(const std::string& build_dir, Visit visit) {
   const std::string path = build_dir + "/compile_commands.json";
   const Expected<std::string> text = read_file(path);
   if (!text) return text.error();
-  std::map<std::string, std::set<std::string>> targets;
   try {
-    for (const json& entry : json::parse(*text))
-      if (const std::string target = target_in(command_of(entry)); !target.empty())
-        targets[file_of(entry)].insert(target);
+    for (const json& entry : json::parse(*text)) visit(entry);
   } catch (const json::exception& broken) {
     return Error{std::string("is not a compilation database: ") + broken.what(), path,
-                 "build the workspace again"};
+                 "configure the workspace again"};
   }
+  return {};
+}
+
+}  // namespace
+
+Expected<std::map<std::string, std::set<std::string>>> targets_of_files(const std::string& build_dir) {
+  std::map<std::string, std::set<std::string>> targets;
+  const Expected<void> read = each_entry(build_dir, [&](const json& entry) {
+    if (const std::string target = target_in(command_of(entry)); !target.empty())
+      targets[file_of(entry)].insert(target);
+  });
+  if (!read) return read.error();
   return targets;
+}
+
+Expected<std::set<std::string>> compiled_files(const std::string& build_dir) {
+  std::set<std::string> files;
+  const Expected<void> read = each_entry(build_dir, [&](const json& entry) { files.insert(file_of(entry)); });
+  if (!read) return read.error();
+  return files;
 }
 
 }  // namespace tzc::rewriter

@@ -13,4 +13,7 @@ namespace tzc::rewriter {
 /// BUILD_DIR/compile_commands.json ("pkg/CMakeFiles/NAME.dir/src/x.cpp.o"). Paths are canonical.
 Expected<std::map<std::string, std::set<std::string>>> targets_of_files(const std::string& build_dir);
 
+/// Every file that the database has a command for.
+Expected<std::set<std::string>> compiled_files(const std::string& build_dir);
+
 }  // namespace tzc::rewriter

@@ -42,10 +42,11 @@ struct Site {
   std::string code;    ///< TZCnnnn; empty: ported without remark
   std::string reason;  ///< one sentence: what was seen; empty together with `code`
   std::vector<FlowStep> chain;
-  std::string rule;         ///< the rule that ported it
-  bool suppressed = false;  ///< by a tzc-ignore comment; set by the tool, not by the engine
-  std::string memory_note;  ///< how the memory size was chosen
-  int component = -1;       ///< of the flow graph
+  std::string rule;                ///< the rule that ported it
+  bool suppressed = false;         ///< by a tzc-ignore comment; set by the tool, not by the engine
+  std::string suppression_reason;  ///< what that comment says
+  std::string memory_note;         ///< how the memory size was chosen
+  int component = -1;              ///< of the flow graph
 };
 
 /// A remark that belongs to no site: a file not parsed in this configuration, an #if branch not seen, ...

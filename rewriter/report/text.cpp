@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "report/codes.h"
+#include "report/output.h"
+
+namespace tzc::rewriter {
+namespace {
+
+constexpr const char* bold = "1";
+constexpr const char* dim = "2";
+
+const char* colour_of(Level level) {
+  switch (level) {
+    case Level::zero_copy:
+    case Level::shared:
+      return "32";
+    case Level::one_copy:
+    case Level::copied:
+      return "33";
+    case Level::plain:
+      return "31";
+    case Level::not_needed:
+      return dim;
+  }
+  return "";
+}
+
+/// The cells of one site, in the order of the columns.
+using Row = std::array<std::string, 5>;
+
+class TextReport {
+ public:
+  TextReport(const PackageReport& package, const TextStyle& style)
+      : package_(package), report_(package.report), style_(style) {}
+
+  std::string run() {
+    text_ = painted(bold, report_.package) + "\n";
+    table();
+    for (const Note& note : report_.notes) note_lines(note);
+    summary();
+    return text_;
+  }
+
+ private:
+  std::string painted(const char* colour, const std::string& text) const {
+    return style_.colour ? fmt::format("\033[{}m{}\033[0m", colour, text) : text;
+  }
+
+  std::string place(const Location& where) const {
+    return fmt::format("{}:{}:{}", relative_file(report_, where.file), where.line, where.column);
+  }
+
+  Row row(const Site& site) const {
+    return {place(site.where), name_of(site.kind), site.message_type, site.topic.value_or("(not a constant)"),
+            name_of(site.level)};
+  }
+
+  /// By file, as one reads the source.
+  std::vector<const Site*> ordered() const {
+    std::vector<const Site*> sites;
+    for (const Site& site : report_.sites) sites.push_back(&site);
+    std::stable_sort(sites.begin(), sites.end(), [](const Site* a, const Site* b) {
+      return std::tie(a->where.file, a->where.line, a->where.column) <
+             std::tie(b->where.file, b->where.line, b->where.column);
+    });
+    return sites;
+  }
+
+  void table() {
+    if (report_.sites.empty()) text_ += "  no advertise, publish or subscribe site\n";
+    std::array<std::size_t, 5> widths{};
+    const std::vector<const Site*> sites = ordered();
+    for (const Site* site : sites) {
+      const Row cells = row(*site);
+      for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
+    }
+    for (const Site* site : sites) {
+      const Row cells = row(*site);
+      text_ += "  ";
+      for (std::size_t i = 0; i + 1 < cells.size(); ++i)
+        text_ += fmt::format("{:<{}}  ", cells[i], widths[i]);
+      text_ += painted(colour_of(site->level), cells.back()) + "\n";
+      remark(*site);
+    }
+  }
+
+  void remark(const Site& site) {
+    if (site.code.empty()) return;
+    const CodeInfo* info = find_code(site.code);
+    text_ +=
+        fmt::format("      {} {}{}\n", painted(bold, site.code),
+                    !site.reason.empty() ? site.reason : std::string(info ? info->title : ""),
+                    site.suppressed ? painted(dim, " (suppressed: " + site.suppression_reason + ")") : "");
+    if (!style_.chains) return;
+    for (const FlowStep& step : site.chain)
+      text_ += painted(dim, fmt::format("        {}: {}", place(step.where), step.what)) + "\n";
+  }
+
+  void note_lines(const Note& note) {
+    const std::string where = note.where ? place(*note.where) + ": " : "";
+    text_ += fmt::format("  {} {}{}\n", painted(bold, note.code), where, note.text);
+  }
+
+  void summary() {
+    text_ += "\n";
+    for (const SiteKind kind : {SiteKind::publish, SiteKind::subscribe}) counts(kind);
+    const DiffStat stat = package_.stat();
+    if (stat.files > 0)
+      text_ += fmt::format("  {:<10} {} file{}, {} {}\n", "changes", stat.files, stat.files == 1 ? "" : "s",
+                           painted("32", fmt::format("+{}", stat.added)),
+                           painted("31", fmt::format("-{}", stat.removed)));
+  }
+
+  void counts(SiteKind kind) {
+    std::string parts;
+    unsigned total = 0;
+    for (const Level level : levels_of(kind)) {
+      const unsigned n = count(report_, kind, level);
+      total += n;
+      if (n > 0)
+        parts +=
+            (parts.empty() ? "" : ", ") + painted(colour_of(level), fmt::format("{} {}", n, name_of(level)));
+    }
+    if (total > 0)
+      text_ += fmt::format("  {:<10} {} site{}: {}\n", name_of(kind), total, total == 1 ? "" : "s", parts);
+  }
+
+  const PackageReport& package_;
+  const Report& report_;
+  const TextStyle& style_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string to_text(const PackageReport& package, const TextStyle& style) {
+  return TextReport(package, style).run();
+}
+
+}  // namespace tzc::rewriter

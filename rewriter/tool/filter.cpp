@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/filter.h"
+
+#include <fnmatch.h>
+
+#include <map>
+
+#include "edits/files.h"
+
+namespace tzc::rewriter {
+namespace {
+
+using Globs = std::map<std::string, std::vector<std::string>>;
+
+Globs parse(const std::vector<std::string>& values) {
+  Globs globs;
+  for (const std::string& value : values) {
+    const std::size_t equals = value.find('=');
+    globs[value.substr(0, equals)].push_back(value.substr(equals + 1));
+  }
+  return globs;
+}
+
+std::string without_slash(const std::string& text) {
+  return text.rfind('/', 0) == 0 ? text.substr(1) : text;
+}
+
+std::string value_of(const Site& site, const std::string& kind, const std::string& package_dir) {
+  if (kind == "type") return site.message_type;
+  if (kind == "topic") return without_slash(site.topic.value_or(""));
+  return is_below(site.where.file, package_dir) ? site.where.file.substr(package_dir.size() + 1)
+                                                : site.where.file;
+}
+
+bool matches_one(const std::string& value, const std::vector<std::string>& globs) {
+  for (const std::string& glob : globs)
+    if (fnmatch(without_slash(glob).c_str(), value.c_str(), 0) == 0) return true;
+  return false;
+}
+
+}  // namespace
+
+std::string filter_format(const std::string& text) {
+  for (const char* kind : {"topic=", "type=", "file="})
+    if (text.rfind(kind, 0) == 0 && text.size() > std::string(kind).size()) return "";
+  return text + ": write topic=GLOB, type=GLOB or file=GLOB";
+}
+
+SiteFilter make_filter(const std::vector<std::string>& only, const std::vector<std::string>& except,
+                       const std::string& package_dir) {
+  if (only.empty() && except.empty()) return {};
+  return [only = parse(only), except = parse(except), package_dir](const Site& site) {
+    for (const auto& [kind, globs] : only)
+      if (!matches_one(value_of(site, kind, package_dir), globs)) return false;
+    for (const auto& [kind, globs] : except)
+      if (matches_one(value_of(site, kind, package_dir), globs)) return false;
+    return true;
+  };
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/model.h"
+
+namespace tzc::rewriter {
+
+/// What is wrong with a --only or --except value; empty: nothing.
+std::string filter_format(const std::string& text);
+
+/// `only` and `except` hold "topic=GLOB", "type=GLOB", "file=GLOB" (relative to the package). Of --only each
+/// kind that is given must match with one of its globs; of --except none may match. A leading '/' of topics
+/// does not matter. Empty when everything is wanted.
+SiteFilter make_filter(const std::vector<std::string>& only, const std::vector<std::string>& except,
+                       const std::string& package_dir);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <exception>
+#include <iostream>
+
+#include "engine.h"
+#include "tool/run.h"
+
+int main(int argc, char** argv) {
+  try {
+    return tzc::rewriter::tool_main(argc, argv, tzc::rewriter::plan_port);
+  } catch (const std::exception& defect) {
+    std::cerr << "tzc-rewrite: " << defect.what()
+              << "\n  this is a defect of tzc-rewrite, please report it\n";
+    return 2;
+  }
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/own_messages.h"
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <map>
+
+#include "buildfiles/package_xml.h"
+#include "tool/places.h"
+#include "tool/process.h"
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+std::vector<std::string> definitions(const fs::path& package) {
+  std::vector<std::string> files;
+  for (const char* kind : {"msg", "srv", "action"}) {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(package / kind, none))
+      if (entry.path().extension() == std::string(".") + kind) files.push_back(entry.path());
+  }
+  return files;
+}
+
+/// The folder that holds the workspace's packages: the highest one above the package that a catkin workspace
+/// marks, else the package's parent.
+fs::path source_space(const fs::path& package) {
+  for (fs::path folder = package.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+    if (folder.filename() == "src" || fs::exists(folder.parent_path() / ".catkin_workspace")) return folder;
+  return package.parent_path();
+}
+
+/// Message packages of the workspace by name, the package itself among them.
+std::map<std::string, fs::path> message_packages(const std::string& package_dir) {
+  std::map<std::string, fs::path> found;
+  Expected<std::vector<std::string>> all = find_packages_at(source_space(package_dir));
+  if (!all) all = std::vector<std::string>{package_dir};
+  for (const std::string& folder : *all)
+    if (!definitions(folder).empty())
+      if (const Expected<PackageXml> package = read_package_xml(folder)) found[package->name] = folder;
+  return found;
+}
+
+std::string generator() {
+  const fs::path beside = fs::path(own_folder()) / "tzc-msggen";
+  return fs::exists(beside) ? beside.string() : "tzc-msggen";
+}
+
+Expected<void> generate_one(const std::string& package, const fs::path& folder,
+                            const std::map<std::string, fs::path>& all, const std::string& output) {
+  std::vector<std::string> command = {generator(), "generate", "-p", package, "-o", output};
+  for (const auto& [name, place] : all)
+    if (fs::exists(place / "msg"))
+      command.insert(command.end(), {"-I", name + ":" + (place / "msg").string()});
+  for (const std::string& file : definitions(folder)) command.push_back(file);
+  const ProcessResult result = run_process(command);
+  if (result.status == 0) return {};
+  return Error{
+      "tzc-msggen could not generate the headers of its messages\n" + result.errors, folder,
+      result.status < 0 ? "install tzc-msggen beside tzc-rewrite" : "repair the message definitions"};
+}
+
+}  // namespace
+
+Expected<OwnMessages> OwnMessages::generate(const std::string& package_dir) {
+  OwnMessages messages;
+  const std::map<std::string, fs::path> all = message_packages(package_dir);
+  if (all.empty()) return messages;
+  std::string pattern = fs::temp_directory_path() / "tzc-rewrite-XXXXXX";
+  if (!mkdtemp(pattern.data())) return Error{"no temporary folder can be made", pattern, ""};
+  messages.folder_ = pattern;
+  for (const auto& [name, folder] : all) {
+    const Expected<void> done = generate_one(name, folder, all, messages.folder_);
+    // Another package's broken messages are its own business: what needs them will not compile and say so.
+    if (!done && folder == package_dir) return done.error();
+  }
+  return messages;
+}
+
+OwnMessages::~OwnMessages() {
+  std::error_code ignored;
+  if (!folder_.empty()) fs::remove_all(folder_, ignored);
+}
+
+std::vector<std::string> OwnMessages::include_dirs() const {
+  return folder_.empty() ? std::vector<std::string>() : std::vector<std::string>{folder_};
+}
+
+}  // namespace tzc::rewriter

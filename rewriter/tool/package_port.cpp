@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/package_port.h"
+
+#include "buildfiles/package_xml.h"
+#include "buildfiles/plan.h"
+#include "tool/filter.h"
+#include "tool/invariant.h"
+#include "tool/own_messages.h"
+#include "tool/places.h"
+#include "tool/suppressions.h"
+
+namespace tzc::rewriter {
+namespace {
+
+class Porter {
+ public:
+  Porter(const std::string& package_dir, const PortInputs& inputs) : inputs_(inputs) {
+    port_.package_dir = package_dir;
+  }
+
+  Expected<PackagePort> run() {
+    for (const auto step :
+         {&Porter::prepare, &Porter::plan_sources, &Porter::plan_build, &Porter::apply, &Porter::report})
+      if (Expected<void> done = (this->*step)(); !done) return done.error();
+    return std::move(port_);
+  }
+
+ private:
+  Expected<void> prepare() {
+    const Expected<PackageXml> package = read_package_xml(port_.package_dir);
+    if (!package) return package.error();
+    package_ = package->name;
+    const Expected<std::string> build_dir =
+        find_build_dir(port_.package_dir, package_, inputs_.options.build_dir);
+    if (!build_dir) return build_dir.error();
+    build_dir_ = *build_dir;
+    port_.before = snapshot(port_.package_dir);
+    return {};
+  }
+
+  Expected<void> plan_sources() {
+    const Expected<std::vector<std::string>> includes = find_tzc_includes(inputs_.options.tzc_include);
+    if (!includes) return includes.error();
+    const Expected<OwnMessages> messages = OwnMessages::generate(port_.package_dir);
+    if (!messages) return messages.error();
+    EngineOptions engine = engine_options();
+    engine.tzc_include = includes->front();
+    engine.extra_include_dirs.assign(includes->begin() + 1, includes->end());
+    for (const std::string& folder : messages->include_dirs()) engine.extra_include_dirs.push_back(folder);
+    Expected<PortPlan> plan = inputs_.planner(engine);
+    if (!plan) return plan.error();
+    plan_ = std::move(*plan);
+    return {};
+  }
+
+  EngineOptions engine_options() const {
+    const Options& options = inputs_.options;
+    EngineOptions engine;
+    engine.package_dir = port_.package_dir;
+    engine.build_dir = build_dir_;
+    engine.max_level = options.level;
+    engine.on_exhausted = options.on_exhausted;
+    engine.mem_size = options.mem_size;
+    engine.measured_sizes = inputs_.measured_sizes;
+    engine.dual = options.dual;
+    engine.jobs = options.jobs;
+    engine.wanted = make_filter(options.only, options.except, port_.package_dir);
+    engine.progress = inputs_.progress;
+    return engine;
+  }
+
+  Expected<void> plan_build() {
+    BuildNeeds needs;
+    needs.package_dir = port_.package_dir;
+    needs.build_dir = build_dir_;
+    needs.main_files = plan_.ported_targets_files;
+    for (const Edit& edit : plan_.edits) needs.edited_files.insert(edit.file);
+    needs.tzc_types = plan_.tzc_types;
+    Expected<BuildPlan> build = plan_build_files(needs);
+    if (!build) return build.error();
+    plan_.edits.insert(plan_.edits.end(), build->edits.begin(), build->edits.end());
+    plan_.report.notes.insert(plan_.report.notes.end(), build->notes.begin(), build->notes.end());
+    return {};
+  }
+
+  Expected<void> apply() {
+    for (const auto& [file, edits] : by_file(plan_.edits)) {
+      if (!is_below(file, port_.package_dir))
+        return Error{"an edit of the rule '" + edits.front().rule + "' lies outside the package", file,
+                     "this is a defect of tzc-rewrite, please report it; nothing was written"};
+      if (Expected<void> done = apply_to(file, edits); !done) return done;
+    }
+    return {};
+  }
+
+  Expected<void> apply_to(const std::string& file, const Edits& edits) {
+    const Expected<std::string> before = read_file(file);
+    if (!before) return before.error();
+    const auto analysed = port_.before.find(file);
+    if (analysed == port_.before.end() || analysed->second != content_hash(*before))
+      return Error{"changed while the package was being analysed; nothing was written", file,
+                   "run tzc-rewrite again"};
+    const Expected<std::string> after = apply_edits(*before, edits);
+    if (!after) return after.error();
+    if (*after == *before) return {};
+    port_.contents[file] = *after;
+    port_.result.changes.push_back({file.substr(port_.package_dir.size() + 1), *before, *after});
+    return {};
+  }
+
+  Expected<void> report() {
+    port_.result.report = std::move(plan_.report);
+    Report& report = port_.result.report;
+    report.package = package_;
+    report.package_dir = port_.package_dir;
+    std::set<std::string> files;
+    for (const std::string& file : plan_.parsed_files)
+      if (is_below(file, port_.package_dir)) files.insert(file);
+    apply_suppressions(report, files);
+    return check_report(report);
+  }
+
+  const PortInputs& inputs_;
+  std::string package_, build_dir_;
+  PortPlan plan_;
+  PackagePort port_;
+};
+
+}  // namespace
+
+Expected<PackagePort> port_package(const std::string& package_dir, const PortInputs& inputs) {
+  return Porter(package_dir, inputs).run();
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/places.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "buildfiles/compile_targets.h"
+#include "edits/files.h"
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_skipped(const fs::path& folder) {
+  return folder.filename().string().front() == '.' || fs::exists(folder / "CATKIN_IGNORE");
+}
+
+void collect_packages(const fs::path& folder, std::vector<std::string>& packages) {
+  if (fs::exists(folder / "package.xml")) return packages.push_back(folder);
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.is_directory(ignored) && !is_skipped(entry.path())) collect_packages(entry.path(), packages);
+}
+
+bool has_database(const fs::path& folder) {
+  return fs::exists(folder / "compile_commands.json");
+}
+
+bool knows_package(const std::string& build_dir, const std::string& package_dir) {
+  const Expected<std::set<std::string>> files = compiled_files(build_dir);
+  return files &&
+         std::any_of(files->begin(), files->end(), [&](auto& file) { return is_below(file, package_dir); });
+}
+
+constexpr const char* make_one =
+    "configure the workspace with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON, as in: catkin_make "
+    "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON";
+
+Expected<std::string> checked_build_dir(const std::string& given, const std::string& package_dir) {
+  fs::path folder = given;
+  if (folder.filename() == "compile_commands.json") folder = folder.parent_path();
+  if (folder.empty()) folder = ".";
+  if (!has_database(folder)) return Error{"has no compile_commands.json", given, make_one};
+  if (Expected<std::set<std::string>> files = compiled_files(folder); !files) return files.error();
+  if (!knows_package(folder, package_dir))
+    return Error{"has no compile command for any file of " + package_dir, given,
+                 "configure the package in that folder"};
+  return fs::canonical(folder).string();
+}
+
+/// Every folder that catkin's tools may have used for a package below `root`.
+std::vector<fs::path> candidates(const fs::path& root, const std::string& package) {
+  return {root / "build" / package,          root / "build",
+          root / "build_isolated" / package, root / "build_isolated" / package / "devel",
+          root / ".private" / package,       root};
+}
+
+/// The value of NAME:TYPE=value in a CMakeCache.txt.
+std::string cached(const std::string& cache, const std::string& name) {
+  std::size_t at = cache.rfind("\n" + name + ":");
+  if (at == std::string::npos) return "";
+  at = cache.find('=', at) + 1;
+  return cache.substr(at, cache.find('\n', at) - at);
+}
+
+/// The headers in TZC's own source and build tree, where this program may have been built.
+std::vector<fs::path> build_tree_includes(fs::path folder) {
+  for (; folder.has_relative_path(); folder = folder.parent_path()) {
+    const Expected<std::string> cache = read_file(folder / "CMakeCache.txt");
+    if (!cache) continue;
+    const std::string devel = cached(*cache, "CATKIN_DEVEL_PREFIX");
+    return {fs::path(cached(*cache, "tzc_SOURCE_DIR")) / "runtime/include",
+            (devel.empty() ? folder / "devel" : fs::path(devel)) / "include"};
+  }
+  return {};
+}
+
+std::vector<fs::path> own_include_folders() {
+  const fs::path bin = own_folder();
+  std::vector<fs::path> places = {bin / "../include"};  // bin
+  places.push_back(bin / "../../include");              // lib/tzc
+  for (const fs::path& place : build_tree_includes(bin)) places.push_back(place);
+  return places;
+}
+
+}  // namespace
+
+Expected<std::vector<std::string>> find_packages_at(const std::string& argument) {
+  std::error_code failed;
+  const fs::path folder = fs::canonical(argument, failed);
+  if (failed || !fs::is_directory(folder))
+    return Error{"is no folder", argument, "name the folder of a catkin package"};
+  std::vector<std::string> packages;
+  collect_packages(folder, packages);
+  if (packages.empty())
+    return Error{"no package.xml here or below", argument, "name the folder of a catkin package"};
+  std::sort(packages.begin(), packages.end());
+  return packages;
+}
+
+Expected<std::string> find_build_dir(const std::string& package_dir, const std::string& package,
+                                     const std::string& given) {
+  if (!given.empty()) return checked_build_dir(given, package_dir);
+  for (fs::path root = package_dir; root.has_relative_path(); root = root.parent_path())
+    for (const fs::path& folder : candidates(root, package))
+      if (has_database(folder) && knows_package(folder, package_dir)) return folder.string();
+  return Error{"no compile_commands.json with the package's files was found", package_dir,
+               std::string(make_one) + "; or name its folder with -p"};
+}
+
+std::string own_folder() {
+  std::error_code failed;
+  return fs::read_symlink("/proc/self/exe", failed).parent_path();
+}
+
+Expected<std::vector<std::string>> find_tzc_includes(const std::string& given) {
+  const std::vector<fs::path> places = given.empty() ? own_include_folders() : std::vector<fs::path>{given};
+  std::vector<std::string> found;
+  for (const fs::path& place : places)
+    if (fs::exists(place / "tzc")) found.push_back(fs::canonical(place));
+  const auto has_ros = [](const std::string& folder) { return fs::exists(fs::path(folder) / "tzc/ros.h"); };
+  const auto main = std::find_if(found.begin(), found.end(), has_ros);
+  if (main == found.end())
+    return Error{"TZC's headers were not found", given.empty() ? own_folder() : given,
+                 "name the folder that holds tzc/ros.h with --tzc-include"};
+  std::rotate(found.begin(), main, main + 1);
+  return found;
+}
+
+}  // namespace tzc::rewriter

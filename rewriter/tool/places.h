@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edits/expected.h"
+
+namespace tzc::rewriter {
+
+/// The packages that a command-line argument means: the folder itself, or all below it that have a
+/// package.xml (CATKIN_IGNORE and hidden folders are left out). Canonical, sorted.
+Expected<std::vector<std::string>> find_packages_at(const std::string& argument);
+
+/// The folder of the compile_commands.json that knows the package's files. `given` is -p (a folder or the
+/// file itself); empty: the places where catkin_make, catkin build and catkin_make_isolated put it, walking
+/// up from the package.
+Expected<std::string> find_build_dir(const std::string& package_dir, const std::string& package,
+                                     const std::string& given);
+
+/// Where this program lies.
+std::string own_folder();
+
+/// TZC's include folders, the one with tzc/ros.h first: `given`, else those of the install or build tree that
+/// this program belongs to.
+Expected<std::vector<std::string>> find_tzc_includes(const std::string& given);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tool/package_port.h"
+
+namespace tzc::rewriter {
+
+/// A whole run of tzc-rewrite on checked options; writes to standard output and error. Returns the exit
+/// status.
+int run(const Options& options, const Planner& planner);
+
+/// The program: arguments to exit status.
+int tool_main(int argc, const char* const* argv, const Planner& planner);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/suppressions.h"
+
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include "edits/files.h"
+#include "report/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+struct Suppression {
+  Location where;
+  unsigned covers = 0;  ///< the line that it is about
+  std::set<std::string> codes;
+  std::string reason;
+  bool used = false;
+};
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+}
+
+std::set<std::string> split_codes(const std::string& list) {
+  std::set<std::string> codes;
+  std::istringstream stream(list);
+  for (std::string code; std::getline(stream, code, ',');) codes.insert(trimmed(code));
+  if (codes.empty()) codes.insert("");
+  return codes;
+}
+
+bool is_comment_line(const std::string& line) {
+  return trimmed(line).rfind("//", 0) == 0;
+}
+
+/// A comment behind code is about its own line, one that stands alone about the next line of code.
+unsigned covered_line(const std::vector<std::string>& lines, std::size_t at) {
+  while (at < lines.size() && is_comment_line(lines[at])) ++at;
+  return static_cast<unsigned>(at) + 1;
+}
+
+std::vector<Suppression> find_all(const std::string& file) {
+  static const std::regex comment(R"(//.*\btzc-ignore\[([^\]]*)\](?:\s*:(.*))?)");
+  std::vector<Suppression> found;
+  const Expected<std::string> content = read_file(file);
+  if (!content || content->find("tzc-ignore") == std::string::npos) return found;
+  std::vector<std::string> lines;
+  std::istringstream stream(*content);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  std::smatch match;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (std::regex_search(lines[i], match, comment))
+      found.push_back({{file, static_cast<unsigned>(i) + 1, static_cast<unsigned>(match.position(0)) + 1},
+                       covered_line(lines, i),
+                       split_codes(match[1]),
+                       trimmed(match[2])});
+  return found;
+}
+
+class Suppressor {
+ public:
+  Suppressor(Report& report, std::set<std::string> files) : report_(report) {
+    for (const Site& site : report.sites) files.insert(site.where.file);
+    for (const std::string& file : files)
+      for (Suppression& suppression : find_all(file)) check(std::move(suppression));
+  }
+
+  void run() {
+    for (Site& site : report_.sites) {
+      if (site.code.empty()) continue;
+      for (Suppression& suppression : all_)
+        if (fits(suppression, site)) mark(site, suppression);
+    }
+    for (const Suppression& suppression : all_)
+      if (!suppression.used) note(codes::TZC3006, suppression, "the comment suppresses nothing; remove it");
+  }
+
+ private:
+  static bool fits(const Suppression& suppression, const Site& site) {
+    return suppression.where.file == site.where.file && suppression.covers == site.where.line &&
+           suppression.codes.count(site.code);
+  }
+
+  static void mark(Site& site, Suppression& suppression) {
+    site.suppressed = suppression.used = true;
+    site.suppression_reason = suppression.reason;
+  }
+
+  void check(Suppression suppression) {
+    if (suppression.reason.empty())
+      return note(codes::TZC3005, suppression,
+                  "a suppression needs a reason: // tzc-ignore[TZCnnnn]: reason");
+    for (const std::string& code : suppression.codes)
+      if (!find_code(code)) return note(codes::TZC3005, suppression, "there is no code '" + code + "'");
+    all_.push_back(std::move(suppression));
+  }
+
+  void note(const char* code, const Suppression& suppression, const std::string& text) {
+    report_.notes.push_back({code, suppression.where, text});
+  }
+
+  Report& report_;
+  std::vector<Suppression> all_;
+};
+
+}  // namespace
+
+void apply_suppressions(Report& report, const std::set<std::string>& more_files) {
+  Suppressor(report, more_files).run();
+}
+
+}  // namespace tzc::rewriter

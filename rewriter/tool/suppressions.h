@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "report/model.h"
+
+namespace tzc::rewriter {
+
+/// Marks the sites whose remark a comment suppresses: `// tzc-ignore[TZC1004]: reason`, several codes with
+/// commas, on the site's line or in the comment lines right above it. Comments without a reason, with unknown
+/// codes or without effect become notes. Looks at the report's files and `more_files`.
+void apply_suppressions(Report& report, const std::set<std::string>& more_files);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/terminal.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace tzc::rewriter {
+namespace {
+
+std::size_t columns() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+bool is_dumb() {
+  const char* terminal = std::getenv("TERM");
+  return !terminal || std::string(terminal) == "dumb";
+}
+
+}  // namespace
+
+bool wants_colour(int descriptor) {
+  const char* refused = std::getenv("NO_COLOR");
+  return isatty(descriptor) && !(refused && *refused) && !is_dumb();
+}
+
+TerminalProgress::TerminalProgress(bool enabled) : enabled_(enabled && isatty(STDERR_FILENO) && !is_dumb()) {}
+
+TerminalProgress::~TerminalProgress() {
+  clear();
+}
+
+void TerminalProgress::step(const std::string& stage, unsigned done, unsigned total,
+                            const std::string& what) {
+  if (!enabled_) return;
+  std::string line = fmt::format("{} {}/{} {}", stage, done, total, what);
+  if (line.size() >= columns()) line.resize(columns() - 1);
+  fmt::print(stderr, "\r\033[K{}", line);
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+void TerminalProgress::clear() {
+  if (!shown_) return;
+  fmt::print(stderr, "\r\033[K");
+  shown_ = false;
+}
+
+}  // namespace tzc::rewriter

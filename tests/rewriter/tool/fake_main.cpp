@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tzc-rewrite with a planner that does as PACKAGE/plan.json says instead of analysing anything:
+//   {"edits": [{"file", "find", "replace"}], "sites": [{"id", "kind", "file", "line", "type", "topic",
+//   "level", "code"}],
+//    "error": "...", "touch": "file to change while analysing", "echo": true}
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "edits/files.h"
+#include "report/output.h"
+#include "tool/run.h"
+
+namespace tzc::rewriter {
+namespace {
+
+using nlohmann::json;
+
+template <class Enum>
+Enum named(const std::string& name, std::initializer_list<Enum> all) {
+  for (const Enum value : all)
+    if (name == name_of(value)) return value;
+  return *all.begin();
+}
+
+Site site_of(const json& entry, const std::string& package_dir) {
+  Site site;
+  site.kind =
+      named(entry.value("kind", "publish"), {SiteKind::publish, SiteKind::advertise, SiteKind::subscribe});
+  site.where = {package_dir + "/" + entry.value("file", "src/node.cpp"), entry.value("line", 1u), 3};
+  site.message_type = entry.value("type", "sensor_msgs/Image");
+  site.id = entry.value("id", "site");
+  if (entry.contains("topic")) site.topic = entry["topic"];
+  site.level = named(entry.value("level", "zero_copy"), {Level::zero_copy, Level::one_copy, Level::plain,
+                                                         Level::not_needed, Level::shared, Level::copied});
+  site.code = entry.value("code", "");
+  return site;
+}
+
+void add_edit(const json& entry, const std::string& package_dir, PortPlan& plan) {
+  const std::string file = package_dir + "/" + entry.at("file").get<std::string>();
+  const std::string wanted = entry.at("find");
+  const std::size_t at = read_file(file)->find(wanted);
+  if (at != std::string::npos)
+    plan.edits.push_back({file, at, wanted.size(), entry.at("replace"), 0, "fake"});
+  plan.ported_targets_files.insert(file);
+}
+
+void show(const EngineOptions& options) {
+  fmt::print(stderr, "engine: level={} on_exhausted={} mem_size={} dual={} jobs={} measured={}\n",
+             name_of(options.max_level), static_cast<int>(options.on_exhausted), options.mem_size.value_or(0),
+             options.dual, options.jobs, options.measured_sizes.size());
+}
+
+Expected<PortPlan> fake_plan(const EngineOptions& options) {
+  PortPlan plan;
+  std::ifstream file(options.package_dir + "/plan.json");
+  const json script = json::parse(file);
+  if (script.contains("error"))
+    return Error{script["error"], options.package_dir + "/src/node.cpp:3", "repair it"};
+  if (script.contains("echo")) show(options);
+  for (const json& entry : script.value("edits", json::array())) add_edit(entry, options.package_dir, plan);
+  for (const json& entry : script.value("sites", json::array())) {
+    const Site site = site_of(entry, options.package_dir);
+    if (!options.wanted || options.wanted(site)) plan.report.sites.push_back(site);
+  }
+  if (script.contains("touch"))
+    std::ofstream(options.package_dir + "/" + script["touch"].get<std::string>(), std::ios::app)
+        << "// changed\n";
+  return plan;
+}
+
+}  // namespace
+}  // namespace tzc::rewriter
+
+int main(int argc, char** argv) {
+  return tzc::rewriter::tool_main(argc, argv, tzc::rewriter::fake_plan);
+}
