@@ -9,6 +9,10 @@
 
 #include <boost/make_shared.hpp>
 
+#include <new>
+#include <stdexcept>
+#include <utility>
+
 namespace tzc {
 namespace message {
 namespace detail {
@@ -45,6 +49,7 @@ boost::shared_ptr<S> make_view(const std::uint8_t* control, std::size_t size,
   const auto view = boost::make_shared<detail::View<S> >(std::move(hold));
   detail::PartialInput input(control, size, blocks, &view->loan.borrowers());
   if (!detail::read(input, view->message)) return boost::shared_ptr<S>();
+  view->loan.settle();
   return boost::shared_ptr<S>(view, &view->message);
 }
 

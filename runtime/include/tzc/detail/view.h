@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace tzc {
@@ -19,6 +20,10 @@ class Loan {
 
   /// The vectors that borrow; add one before it gets its pointers.
   std::vector<void*>& borrowers() { return borrowers_; }
+  /// Lets go at once when nobody has borrowed.
+  void settle() {
+    if (borrowers_.empty()) hold_.reset();
+  }
 
  private:
   std::vector<void*> borrowers_;
