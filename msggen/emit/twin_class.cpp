@@ -86,53 +86,31 @@ class ClassEmitter {
     return text;
   }
 
-  bool holds_twins(const Field& field) { return analysis_.part(field) == Part::mixed; }
-
+  // Locals begin with an underscore, as no field can.
   std::string from_stock() {
-    std::string initializers, body;
+    std::vector<std::string> initializers;
     for (const Field& f : message_.fields) {
-      if (holds_twins(f) && f.array == ArrayKind::fixed) {
-        body +=
-            fmt::format("    for (::std::size_t i = 0; i <{0}.size(); ++i) {0}[i] = {1}(_stock.{0}[i]);\n",
-                        f.name, twin_element(f, analysis_));
-        continue;
-      }
-      const bool range =
-          analysis_.part(f) == Part::data || (holds_twins(f) && f.array == ArrayKind::variable);
-      initializers +=
-          fmt::format(range ? "{1}{0}(_stock.{0}.begin(), _stock.{0}.end())" : "{1}{0}(_stock.{0})", f.name,
-                      initializers.empty() ? "      : " : ",\n        ");
+      const std::string value = "_stock." + f.name;
+      initializers.push_back(f.name + "(" + converted(f, fmt::format("_{}_type", f.name), value) + ")");
     }
-    if (!initializers.empty()) initializers = "\n" + initializers;
-    return fmt::format("  explicit {}(const {}& _stock){} {{{}}}\n", name_, stock_, initializers,
-                       body.empty() ? "" : "\n" + body + "  ");
+    return fmt::format("  explicit {}(const {}& _stock)\n      : {} {{}}\n", name_, stock_,
+                       fmt::join(initializers, ",\n        "));
   }
 
   std::string to_stock() {
     std::string body;
-    for (const Field& f : message_.fields) body += field_to_stock(f);
+    for (const Field& f : message_.fields) {
+      const std::string type = fmt::format("{}::_{}_type", stock_, f.name);
+      body += fmt::format("    _stock.{} = {};\n", f.name, converted(f, type, f.name));
+    }
     return fmt::format("  explicit operator {0}() const {{\n    {0} _stock;\n{1}    return _stock;\n  }}\n",
                        stock_, body);
   }
 
-  std::string field_to_stock(const Field& f) {
-    if (analysis_.part(f) == Part::data) {
-      return fmt::format("    _stock.{0}.assign({0}.begin(), {0}.end());\n", f.name);
-    }
-    if (!holds_twins(f)) return fmt::format("    _stock.{0} = {0};\n", f.name);
-    const std::string element = stock_element(f);
-    switch (f.array) {
-      case ArrayKind::none:
-        return fmt::format("    _stock.{0} = static_cast<{1}>({0});\n", f.name, element);
-      case ArrayKind::fixed:
-        return fmt::format(
-            "    for (::std::size_t i = 0; i <{0}.size(); ++i) "
-            "_stock.{0}[_i] = static_cast<{1}>({0}[_i]);\n",
-            f.name, element);
-      case ArrayKind::variable:
-        break;
-    }
-    return fmt::format("    _stock.{0} = ::std::vector<{1}>({0}.begin(), {0}.end());\n", f.name, element);
+  // A control field has the same type in twin and stock message.
+  std::string converted(const Field& field, const std::string& type, const std::string& value) {
+    if (analysis_.part(field) == Part::control) return value;
+    return fmt::format("::tzc::message::convert<{}>({})", type, value);
   }
 
   std::string aliases() const {

@@ -17,10 +17,6 @@ std::string twin_element(const Field& field, Analysis& analysis) {
   return field.builtin ? std::string(field.builtin->cpp) : twin_type(*field.message, analysis);
 }
 
-std::string stock_element(const Field& field) {
-  return field.builtin ? std::string(field.builtin->cpp) : stock_type(*field.message);
-}
-
 std::string field_type(const Field& field, Analysis& analysis) {
   const std::string element = twin_element(field, analysis);
   switch (field.array) {

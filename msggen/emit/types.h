@@ -13,9 +13,8 @@ std::string stock_type(const Message& message);
 /// "::tzc::sensor_msgs::Image" for a message with a data part, else its stock type.
 std::string twin_type(const Message& message, Analysis& analysis);
 
-/// The type of one element of a field, in the twin or in the stock message.
+/// The type of one element of a field in the twin.
 std::string twin_element(const Field& field, Analysis& analysis);
-std::string stock_element(const Field& field);
 
 /// The type of the whole field in the twin.
 std::string field_type(const Field& field, Analysis& analysis);

@@ -104,9 +104,11 @@ const Package* PackageIndex::find(const std::string& name) const {
   return found == packages_.end() ? nullptr : &found->second;
 }
 
+// Some distributions put package.xml into another package than the definitions; genmsg's CMake file is with them.
 void PackageIndex::add_install_space(const std::string& share) {
   for (const fs::path& folder : entries(share)) {
-    if (is_file(folder / "package.xml")) add_package(folder.string(), true);
+    const fs::path genmsg_file = folder / "cmake" / (folder.filename().string() + "-msg-paths.cmake");
+    if (is_file(folder / "package.xml") || is_file(genmsg_file)) add_package(folder.string(), true);
   }
 }
 
