@@ -119,17 +119,17 @@ class PackagePage {
     if (!site.code.empty()) {
       const CodeInfo* info = find_code(site.code);
       const std::string title = info ? std::string(info->title) : "";
-      html += fmt::format("<b>{}</b> {}", site.code, html_escaped(site.reason.empty() ? title : site.reason));
+      html += fmt::format("<b>{}</b> {}", site.code, html_prose(site.reason.empty() ? title : site.reason));
       if (site.suppressed)
         html += fmt::format(" <span class=\"none\">(suppressed: {})</span>",
-                            html_escaped(site.suppression_reason));
+                            html_prose(site.suppression_reason));
     }
     if (!site.chain.empty()) html += "<ol>";
     for (const FlowStep& step : site.chain)
-      html += fmt::format("<li>{} {}</li>", place(step.where), html_escaped(step.what));
+      html += fmt::format("<li>{} {}</li>", place(step.where), html_prose(step.what));
     if (!site.chain.empty()) html += "</ol>";
     if (!site.memory_note.empty())
-      html += fmt::format("<div class=\"memory\">Memory: {}</div>", html_escaped(site.memory_note));
+      html += fmt::format("<div class=\"memory\">Memory: {}</div>", html_prose(site.memory_note));
     return html;
   }
 
@@ -138,7 +138,7 @@ class PackagePage {
     html_ += "<h2>Notes</h2>\n<ul>\n";
     for (const Note& note : report_.notes)
       html_ += fmt::format("<li><b>{}</b> {} {}</li>\n", note.code, note.where ? place(*note.where) : "",
-                           html_escaped(note.text));
+                           html_prose(note.text));
     html_ += "</ul>\n";
   }
 

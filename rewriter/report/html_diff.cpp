@@ -88,6 +88,18 @@ std::string html_escaped(const std::string& text) {
   return escaped;
 }
 
+std::string html_prose(const std::string& text) {
+  std::string html = html_escaped(text);
+  for (std::size_t at = 0; (at = html.find('`', at)) != std::string::npos;) {
+    const std::size_t end = html.find('`', at + 1);
+    if (end == std::string::npos) break;
+    const std::string code = "<code>" + html.substr(at + 1, end - at - 1) + "</code>";
+    html.replace(at, end - at + 1, code);
+    at += code.size();
+  }
+  return html;
+}
+
 std::string html_diff(const FileChange& change, const std::string& anchor) {
   const DiffStat stat = unified_diff(change.path, change.before, change.after, false).stat;
   return fmt::format(

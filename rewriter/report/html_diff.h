@@ -9,6 +9,9 @@ namespace tzc::rewriter {
 
 std::string html_escaped(const std::string& text);
 
+/// Escaped, with `code` in backquotes set as such.
+std::string html_prose(const std::string& text);
+
 /// A foldable side-by-side view of one changed file.
 std::string html_diff(const FileChange& change, const std::string& anchor);
 

@@ -55,7 +55,7 @@ class TextReport {
   }
 
   Row row(const Site& site) const {
-    return {place(site.where), name_of(site.kind), site.message_type, site.topic.value_or("(not a constant)"),
+    return {place(site.where), name_of(site.kind), site.message_type, site.topic.value_or("-"),
             name_of(site.level)};
   }
 
