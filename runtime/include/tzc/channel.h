@@ -63,8 +63,11 @@ class Connection {
   /// False once the subscriber unsubscribed, died or was closed.
   virtual bool alive() const = 0;
   /// Never blocks: writes directly, or queues when the socket is full. At most queue_size records are
-  /// untaken; beyond that the oldest is revoked and counted. False when the connection is not alive.
+  /// untaken; beyond that the oldest is revoked and counted. False when the connection is not alive, or when
+  /// the record's memory could not be offered to this subscriber (alive() stays true, last_failure() says
+  /// why: send the message without shared memory instead).
   virtual bool send(const RecordPtr& record) = 0;
+  virtual Error last_failure() const = 0;
   /// Ends the subscription. Records already sent still arrive; blocks that the subscriber holds stay valid.
   virtual void close() = 0;
   virtual ConnectionStats stats() const = 0;

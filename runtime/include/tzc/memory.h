@@ -21,6 +21,7 @@
 namespace tzc {
 
 namespace segment {
+struct Block;
 class Segment;
 class SegmentMemoryImpl;
 }  // namespace segment
@@ -41,6 +42,7 @@ class Buffer {
  private:
   friend class BufferPtr;
   friend class segment::Segment;
+  friend struct segment::Block;
   Buffer() noexcept = default;
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
@@ -110,8 +112,9 @@ enum class Prefault {
 };
 
 struct MemoryOptions {
-  /// Total bytes of shared memory. 0: the first segment is sized at the first allocate, for
-  /// max(4, queue_size + 2) blocks of that size, and more segments are added when needed, up to `ceiling`.
+  /// Total payload bytes of shared memory (the blocks' own headers come on top). 0: the first segment is
+  /// sized at the first allocate, for max(4, queue_size + 2) blocks of that size, and more segments are added
+  /// when needed, up to `ceiling`.
   std::size_t size = 0;
   std::size_t queue_size = 0;                  ///< of the publisher; only used when size is 0
   std::size_t ceiling = std::size_t{1} << 30;  ///< most bytes that size 0 grows to; 1 GiB by default

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "channel/connection.h"
+
+#include "channel/hub.h"
+#include "posix/fork_epoch.h"
+#include "posix/socket.h"
+#include "posix/step.h"
+#include "segment/ack_word.h"
+
+namespace tzc {
+namespace channel {
+namespace {
+
+using posix::SendResult;
+
+constexpr std::chrono::seconds linger{1};
+
+}  // namespace
+
+ConnectionImpl::ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPage page,
+                               std::size_t queue_size, std::weak_ptr<Hub> hub)
+    : peer_(std::move(peer)),
+      queue_size_(queue_size == 0 || queue_size > segment::max_ack_count ? segment::max_ack_count
+                                                                         : queue_size),
+      hub_(std::move(hub)),
+      epoch_(posix::fork_epoch()),
+      socket_(std::move(socket)),
+      page_(std::move(page)),
+      last_sequence_(first_sequence) {}
+
+Status ConnectionImpl::start(Service& service) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  service_ = &service;
+  const auto key = service.add(socket_.get(), true, false, shared_from_this());
+  if (!key) return key.error();
+  key_ = *key;
+  return Success{};
+}
+
+bool ConnectionImpl::alive() const {
+  if (posix::forked_since(epoch_)) return false;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return accepts_records();
+}
+
+bool ConnectionImpl::send(const RecordPtr& record) {
+  if (!record || posix::forked_since(epoch_)) return false;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!accepts_records() || !announce_segments(*record)) return false;
+  revoke_oldest_down_to(queue_size_ - 1);
+  if (!accepts_records()) return false;
+  posix::step("publish: before mark");
+  claim(*record);
+  ++stats_.sent;
+  Outgoing item;
+  item.record = record;
+  item.sequence = last_sequence_;
+  transmit(std::move(item));
+  return true;
+}
+
+bool ConnectionImpl::announce_segments(const Record& record) {
+  for (const BufferPtr& buffer : record.buffers()) {
+    segment::Segment& segment = segment::Segment::of(*buffer);
+    if (segments_.ledger_of(segment.id())) continue;
+    for (const std::uint64_t id : segments_.remove_retired()) {
+      Outgoing retirement;
+      retirement.kind = PacketKind::retire_segment;
+      retirement.segment_id = id;
+      transmit(std::move(retirement));
+    }
+    const auto added = segments_.add(segment, weak_from_this());
+    if (!added) {
+      failure_ = added.error();
+      return false;
+    }
+    Outgoing announcement;
+    announcement.kind = PacketKind::segment;
+    announcement.segment = added->segment;
+    announcement.ledger = added->ledger;
+    transmit(std::move(announcement));
+  }
+  return true;
+}
+
+// The marks come before the write: once the subscriber can know of a block, the block is its own.
+void ConnectionImpl::claim(const Record& record) {
+  Undecided::Entry& entry = undecided_.push(++last_sequence_);
+  for (const segment::BlockName& block : record.names()) {
+    auto ledger = segments_.ledger_of(block.segment);
+    if (ledger->mark(block.slot, block.generation)) entry.claims.push_back(Claim{std::move(ledger), block});
+    posix::step("publish: marked");
+  }
+}
+
+void ConnectionImpl::transmit(Outgoing item) {
+  if (state_ == State::open && outbox_.empty()) {
+    const SendResult result = Outbox::write(socket_.get(), item, stats_.bytes);
+    posix::step("publish: written");
+    if (result == SendResult::gone) break_off();
+    if (result != SendResult::full) return;
+    watch_writable(true);
+  }
+  outbox_.push(std::move(item));
+  if (outbox_.size() > queue_size_ + 2 * max_segments) break_off();  // it stopped, and segments come and go
+}
+
+void ConnectionImpl::flush() {
+  if (state_ == State::corked || state_ == State::gone) return;
+  const SendResult result = outbox_.flush(socket_.get(), stats_.bytes);
+  if (result == SendResult::gone) return break_off();
+  watch_writable(result == SendResult::full);
+  if (result == SendResult::sent && closing_) posix::stop_sending(socket_.get());
+}
+
+void ConnectionImpl::watch_writable(bool wanted) {
+  if (wanted == writable_watched_ || service_ == nullptr) return;
+  writable_watched_ = wanted;
+  service_->change(socket_.get(), key_, true, wanted);
+}
+
+void ConnectionImpl::uncork() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (state_ == State::corked) state_ = State::open;
+  const Welcome welcome{PacketKind::welcome, wire_version, first_sequence,
+                        static_cast<std::uint32_t>(page_.size())};
+  const iovec whole{const_cast<Welcome*>(&welcome), sizeof welcome};
+  const int page = page_.fd();
+  if (posix::send_packet(socket_.get(), &whole, 1, &page, 1) != SendResult::sent) return break_off();
+  page_.close_descriptor();
+  flush();
+}
+
+// Forgets what the subscriber took meanwhile.
+void ConnectionImpl::settle() {
+  const Verdict verdict = unpack_verdict(page_.verdict().load(std::memory_order_acquire));
+  if (is_after(verdict.taken, last_sequence_)) return break_off();  // it can't have taken what was never sent
+  while (!undecided_.empty() && !is_after(undecided_.oldest().sequence, verdict.taken))
+    drop_oldest_undecided(false);
+}
+
+void ConnectionImpl::revoke_oldest_down_to(std::size_t most) {
+  if (undecided_.size() <= most) return;
+  settle();
+  while (undecided_.size() > most && accepts_records()) revoke_through(undecided_.oldest().sequence);
+}
+
+void ConnectionImpl::revoke_through(std::uint32_t sequence) {
+  std::uint32_t taken = 0;
+  const bool won = win_revoke(page_.verdict(), sequence, taken);
+  posix::step("publish: revoke decided");
+  if (!won && is_after(sequence, taken)) return break_off();  // it keeps changing the word
+  while (!undecided_.empty() && !is_after(undecided_.oldest().sequence, sequence))
+    drop_oldest_undecided(is_after(undecided_.oldest().sequence, taken));
+}
+
+void ConnectionImpl::drop_oldest_undecided(bool revoked) {
+  if (revoked) {
+    const Undecided::Entry& entry = undecided_.oldest();
+    for (const Claim& claim : entry.claims) claim.ledger->revoke(claim.block.slot, claim.block.generation);
+    outbox_.drop_record(entry.sequence);
+    ++stats_.dropped;
+  }
+  undecided_.drop_oldest();
+}
+
+void ConnectionImpl::give_up(const segment::BlockName& block) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (state_ == State::gone) return;
+  settle();
+  const Undecided::Entry* entry = undecided_.find_last(block);
+  if (entry != nullptr) revoke_through(entry->sequence);
+}
+
+void ConnectionImpl::close() {
+  if (posix::forked_since(epoch_)) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!accepts_records()) return;
+  state_ = State::draining;
+  closing_ = true;
+  flush();
+  if (!outbox_.empty()) service_->set_deadline(key_, Service::Clock::now() + linger);
+}
+
+void ConnectionImpl::on_deadline() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (state_ == State::gone) return;
+  outbox_.clear();
+  flush();
+}
+
+// The service thread sees the hang-up that this causes and cleans up there.
+void ConnectionImpl::break_off() {
+  state_ = State::draining;
+  outbox_.clear();
+  posix::disconnect(socket_.get());
+}
+
+void ConnectionImpl::on_event(const posix::Poller::Event& event) {
+  if (event.hung_up) return hung_up();
+  if (event.readable) return unsubscribed();  // the only thing that a subscriber ever says
+  const std::lock_guard<std::mutex> lock(mutex_);
+  flush();
+}
+
+// A goodbye, the end of its stream, or something that is not ours to read: in each case nothing more is sent.
+void ConnectionImpl::unsubscribed() {
+  std::uint8_t byte = 0;
+  posix::ReceivedPacket packet;
+  const auto result =
+      posix::receive_packet(socket_.get(), &byte, sizeof byte, posix::Waiting::return_at_once, false, packet);
+  if (result == posix::ReceiveResult::nothing) return;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    state_ = State::draining;
+    settle();
+    if (!undecided_.empty()) revoke_through(last_sequence_);
+    outbox_.clear();
+    if (result == posix::ReceiveResult::closed) service_->change(socket_.get(), key_, false, false);
+  }
+  if (const auto hub = hub_.lock()) hub->disconnected(shared_from_this());
+}
+
+void ConnectionImpl::hung_up() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (state_ == State::gone) return;
+    settle();
+    stats_.dropped += undecided_.size();
+    while (!undecided_.empty()) undecided_.drop_oldest();
+    state_ = State::gone;
+    outbox_.clear();
+    segments_.clear();
+    service_->remove(socket_.get(), key_);
+    socket_.reset();
+  }
+  if (const auto hub = hub_.lock()) hub->disconnected(shared_from_this());
+}
+
+Error ConnectionImpl::last_failure() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return failure_;
+}
+
+ConnectionStats ConnectionImpl::stats() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ConnectionStats stats = stats_;
+  stats.queued = outbox_.records();
+  stats.in_flight = undecided_.size();
+  return stats;
+}
+
+}  // namespace channel
+}  // namespace tzc

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "channel/announced_segments.h"
+#include "channel/outbox.h"
+#include "channel/service.h"
+#include "channel/shared_page.h"
+#include "channel/undecided.h"
+#include "posix/file_descriptor.h"
+#include "tzc/channel.h"
+
+namespace tzc {
+namespace channel {
+
+class Hub;
+
+/// A subscriber seen from its publisher.
+///
+///   corked --uncork--> open --close, or the subscriber unsubscribes--> draining --hang-up--> gone
+///
+/// Draining: nothing is sent any more, but the subscriber may still hold blocks; they stay its own until its
+/// socket hangs up. Owned by the service while its socket is open.
+class ConnectionImpl final : public Connection,
+                             public Watcher,
+                             public segment::Revoker,
+                             public std::enable_shared_from_this<ConnectionImpl> {
+ public:
+  struct Peer {
+    Credentials credentials;
+    std::string hello;
+  };
+
+  ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPage page, std::size_t queue_size,
+                 std::weak_ptr<Hub> hub);
+
+  Credentials peer() const override { return peer_.credentials; }
+  const std::string& hello() const override { return peer_.hello; }
+  bool alive() const override;
+  bool send(const RecordPtr& record) override;
+  Error last_failure() const override;
+  void close() override;
+  ConnectionStats stats() const override;
+
+  /// Hands the socket to the service; until uncork() records only queue.
+  Status start(Service& service);
+  /// Tells the subscriber that it is accepted, then sends what was queued.
+  void uncork();
+
+  void on_event(const posix::Poller::Event& event) override;
+  void on_deadline() override;
+  void give_up(const segment::BlockName& block) override;
+
+ private:
+  enum class State { corked, open, draining, gone };
+
+  bool accepts_records() const { return state_ == State::corked || state_ == State::open; }
+  bool announce_segments(const Record& record);
+  void claim(const Record& record);
+  void transmit(Outgoing item);
+  void flush();
+  void watch_writable(bool wanted);
+  void settle();
+  void revoke_through(std::uint32_t sequence);
+  void revoke_oldest_down_to(std::size_t most);
+  void drop_oldest_undecided(bool revoked);
+  void break_off();
+  void unsubscribed();
+  void hung_up();
+
+  const Peer peer_;
+  const std::size_t queue_size_;
+  const std::weak_ptr<Hub> hub_;
+  const std::uint32_t epoch_;
+  Service* service_ = nullptr;
+  std::uint64_t key_ = 0;
+
+  mutable std::mutex mutex_;
+  State state_ = State::corked;
+  bool closing_ = false;
+  bool writable_watched_ = false;
+  posix::FileDescriptor socket_;
+  SharedPage page_;
+  std::uint32_t last_sequence_;
+  Undecided undecided_;
+  Outbox outbox_;
+  AnnouncedSegments segments_;
+  ConnectionStats stats_;
+  Error failure_;
+};
+
+/// Sequence numbers start shortly before they wrap around, so that every run exercises it.
+constexpr std::uint32_t first_sequence = 0xffffffff - 5;
+
+}  // namespace channel
+}  // namespace tzc

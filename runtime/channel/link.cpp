@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "channel/link.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "channel/wire.h"
+#include "posix/fork_epoch.h"
+#include "posix/packet.h"
+#include "posix/socket.h"
+
+namespace tzc {
+namespace channel {
+namespace {
+
+Error failed(const std::string& what, const std::string& address) {
+  Error error;
+  error.what = what;
+  error.where = address;
+  return error;
+}
+
+// A publisher that runs as root may be subscribed to: it can read everything of this process anyway.
+bool trusted(const SubscriberOptions& options, const Credentials& peer) {
+  if (options.authorize) return options.authorize(peer);
+  return peer.uid == ::geteuid() || peer.uid == 0;
+}
+
+}  // namespace
+
+Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options) {
+  auto socket = posix::connect_to(options.address, options.handshake_timeout);
+  if (!socket) return socket.error();
+  const auto peer = posix::peer_credentials(socket->get());
+  if (!peer) return peer.error();
+  if (!trusted(options, *peer))
+    return failed("trust the publisher, a process of another user", options.address);
+  auto link = std::make_shared<Link>(std::move(*socket), *peer);
+  const Status greeted = link->say_hello(options);
+  if (!greeted) return greeted.error();
+  const Status welcome = link->await_welcome(options);
+  if (!welcome) return welcome.error();
+  return link;
+}
+
+Link::Link(posix::FileDescriptor socket, const Credentials& peer)
+    : socket_(std::move(socket)), peer_(peer), epoch_(posix::fork_epoch()) {}
+
+bool Link::forked() const {
+  return posix::forked_since(epoch_);
+}
+
+Status Link::say_hello(const SubscriberOptions& options) const {
+  if (options.hello.size() > max_hello_bytes)
+    return failed("subscribe with a hello over 32 KB", options.address);
+  const Hello hello{PacketKind::hello, wire_magic, wire_version,
+                    static_cast<std::uint32_t>(options.hello.size())};
+  const iovec parts[] = {{const_cast<Hello*>(&hello), sizeof hello},
+                         {const_cast<char*>(options.hello.data()), options.hello.size()}};
+  posix::send_packet(fd(), parts, 2);  // when it fails, the refusal that waits to be read says why
+  return Success{};
+}
+
+Status Link::await_welcome(const SubscriberOptions& options) {
+  std::uint8_t memory[1024];
+  posix::ReceivedPacket packet;
+  if (!posix::wait_readable(fd(), options.handshake_timeout))
+    return failed("subscribe: the publisher did not answer in time", options.address);
+  const auto result =
+      posix::receive_packet(fd(), memory, sizeof memory, posix::Waiting::return_at_once, true, packet);
+  if (result != posix::ReceiveResult::packet)
+    return failed("subscribe: the publisher closed the connection", options.address);
+  if (packet.descriptors_lost && packet.descriptor_count == 0)
+    return failed("subscribe: too many open files in this process", options.address);
+  Status accepted = accept_welcome(memory, packet.size, std::move(packet.descriptors[0]));
+  if (accepted) return accepted;
+  Error error = accepted.error();
+  error.where = options.address;
+  return error;
+}
+
+Status Link::accept_welcome(const std::uint8_t* data, std::size_t size, posix::FileDescriptor page) {
+  Welcome welcome{};
+  if (size < sizeof(Refusal)) return failed("subscribe: not a TZC publisher", "");
+  std::memcpy(&welcome, data, std::min(size, sizeof welcome));
+  if (welcome.kind == PacketKind::refusal) {
+    const std::string reason(reinterpret_cast<const char*>(data) + sizeof(Refusal), size - sizeof(Refusal));
+    return failed("subscribe: refused by the publisher: " + reason, "");
+  }
+  if (size != sizeof welcome || welcome.kind != PacketKind::welcome || welcome.version != wire_version)
+    return failed("subscribe: not a TZC publisher of this version", "");
+  auto opened = SharedPage::open(std::move(page), welcome.page_bytes);
+  if (!opened) return opened.error();
+  page_ = std::move(*opened);
+  first_sequence_ = welcome.first_sequence;
+  return Success{};
+}
+
+void Link::say_goodbye() const {
+  const Goodbye goodbye{PacketKind::goodbye};
+  const iovec whole{const_cast<Goodbye*>(&goodbye), sizeof goodbye};
+  posix::send_packet(fd(), &whole, 1);
+  posix::stop_receiving(fd());
+}
+
+}  // namespace channel
+}  // namespace tzc

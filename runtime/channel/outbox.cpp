@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "channel/outbox.h"
+
+#include <algorithm>
+
+#include "posix/step.h"
+#include "segment/segment.h"
+
+namespace tzc {
+namespace channel {
+namespace {
+
+using posix::SendResult;
+
+iovec part(const void* data, std::size_t size) {
+  return iovec{const_cast<void*>(data), size};
+}
+
+template <class Packet>
+SendResult write_packet(int socket, const Packet& packet, std::uint64_t& bytes,
+                        const int* descriptors = nullptr, std::size_t count = 0) {
+  const iovec whole = part(&packet, sizeof packet);
+  const SendResult result = posix::send_packet(socket, &whole, 1, descriptors, count);
+  if (result == SendResult::sent) bytes += sizeof packet;
+  return result;
+}
+
+SendResult write_segment(int socket, const Outgoing& item, std::uint64_t& bytes) {
+  const segment::Segment& segment = *item.segment;
+  const SegmentPacket packet{
+      PacketKind::segment, 0, {segment.id(), segment.size(), item.ledger->file_size(), segment.slots()}};
+  const int descriptors[] = {segment.fd(), item.ledger->fd()};
+  const SendResult result = write_packet(socket, packet, bytes, descriptors, 2);
+  if (result == SendResult::sent) item.ledger->close_descriptor();
+  return result;
+}
+
+template <class Prefix>
+SendResult write_slice(int socket, const Prefix& prefix, const std::uint8_t* data, std::size_t size,
+                       std::uint64_t& bytes) {
+  const iovec parts[] = {part(&prefix, sizeof prefix), part(data, size)};
+  const SendResult result = posix::send_packet(socket, parts, 2);
+  if (result == SendResult::sent) bytes += sizeof prefix + size;
+  return result;
+}
+
+SendResult write_record(int socket, Outgoing& item, std::uint64_t& bytes) {
+  const std::vector<std::uint8_t>& body = item.record->body();
+  posix::step("publish: before write");
+  if (body.size() <= fragment_bytes)
+    return write_slice(socket, RecordPrefix{PacketKind::record, item.sequence}, body.data(), body.size(),
+                       bytes);
+  while (item.written < body.size()) {
+    const std::size_t size = std::min(fragment_bytes, body.size() - item.written);
+    const FragmentPrefix prefix{PacketKind::fragment, item.sequence, item.written, body.size()};
+    const SendResult result = write_slice(socket, prefix, body.data() + item.written, size, bytes);
+    if (result != SendResult::sent) return result;
+    item.written += size;
+  }
+  return SendResult::sent;
+}
+
+}  // namespace
+
+SendResult Outbox::write(int socket, Outgoing& item, std::uint64_t& bytes) {
+  switch (item.kind) {
+    case PacketKind::segment:
+      return write_segment(socket, item, bytes);
+    case PacketKind::retire_segment:
+      return write_packet(socket, RetireSegment{item.kind, 0, item.segment_id}, bytes);
+    default:
+      return write_record(socket, item, bytes);
+  }
+}
+
+void Outbox::push(Outgoing item) {
+  if (item.kind == PacketKind::record) ++records_;
+  items_.push_back(std::move(item));
+}
+
+SendResult Outbox::flush(int socket, std::uint64_t& bytes) {
+  while (!items_.empty()) {
+    const SendResult result = write(socket, items_.front(), bytes);
+    if (result != SendResult::sent) return result;
+    if (items_.front().kind == PacketKind::record) --records_;
+    items_.pop_front();
+  }
+  return SendResult::sent;
+}
+
+void Outbox::drop_record(std::uint32_t sequence) {
+  const auto found = std::find_if(items_.begin(), items_.end(), [sequence](const Outgoing& item) {
+    return item.kind == PacketKind::record && item.sequence == sequence;
+  });
+  if (found == items_.end()) return;
+  items_.erase(found);
+  --records_;
+}
+
+void Outbox::clear() {
+  items_.clear();
+  records_ = 0;
+}
+
+}  // namespace channel
+}  // namespace tzc

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+
+#include "channel/record.h"
+#include "channel/wire.h"
+#include "posix/packet.h"
+#include "segment/ledger.h"
+#include "segment/segment_ptr.h"
+
+namespace tzc {
+namespace channel {
+
+/// One thing to write: a record (in several packets when it is large) or a packet about segments.
+struct Outgoing {
+  PacketKind kind = PacketKind::record;
+  RecordPtr record{};                         // record
+  std::uint32_t sequence = 0;                 // record
+  std::size_t written = 0;                    // record: bytes of its body already sent as fragments
+  segment::SegmentPtr segment{};              // segment
+  std::shared_ptr<segment::Ledger> ledger{};  // segment
+  std::uint64_t segment_id = 0;               // retire_segment
+};
+
+/// What waits because the socket was full, in order. Not thread-safe.
+class Outbox {
+ public:
+  /// Writes as much of `item` as the socket takes and adds what it wrote to `bytes`.
+  static posix::SendResult write(int socket, Outgoing& item, std::uint64_t& bytes);
+
+  bool empty() const { return items_.empty(); }
+  std::size_t size() const { return items_.size(); }
+  std::size_t records() const { return records_; }
+  void push(Outgoing item);
+  /// Writes from the front until the socket is full or all is written.
+  posix::SendResult flush(int socket, std::uint64_t& bytes);
+  /// Forgets the record, if it is still here; its receiver skips a half-written one by itself.
+  void drop_record(std::uint32_t sequence);
+  void clear();
+
+ private:
+  std::deque<Outgoing> items_;
+  std::size_t records_ = 0;
+};
+
+}  // namespace channel
+}  // namespace tzc

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "channel/service.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "posix/fork_epoch.h"
+#include "posix/thread.h"
+
+namespace tzc {
+namespace channel {
+namespace {
+
+std::atomic<Service*> current{nullptr};
+std::mutex start_mutex;
+
+}  // namespace
+
+// A child's service starts anew; the parent's object is left alone, its locks may be in any state.
+Expected<Service*> Service::instance() {
+  Service* service = current.load(std::memory_order_acquire);
+  if (service != nullptr && !posix::forked_since(service->epoch_)) return service;
+  const std::lock_guard<std::mutex> lock(start_mutex);
+  service = current.load(std::memory_order_acquire);
+  if (service != nullptr && !posix::forked_since(service->epoch_)) return service;
+  return start();
+}
+
+Expected<Service*> Service::start() {
+  auto poller = posix::Poller::create();
+  if (!poller) return poller.error();
+  std::unique_ptr<Service> service(new Service(std::move(*poller)));
+  auto thread = posix::start_thread("tzc-service", [raw = service.get()] { raw->run(); });
+  if (!thread) return thread.error();
+  service->thread_ = std::move(*thread);
+  current.store(service.get(), std::memory_order_release);
+  return service.release();
+}
+
+Service::Service(std::unique_ptr<posix::Poller> poller)
+    : poller_(std::move(poller)), epoch_(posix::fork_epoch()) {}
+
+Expected<std::uint64_t> Service::add(int fd, bool readable, bool writable, std::shared_ptr<Watcher> watcher) {
+  std::uint64_t key = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    key = ++next_key_;
+    entries_[key] = Entry{std::move(watcher), Clock::time_point::max()};
+  }
+  const Status watched = poller_->watch(fd, key, readable, writable);
+  if (watched) return key;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  entries_.erase(key);
+  return watched.error();
+}
+
+void Service::change(int fd, std::uint64_t key, bool readable, bool writable) {
+  poller_->change(fd, key, readable, writable);
+}
+
+void Service::set_deadline(std::uint64_t key, Clock::time_point when) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = entries_.find(key);
+    if (found == entries_.end()) return;
+    found->second.deadline = when;
+  }
+  poller_->wake();
+}
+
+void Service::remove(int fd, std::uint64_t key) {
+  poller_->forget(fd);
+  std::shared_ptr<Watcher> last;  // destroyed without the lock
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = entries_.find(key);
+    if (found == entries_.end()) return;
+    last = std::move(found->second.watcher);
+    entries_.erase(found);
+  }
+  synchronize();
+}
+
+void Service::synchronize() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (std::this_thread::get_id() == thread_id_) return;
+  const std::uint64_t round = rounds_;
+  round_ended_.wait(lock, [this, round] { return !in_round_ || rounds_ != round; });
+}
+
+void Service::run() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    thread_id_ = std::this_thread::get_id();
+  }
+  std::vector<posix::Poller::Event> events;
+  for (;;) {
+    poller_->wait(timeout_ms(), events);
+    for (const auto& event : events) {
+      if (const auto watcher = find(event.key)) watcher->on_event(event);
+      end_round();
+    }
+    run_deadlines();
+  }
+}
+
+// Marks the round before the lock is given up: whoever removes the watcher from now on waits for its end.
+std::shared_ptr<Watcher> Service::find(std::uint64_t key) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = entries_.find(key);
+  if (found == entries_.end()) return nullptr;
+  in_round_ = true;
+  return found->second.watcher;
+}
+
+void Service::end_round() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!in_round_) return;
+  in_round_ = false;
+  ++rounds_;
+  round_ended_.notify_all();
+}
+
+void Service::run_deadlines() {
+  const Clock::time_point now = Clock::now();
+  while (const std::shared_ptr<Watcher> watcher = next_due(now)) {
+    watcher->on_deadline();
+    end_round();
+  }
+}
+
+std::shared_ptr<Watcher> Service::next_due(Clock::time_point now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (auto& [key, entry] : entries_) {
+    if (entry.deadline > now) continue;
+    entry.deadline = Clock::time_point::max();
+    in_round_ = true;
+    return entry.watcher;
+  }
+  return nullptr;
+}
+
+int Service::timeout_ms() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Clock::time_point first = Clock::time_point::max();
+  for (const auto& [key, entry] : entries_) first = std::min(first, entry.deadline);
+  if (first == Clock::time_point::max()) return -1;
+  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(first - Clock::now()).count() + 1;
+  return static_cast<int>(std::clamp<long long>(left, 0, 60'000));
+}
+
+}  // namespace channel
+}  // namespace tzc

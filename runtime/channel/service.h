@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "posix/poller.h"
+#include "tzc/error.h"
+
+namespace tzc {
+namespace channel {
+
+/// What the service thread calls. Never concurrently with itself.
+class Watcher {
+ public:
+  virtual ~Watcher() = default;
+  virtual void on_event(const posix::Poller::Event& event) = 0;
+  virtual void on_deadline() {}
+};
+
+/// The one thread that serves all publishers of this process: new subscribers, full sockets that drain,
+/// subscribers that leave. Started with the first publisher, anew in a forked child. Thread-safe.
+class Service {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// The running service of this process. Never destroyed. Error: no thread or descriptor left.
+  static Expected<Service*> instance();
+
+  /// Keeps the watcher alive and tells it about `fd` until remove().
+  Expected<std::uint64_t> add(int fd, bool readable, bool writable, std::shared_ptr<Watcher> watcher);
+  void change(int fd, std::uint64_t key, bool readable, bool writable);
+  /// on_deadline will be called once at that time.
+  void set_deadline(std::uint64_t key, Clock::time_point when);
+  /// Lets go of the watcher. Unless called by the service thread itself, a running call has returned
+  /// afterwards.
+  void remove(int fd, std::uint64_t key);
+  /// Returns once every call that runs now has returned; at once on the service thread.
+  void synchronize();
+
+ private:
+  struct Entry {
+    std::shared_ptr<Watcher> watcher;
+    Clock::time_point deadline;
+  };
+
+  static Expected<Service*> start();
+  explicit Service(std::unique_ptr<posix::Poller> poller);
+  void run();
+  void run_deadlines();
+  int timeout_ms();
+  std::shared_ptr<Watcher> find(std::uint64_t key);
+  std::shared_ptr<Watcher> next_due(Clock::time_point now);
+  void end_round();
+
+  const std::unique_ptr<posix::Poller> poller_;
+  const std::uint32_t epoch_;
+  std::thread thread_;
+  std::thread::id thread_id_;
+
+  std::mutex mutex_;
+  std::condition_variable round_ended_;
+  std::uint64_t rounds_ = 0;  // of calls to watchers
+  bool in_round_ = false;
+  std::uint64_t next_key_ = 0;
+  std::map<std::uint64_t, Entry> entries_;
+};
+
+}  // namespace channel
+}  // namespace tzc

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "channel/shared_page.h"
+
+#include <new>
+
+namespace tzc {
+namespace channel {
+
+Expected<SharedPage> SharedPage::create(std::uint32_t first_sequence) {
+  const auto sharing = posix::Sharing::peers_write;
+  auto file = posix::create_memory_file("tzc-connection", posix::page_size(), sharing);
+  if (!file) return file.error();
+  const Status reserved = posix::reserve(*file, 0, file->size);
+  if (!reserved) return reserved.error();
+  auto mapping = posix::Mapping::map(file->descriptor.get(), file->size, posix::Access::read_write);
+  if (!mapping) return mapping.error();
+  const Status sealed = posix::seal(*file, sharing);
+  if (!sealed) return sealed.error();
+  SharedPage page;
+  page.file_ = std::move(*file);
+  page.mapping_ = std::move(*mapping);
+  new (page.mapping_.data()) ConnectionPage{{pack(Verdict{first_sequence, first_sequence})}};
+  return {std::move(page)};
+}
+
+Expected<SharedPage> SharedPage::open(posix::FileDescriptor file, std::size_t size) {
+  Error wrong;
+  wrong.what = "refuse a connection page of " + std::to_string(size) + " bytes";
+  if (size < sizeof(ConnectionPage) || size > (std::size_t{1} << 20)) return wrong;
+  const Status checked = posix::check_received(file.get(), size, posix::Sharing::peers_write);
+  if (!checked) return checked.error();
+  auto mapping = posix::Mapping::map(file.get(), size, posix::Access::read_write);
+  if (!mapping) return mapping.error();
+  SharedPage page;
+  page.mapping_ = std::move(*mapping);
+  return {std::move(page)};
+}
+
+std::atomic<std::uint64_t>& SharedPage::verdict() const {
+  return reinterpret_cast<ConnectionPage*>(mapping_.data())->verdict;
+}
+
+}  // namespace channel
+}  // namespace tzc

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "segment/received_segment.h"
+
+// What crosses the socket, one structure for each kind of packet. Host byte order: both ends run on one
+// machine. tests/runtime/channel/wire_test.cpp pins every size; a change needs a new wire_version.
+//
+//   subscriber                                publisher
+//      | ---- Hello, hello text ----------------> |   authorize, on_connect
+//      | <--- Welcome + connection page --------- |   or Refusal, reason
+//      | <--- SegmentPacket + data, acks -------- |   before the first record that refers to the segment
+//      | <--- RecordPrefix, body ---------------- |   or several FragmentPrefix, slice of the body
+//      | ---- Goodbye --------------------------> |   unsubscribed; the socket stays open while messages are
+//      held
+//
+//   body:  BodyHeader | BlockRef ... | control part
+
+namespace tzc {
+namespace channel {
+
+constexpr std::uint32_t wire_version = 1;
+constexpr std::uint32_t wire_magic = 0x315a4354;  // "TCZ1"
+constexpr std::size_t fragment_bytes = 64 << 10;  // most bytes of a body in one packet
+constexpr std::size_t max_hello_bytes = 32 << 10;
+constexpr std::size_t max_refs = 4096 + 1;  // blocks of a record, and its control part's
+constexpr std::uint64_t max_body_bytes = std::uint64_t{1}
+                                         << 31;  // a fragmented record is assembled in memory
+constexpr std::size_t max_segments = 256;        // of one connection at a time
+
+enum class PacketKind : std::uint32_t {
+  hello = 1,
+  welcome,
+  refusal,
+  segment,
+  retire_segment,
+  record,
+  fragment,
+  goodbye
+};
+
+struct Hello {
+  PacketKind kind;
+  std::uint32_t magic;
+  std::uint32_t version;
+  std::uint32_t hello_bytes;
+};
+
+struct Welcome {
+  PacketKind kind;
+  std::uint32_t version;
+  std::uint32_t first_sequence;  // of the first record, minus one
+  std::uint32_t page_bytes;
+};
+
+/// Followed by the reason, text.
+struct Refusal {
+  PacketKind kind;
+  std::uint32_t version;
+};
+
+struct SegmentPacket {
+  PacketKind kind;
+  std::uint32_t reserved;
+  segment::SegmentOffer offer;
+};
+
+struct RetireSegment {
+  PacketKind kind;
+  std::uint32_t reserved;
+  std::uint64_t id;
+};
+
+struct RecordPrefix {
+  PacketKind kind;
+  std::uint32_t sequence;
+};
+
+struct FragmentPrefix {
+  PacketKind kind;
+  std::uint32_t sequence;
+  std::uint64_t offset;  // of this slice in the body
+  std::uint64_t total;   // bytes of the body
+};
+
+struct Goodbye {
+  PacketKind kind;
+};
+
+enum BodyFlags : std::uint32_t { control_in_last_block = 1 };
+
+struct BodyHeader {
+  std::uint32_t tag;
+  std::uint32_t flags;
+  std::uint32_t block_count;
+  std::uint32_t reserved;
+  std::uint64_t control_size;
+};
+
+constexpr std::size_t max_packet_bytes = sizeof(FragmentPrefix) + fragment_bytes;
+
+static_assert(max_hello_bytes + sizeof(Hello) <= max_packet_bytes, "a greeting fits in one packet");
+
+}  // namespace channel
+}  // namespace tzc

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "tzc/error.h"
+
+namespace tzc {
+namespace posix {
+
+enum class Access { read_only, read_write };
+
+/// A shared mapping of a whole memory file; unmapped with its owner. Commits no pages by itself.
+class Mapping {
+ public:
+  Mapping() noexcept = default;
+  Mapping(Mapping&& other) noexcept
+      : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+  Mapping& operator=(Mapping&& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+    return *this;
+  }
+  ~Mapping();
+
+  static Expected<Mapping> map(int fd, std::size_t size, Access access);
+
+  std::uint8_t* data() const noexcept { return data_; }
+  std::size_t size() const noexcept { return size_; }
+  /// Touches the pages of [offset, offset + bytes) for writing, so that no later write faults. They must be
+  /// reserved.
+  void populate(std::size_t offset, std::size_t bytes) const noexcept;
+
+ private:
+  std::uint8_t* data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+std::size_t page_size() noexcept;
+
+}  // namespace posix
+}  // namespace tzc

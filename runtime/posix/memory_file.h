@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "posix/file_descriptor.h"
+#include "tzc/error.h"
+
+namespace tzc {
+namespace posix {
+
+/// How much a peer that receives the file may do with it.
+enum class Sharing {
+  peers_read,   ///< peers can map it read-only (Linux: sealed against any writable mapping but the creator's)
+  peers_write,  ///< peers can map it read-write
+};
+
+/// A shared memory file without a name: gone with its last descriptor and mapping, whoever dies how.
+///
+/// On Linux its size is sealed, so no peer can truncate it under us (a SIGBUS). The portable build has no
+/// seals: there a peer that receives a writable file is trusted not to truncate it.
+struct MemoryFile {
+  FileDescriptor descriptor;  ///< for the creator: map it read-write before anything else
+  FileDescriptor shared;      ///< what peers get; invalid when they get `descriptor`
+  std::size_t size = 0;
+
+  int shared_fd() const noexcept { return shared ? shared.get() : descriptor.get(); }
+};
+
+/// Creates a file of `size` bytes, a multiple of the page size; no page is committed. Call seal() after
+/// mapping.
+Expected<MemoryFile> create_memory_file(const char* name, std::size_t size, Sharing sharing);
+
+/// Closes the door behind the creator's own mapping: from now on the promise of `sharing` holds.
+Status seal(MemoryFile& file, Sharing sharing);
+
+/// Commits the pages of [offset, offset + bytes). The error says what is full; nothing is lost when it fails.
+Status reserve(const MemoryFile& file, std::size_t offset, std::size_t bytes);
+
+/// What a receiver must know before it maps a peer's file of `size` bytes: that it is a memory file of that
+/// very size, and (on Linux) that the peer can't truncate it any more.
+Status check_received(int fd, std::size_t size, Sharing sharing);
+
+}  // namespace posix
+}  // namespace tzc

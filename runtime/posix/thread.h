@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <thread>
+
+#include "tzc/error.h"
+
+namespace tzc {
+namespace posix {
+
+/// Starts a thread that handles no signals (they stay with the application's own threads). `name` is what ps
+/// and debuggers show, at most 15 characters. Error: the system has no thread left.
+Expected<std::thread> start_thread(const char* name, std::function<void()> body);
+
+}  // namespace posix
+}  // namespace tzc

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment/extents.h"
+
+#include <iterator>
+#include <utility>
+
+namespace tzc {
+namespace segment {
+
+Extents::Extents(std::uint64_t begin, std::uint64_t end) : size_(end - begin), free_bytes_(end - begin) {
+  if (begin < end) free_.emplace(begin, end - begin);
+}
+
+std::uint64_t Extents::allocate(std::uint64_t bytes, std::uint64_t limit) {
+  for (auto at = free_.begin(); at != free_.end(); ++at) {
+    const auto [offset, length] = *at;
+    if (offset >= limit || bytes > limit - offset) return none;  // later ones end even higher
+    if (length < bytes) continue;
+    erase(at);
+    if (length > bytes) insert(offset + bytes, length - bytes);
+    free_bytes_ -= bytes;
+    return offset;
+  }
+  return none;
+}
+
+void Extents::release(std::uint64_t offset, std::uint64_t bytes) {
+  free_bytes_ += bytes;
+  auto next = free_.lower_bound(offset);
+  if (next != free_.end() && offset + bytes == next->first) {
+    bytes += next->second;
+    next = erase(next);
+  }
+  if (next != free_.begin()) {
+    const auto previous = std::prev(next);
+    if (previous->first + previous->second == offset) {
+      previous->second += bytes;
+      return;
+    }
+  }
+  insert(offset, bytes);
+}
+
+void Extents::insert(std::uint64_t offset, std::uint64_t bytes) {
+  if (spare_.empty()) {
+    free_.emplace(offset, bytes);
+    return;
+  }
+  Map::node_type node = std::move(spare_.back());
+  spare_.pop_back();
+  node.key() = offset;
+  node.mapped() = bytes;
+  free_.insert(std::move(node));
+}
+
+Extents::Map::iterator Extents::erase(Map::iterator at) {
+  const auto next = std::next(at);
+  spare_.push_back(free_.extract(at));
+  return next;
+}
+
+}  // namespace segment
+}  // namespace tzc

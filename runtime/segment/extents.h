@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace tzc {
+namespace segment {
+
+/// The free ranges of an address space [begin, end): first fit by address, neighbours joined at once.
+///
+/// Fragmentation is bounded. Let M be the most bytes ever in use at a time, and n the ratio of the largest to
+/// the smallest request. First fit by address then never needs more than M * (1 + log2 n) bytes (Robson,
+/// "Worst case fragmentation of first fit and best fit storage allocation strategies", 1977, up to its
+/// additive constant; best fit may need about M * n). With one size (n = 1) nothing is ever lost.
+/// tests/runtime/segment/extents_test.cpp drives it with Robson's adversary and with random traffic. Not
+/// thread-safe.
+class Extents {
+ public:
+  static constexpr std::uint64_t none = ~std::uint64_t{0};
+
+  Extents(std::uint64_t begin, std::uint64_t end);
+
+  /// The lowest free range of that length that ends at or before `limit`; none when there is none.
+  std::uint64_t allocate(std::uint64_t bytes, std::uint64_t limit = none);
+  /// Gives back what allocate returned.
+  void release(std::uint64_t offset, std::uint64_t bytes);
+
+  std::uint64_t free_bytes() const { return free_bytes_; }
+  bool empty() const { return free_bytes_ == size_; }  ///< nothing is allocated
+
+ private:
+  using Map = std::map<std::uint64_t, std::uint64_t>;  // offset -> length
+
+  void insert(std::uint64_t offset, std::uint64_t bytes);
+  Map::iterator erase(Map::iterator at);
+
+  Map free_;
+  std::vector<Map::node_type> spare_;  // nodes for reuse: the steady state allocates no memory
+  std::uint64_t size_;
+  std::uint64_t free_bytes_;
+};
+
+}  // namespace segment
+}  // namespace tzc

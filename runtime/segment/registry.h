@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <shared_mutex>
+#include <vector>
+
+#include "tzc/memory.h"
+
+namespace tzc {
+namespace segment {
+
+class Segment;
+
+struct MappedRange {
+  const std::uint8_t* begin;
+  const std::uint8_t* end;
+  Segment* own;  // null: received from a publisher
+};
+
+/// Every segment mapped in this process, by address: what makes find_buffer possible. One for each process,
+/// because an address space is. Thread-safe.
+class Registry {
+ public:
+  void add(const MappedRange& range);
+  void remove(const std::uint8_t* begin);
+  bool contains(const std::uint8_t* address) const;
+  BufferPtr find(const std::uint8_t* address, std::size_t bytes) const;
+
+  /// Around a fork: locked before, unlocked by the parent, renewed in the child.
+  void lock() { mutex_.lock(); }
+  void unlock() { mutex_.unlock(); }
+  void renew_lock();
+
+ private:
+  const MappedRange* range_of(const std::uint8_t* address) const;
+
+  mutable std::shared_mutex mutex_;
+  std::vector<MappedRange> ranges_;  // sorted by address
+};
+
+/// Never destroyed: messages may outlive static destruction.
+Registry& registry();
+
+}  // namespace segment
+}  // namespace tzc

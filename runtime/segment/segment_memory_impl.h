@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mutex>
+#include <vector>
+
+#include "segment/block.h"
+#include "segment/segment.h"
+#include "segment/segment_ptr.h"
+#include "tzc/memory.h"
+
+namespace tzc {
+namespace segment {
+
+/// The allocator of one publisher: its segments, the queue of blocks in use, and what happens when there is
+/// no room.
+///
+///   allocate:  reclaim a few -> fit into touched memory -> reclaim all -> fit anywhere -> add a segment ->
+///   revoke
+///
+/// Touched memory comes first because a fresh page costs a fault. Thread-safe through one lock of this
+/// process.
+class SegmentMemoryImpl {
+ public:
+  explicit SegmentMemoryImpl(const MemoryOptions& options);
+  ~SegmentMemoryImpl();
+
+  Status open();  ///< creates the first segment when the total size is given
+  BufferPtr allocate(std::size_t bytes);
+  MemoryStats stats() const;
+  Error last_failure() const;
+  const MemoryOptions& options() const { return options_; }
+
+ private:
+  Block* find_room(std::size_t bytes);
+  Block* carve(std::size_t bytes, Segment::Where where);
+  Block* grow_and_carve(std::size_t bytes);
+  Block* revoke_and_carve(std::size_t bytes);
+  Block* revoke_blocks(std::size_t bytes, bool with_handles);
+  void reclaim(std::size_t visits);
+  void reclaim_everything();
+  void take_back(Block& block);
+  bool add_segment(std::size_t size);
+  void drop_unused_segments();
+  std::size_t first_size(std::size_t bytes) const;
+  std::size_t total_size() const;
+  std::uint64_t releases() const;
+  BufferPtr hand_out(Block& block);
+  BufferPtr refuse(std::size_t bytes);
+
+  const MemoryOptions options_;
+  const std::uint32_t epoch_;
+  mutable std::mutex mutex_;
+  std::vector<SegmentPtr> segments_;
+  BlockQueue queue_;
+  std::uint64_t releases_at_full_walk_ = ~std::uint64_t{0};
+  MemoryStats stats_;
+  Error failure_;  // of the system, during the allocate that runs
+  Error last_;     // of the latest allocate that was refused
+};
+
+}  // namespace segment
+}  // namespace tzc

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Who may go when: unsubscribing, closing, dying and forking, with messages still held.
+#include <dirent.h>
+#include <signal.h>
+
+#include <atomic>
+
+#include "support.h"
+
+namespace tzc {
+namespace channel {
+namespace test {
+namespace {
+
+int open_descriptors() {
+  int count = 0;
+  DIR* folder = ::opendir("/proc/self/fd");
+  while (::readdir(folder) != nullptr) ++count;
+  ::closedir(folder);
+  return count;
+}
+
+bool has_room(Publisher& out, std::size_t bytes) {
+  return static_cast<bool>(out.memory()->allocate(bytes));
+}
+
+TEST(Lifetime, AHeldMessageOutlivesItsSubscriber) {
+  const auto out = publisher(10, mb, Policy::best_effort());
+  MessagePtr held;
+  {
+    Inbox in(out->address());
+    out->publish(text_record("x", {filled(*out->memory(), mb, 8)}));
+    ASSERT_TRUE(in.wait_for(1));
+    held = in.messages()[0];
+  }
+  ASSERT_TRUE(eventually([&] { return out->connections().empty(); }));
+  EXPECT_FALSE(has_room(*out, mb));
+  EXPECT_TRUE(all_bytes_are(held->blocks()[0], 8));
+  held.reset();
+  EXPECT_TRUE(eventually([&] { return has_room(*out, mb); }));
+}
+
+TEST(Lifetime, AHeldMessageOutlivesItsPublisher) {
+  auto out = publisher();
+  Inbox in(out->address());
+  out->publish(text_record("x", {filled(*out->memory(), mb, 8)}));
+  ASSERT_TRUE(in.wait_for(1));
+  out.reset();
+  ASSERT_TRUE(in.wait_for_end());
+  EXPECT_TRUE(all_bytes_are(in.messages()[0]->blocks()[0], 8));
+}
+
+TEST(Lifetime, MemoryThatOutlivesItsPublisherDoesNotReuseHeldBlocks) {
+  auto out = publisher(10, mb, Policy::best_effort());
+  const auto memory = out->memory();
+  Inbox in(out->address());
+  out->publish(text_record("x", {filled(*memory, mb, 8)}));
+  ASSERT_TRUE(in.wait_for(1));
+  out.reset();
+  ASSERT_TRUE(in.wait_for_end());
+  EXPECT_FALSE(memory->allocate(mb));
+  in.clear();
+  EXPECT_TRUE(eventually([&] { return static_cast<bool>(memory->allocate(mb)); }));
+}
+
+TEST(Lifetime, UnreadMessagesOfAClosedPublisherStillArrive) {
+  auto out = publisher(100);
+  const auto in = idle_subscriber(out->address());
+  for (int i = 0; i < 100; ++i)
+    out->publish(text_record(std::string(20'000, 'x'), {filled(*out->memory(), 100, 3)}));
+  out.reset();
+  int count = 0;
+  EXPECT_TRUE(eventually([&] {
+    while (const MessagePtr message = in->read()) count += all_bytes_are(message->blocks()[0], 3) ? 1 : 0;
+    return !in->stats().connected;
+  }));
+  EXPECT_EQ(count, 100);
+}
+
+TEST(Lifetime, AKilledSubscriberFreesItsBlocksAtOnce) {
+  const auto out = publisher(10, mb);
+  const std::string address = out->address();
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  const pid_t child = in_child([&] {
+    Inbox in(address);
+    in.wait_for(1);
+    (void)!::write(ready[1], "x", 1);
+    ::pause();
+    return 0;
+  });
+  ASSERT_TRUE(eventually([&] { return out->connections().size() == 1; }));
+  out->publish(text_record("x", {filled(*out->memory(), mb, 8)}));
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  EXPECT_FALSE(has_room(*out, mb));
+  ::kill(child, SIGKILL);
+  EXPECT_TRUE(eventually([&] { return has_room(*out, mb); }, 100));
+  EXPECT_EQ(exit_status(child), -1);
+  ::close(ready[0]);
+  ::close(ready[1]);
+}
+
+TEST(Lifetime, AKilledPublisherLeavesWhatWasTaken) {
+  int address_pipe[2];
+  ASSERT_EQ(::pipe(address_pipe), 0);
+  const pid_t child = in_child([&] {
+    const auto out = publisher();
+    (void)!::write(address_pipe[1], out->address().c_str(), out->address().size() + 1);
+    for (;;) {
+      out->publish(text_record("x", {filled(*out->memory(), mb, 8)}));
+      ::usleep(1000);
+    }
+    return 0;
+  });
+  char address[200] = {};
+  ASSERT_GT(::read(address_pipe[0], address, sizeof address), 0);
+  Inbox in(address);
+  ASSERT_TRUE(in.wait_for(3));
+  ::kill(child, SIGKILL);
+  exit_status(child);
+  EXPECT_TRUE(in.wait_for_end());
+  for (const MessagePtr& message : in.messages()) EXPECT_TRUE(all_bytes_are(message->blocks()[0], 8));
+  ::close(address_pipe[0]);
+  ::close(address_pipe[1]);
+}
+
+TEST(Lifetime, NothingIsLeftOpen) {
+  {
+    Inbox warm_up(publisher()->address());
+  }                                                            // starts the service
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // earlier connections end
+  const int before = open_descriptors();
+  for (int i = 0; i < 20; ++i) {
+    const auto out = publisher();
+    Inbox in(out->address());
+    out->publish(text_record("x", {filled(*out->memory(), 1000, 1)}));
+    ASSERT_TRUE(in.wait_for(1));
+  }
+  EXPECT_TRUE(eventually([&] { return open_descriptors() == before; }))
+      << open_descriptors() << " vs " << before;
+}
+
+TEST(Lifetime, CallbacksComeOnceAndNeverAfterTheEnd) {
+  std::atomic<int> connected{0}, disconnected{0};
+  PublisherOptions options;
+  options.on_connect = [&](const ConnectionPtr&) { ++connected; };
+  options.on_disconnect = [&](const ConnectionPtr&) { ++disconnected; };
+  auto out = publish_with(options);
+  {
+    Inbox in(out->address());
+  }
+  EXPECT_TRUE(eventually([&] { return disconnected == 1; }));
+  Inbox other(out->address());
+  out.reset();
+  const int at_the_end = disconnected;
+  other.subscriber.reset();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(connected, 2);
+  EXPECT_EQ(disconnected, at_the_end);
+}
+
+TEST(Lifetime, ASubscriberMayGoInsideItsCallback) {
+  const auto out = publisher();
+  std::shared_ptr<Subscriber> subscriber;
+  std::mutex mutex;
+  std::atomic<int> calls{0};
+  SubscriberOptions options;
+  options.address = out->address();
+  options.on_message = [&](const MessagePtr&) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    subscriber.reset();
+    ++calls;
+  };
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    subscriber = *Subscriber::create(options);
+  }
+  for (int i = 0; i < 10; ++i) out->publish(text_record("x"));
+  EXPECT_TRUE(eventually([&] { return calls == 1 && out->connections().empty(); }));
+}
+
+TEST(Lifetime, APublisherMayGoInsideItsCallbacks) {
+  for (const bool on_connect : {true, false}) {
+    std::shared_ptr<Publisher> out;
+    std::atomic<bool> called{false};
+    const auto destroy = [&](const ConnectionPtr&) {
+      out.reset();
+      called = true;
+    };
+    PublisherOptions options;
+    (on_connect ? options.on_connect : options.on_disconnect) = destroy;
+    out = publish_with(options);
+    {
+      Inbox in(out->address());
+    }
+    EXPECT_TRUE(eventually([&] { return called.load(); }));
+  }
+}
+
+TEST(Lifetime, CloseEndsOneSubscription) {
+  const auto out = publisher();
+  Inbox a(out->address()), b(out->address());
+  ASSERT_TRUE(eventually([&] { return out->connections().size() == 2; }));
+  out->publish(text_record("last"));
+  const ConnectionPtr first = out->connections()[0];
+  first->close();
+  EXPECT_FALSE(first->alive());
+  EXPECT_FALSE(first->send(text_record("too late")));
+  EXPECT_TRUE(a.wait_for_end());
+  EXPECT_EQ(a.messages().size(), 1u);
+  EXPECT_EQ(out->publish(text_record("for b")), 1u);
+}
+
+TEST(Lifetime, AForkedChildReadsAndLeavesNoTrace) {
+  const auto out = publisher(10, mb, Policy::best_effort());
+  auto in = std::make_unique<Inbox>(out->address());
+  out->publish(text_record("x", {filled(*out->memory(), mb, 8)}));
+  ASSERT_TRUE(in->wait_for(1));
+  MessagePtr held = in->messages()[0];
+  in->clear();
+  const pid_t child = in_child([&] {
+    const bool intact = all_bytes_are(held->blocks()[0], 8);
+    held.reset();
+    in->subscriber.reset();
+    const_cast<std::shared_ptr<Publisher>&>(out).reset();
+    return intact ? 0 : 1;
+  });
+  EXPECT_EQ(exit_status(child), 0);
+  EXPECT_FALSE(has_room(*out, mb)) << "the child released its parent's message";
+  EXPECT_EQ(out->publish(text_record("still there")), 1u);
+  EXPECT_TRUE(in->wait_for(1));
+  held.reset();
+  EXPECT_TRUE(has_room(*out, mb));
+}
+
+TEST(Lifetime, AForkedChildCanStartItsOwn) {
+  const auto out = publisher();
+  Inbox in(out->address());
+  const std::string parents_address = out->address();
+  const pid_t child = in_child([&] {
+    const auto mine = publisher();
+    Inbox own(mine->address()), parents(parents_address);
+    mine->publish(text_record("x", {filled(*mine->memory(), mb, 8)}));
+    return own.wait_for(1) && parents.subscriber && out->publish(text_record("not mine")) == 0 ? 0 : 1;
+  });
+  EXPECT_EQ(exit_status(child), 0);
+}
+
+TEST(Lifetime, SegmentsOfADeadMemoryAreLetGo) {
+  const auto out = publisher();
+  Inbox in(out->address());
+  for (int i = 0; i < 600; ++i) {  // more than a connection may have at a time
+    const auto other = memory_of(mb);
+    ASSERT_EQ(out->publish(text_record("x", {filled(*other, 1000, 1)})), 1u) << i;
+    ASSERT_TRUE(in.wait_for(1));
+    in.clear();
+  }
+  EXPECT_TRUE(in.subscriber->stats().connected) << in.reason();
+}
+
+}  // namespace
+}  // namespace test
+}  // namespace channel
+}  // namespace tzc

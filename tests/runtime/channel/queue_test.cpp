@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A slow or stopped subscriber loses its own oldest messages, counted, and harms nobody.
+#include "support.h"
+
+namespace tzc {
+namespace channel {
+namespace test {
+namespace {
+
+std::vector<MessagePtr> read_all(Subscriber& subscriber) {
+  std::vector<MessagePtr> messages;
+  while (const MessagePtr message = subscriber.read()) messages.push_back(message);
+  return messages;
+}
+
+TEST(Queue, AStoppedSubscriberKeepsTheNewest) {
+  const auto out = publisher(3);
+  const auto in = idle_subscriber(out->address());
+  for (int i = 0; i < 10; ++i)
+    out->publish(text_record(std::to_string(i), {filled(*out->memory(), 1000, 1)}));
+  const auto messages = read_all(*in);
+  ASSERT_EQ(messages.size(), 3u);
+  EXPECT_EQ(control_of(messages[0]), "7");
+  EXPECT_EQ(in->stats().lost, 7u);
+  EXPECT_EQ(out->stats().dropped, 7u);
+}
+
+TEST(Queue, TheBoundHoldsAcrossSocketAndOutbox) {
+  const auto out = publisher(100);
+  const auto in = idle_subscriber(out->address());
+  const std::string large(60'000, 'x');  // a socket takes only a few of these
+  for (int i = 0; i < 300; ++i) out->publish(text_record(std::to_string(1000 + i) + large));
+  EXPECT_GT(out->connections()[0]->stats().queued, 50u);
+  EXPECT_EQ(out->connections()[0]->stats().in_flight, 100u);
+  std::vector<MessagePtr> messages;
+  ASSERT_TRUE(eventually([&] {
+    for (const auto& message : read_all(*in)) messages.push_back(message);
+    return messages.size() >= 100;
+  }));
+  EXPECT_EQ(messages.size(), 100u);
+  EXPECT_EQ(control_of(messages.front()).substr(0, 4), "1200");
+  EXPECT_EQ(control_of(messages.back()).substr(0, 4), "1299");
+  EXPECT_EQ(in->stats().lost, 200u);
+}
+
+TEST(Queue, AtMostQueueSizeMessagesPinMemory) {
+  for (const Policy policy : {Policy::worst_effort(), Policy::medium_effort(), Policy::best_effort()}) {
+    const auto out = publisher(2, 4 * mb, policy);
+    const auto stopped = idle_subscriber(out->address());
+    for (int i = 0; i < 50; ++i) {
+      const BufferPtr buffer = filled(*out->memory(), mb, 1);
+      ASSERT_TRUE(buffer) << i;
+      EXPECT_EQ(out->publish(text_record("x", {buffer})), 1u);
+    }
+    EXPECT_EQ(read_all(*stopped).size(), 2u);
+  }
+}
+
+TEST(Queue, AStoppedSubscriberDoesNotDisturbTheOthers) {
+  const auto out = publisher(4, 16 * mb);
+  const auto stopped = idle_subscriber(out->address());
+  Inbox in(out->address());
+  for (std::size_t i = 0; i < 200; ++i) {
+    out->publish(text_record(std::string(2000, 'x'), {filled(*out->memory(), mb, 1)}));
+    ASSERT_TRUE(in.wait_for(1)) << i;
+    in.clear();
+  }
+  EXPECT_EQ(in.subscriber->stats().lost, 0u);
+}
+
+TEST(Queue, AFragmentedMessageThatIsRevokedHalfWaySpoilsNothing) {
+  const auto out = publisher(1);
+  const auto in = idle_subscriber(out->address());
+  const std::string huge(2 * mb, 'x');
+  for (int i = 0; i < 5; ++i) out->publish(text_record(std::to_string(i) + huge));
+  std::vector<MessagePtr> messages;
+  ASSERT_TRUE(eventually([&] {
+    for (const auto& message : read_all(*in)) messages.push_back(message);
+    return !messages.empty();
+  }));
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_EQ(control_of(messages[0]), "4" + huge);
+  EXPECT_EQ(in->stats().lost, 4u);
+}
+
+TEST(Queue, BestEffortTakesBackWhatIsInFlight) {
+  const auto out = publisher(10, 2 * mb, Policy::best_effort());
+  const auto in = idle_subscriber(out->address());
+  for (int i = 0; i < 6; ++i) {
+    const BufferPtr buffer = filled(*out->memory(), mb, static_cast<unsigned char>(i));
+    ASSERT_TRUE(buffer) << i;
+    out->publish(text_record(std::to_string(i), {buffer}));
+  }
+  const auto messages = read_all(*in);
+  ASSERT_EQ(messages.size(), 2u);
+  EXPECT_EQ(control_of(messages[0]), "4");
+  EXPECT_TRUE(all_bytes_are(messages[0]->blocks()[0], 4));
+  EXPECT_EQ(in->stats().lost, 4u);
+  EXPECT_EQ(out->memory()->stats().revoked, 4u);
+  EXPECT_EQ(out->stats().dropped, 4u);
+}
+
+TEST(Queue, BestEffortTakesBackWhatWaitsInTheOutbox) {
+  const auto out = publisher(100, 4 * mb, Policy::best_effort());
+  const auto in = idle_subscriber(out->address());
+  for (int i = 0; i < 40; ++i) out->publish(text_record(std::string(60'000, 'x')));  // fills the socket
+  for (int i = 0; i < 20; ++i) {
+    const BufferPtr buffer = filled(*out->memory(), mb, 1);
+    ASSERT_TRUE(buffer) << i;
+    out->publish(text_record(std::to_string(i), {buffer}));
+  }
+}
+
+TEST(Queue, NoPolicyEverTakesBackWhatASubscriberHolds) {
+  const auto out = publisher(10, 2 * mb, Policy::best_effort());
+  const auto in = idle_subscriber(out->address());
+  out->publish(text_record("a", {filled(*out->memory(), mb, 1)}));
+  out->publish(text_record("b", {filled(*out->memory(), mb, 2)}));
+  auto held = read_all(*in);
+  ASSERT_EQ(held.size(), 2u);
+  EXPECT_FALSE(out->memory()->allocate(mb));
+  EXPECT_EQ(out->memory()->stats().refused, 1u);
+  EXPECT_TRUE(all_bytes_are(held[1]->blocks()[0], 2));
+  held.pop_back();
+  EXPECT_TRUE(out->memory()->allocate(mb));
+}
+
+TEST(Queue, WorstEffortStopsAtTheOldestMessageInUse) {
+  const auto out = publisher(10, 2 * mb, Policy::worst_effort());
+  const auto in = idle_subscriber(out->address());
+  out->publish(text_record("a", {filled(*out->memory(), mb, 1)}));
+  out->publish(text_record("b", {filled(*out->memory(), mb, 2)}));
+  auto held = read_all(*in);
+  held.pop_back();  // the newer one is free, but the older one is in use
+  EXPECT_FALSE(out->memory()->allocate(mb));
+  held.clear();
+  EXPECT_TRUE(out->memory()->allocate(mb));
+}
+
+TEST(Queue, MediumEffortPassesOverABoundedNumber) {
+  for (const unsigned attempts : {2u, 3u}) {
+    const auto out = publisher(10, 4 * mb, Policy::medium_effort(attempts));
+    const auto in = idle_subscriber(out->address());
+    for (int i = 0; i < 4; ++i) out->publish(text_record("x", {filled(*out->memory(), mb, 1)}));
+    auto held = read_all(*in);
+    ASSERT_EQ(held.size(), 4u);
+    held.pop_back();  // three in use before the free one
+    EXPECT_EQ(static_cast<bool>(out->memory()->allocate(mb)), attempts >= 3) << attempts;
+  }
+}
+
+}  // namespace
+}  // namespace test
+}  // namespace channel
+}  // namespace tzc

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "channel/wire.h"
+
+#include <gtest/gtest.h>
+
+#include "channel/verdict.h"
+
+// Publisher and subscriber may be built from different versions of this library. When a size here fails you
+// changed the protocol: raise wire_version in channel/wire.h, then update the numbers below.
+
+namespace tzc {
+namespace channel {
+namespace {
+
+using Word = std::atomic<std::uint64_t>;
+
+TEST(Wire, VersionOne) {
+  EXPECT_EQ(wire_version, 1u);
+  EXPECT_EQ(sizeof(Hello), 16u);
+  EXPECT_EQ(sizeof(Welcome), 16u);
+  EXPECT_EQ(sizeof(Refusal), 8u);
+  EXPECT_EQ(sizeof(SegmentPacket), 40u);
+  EXPECT_EQ(sizeof(RetireSegment), 16u);
+  EXPECT_EQ(sizeof(RecordPrefix), 8u);
+  EXPECT_EQ(sizeof(FragmentPrefix), 24u);
+  EXPECT_EQ(sizeof(Goodbye), 4u);
+  EXPECT_EQ(sizeof(BodyHeader), 24u);
+  EXPECT_EQ(sizeof(ConnectionPage), 8u);
+}
+
+TEST(Verdict, ExactlyOneSideWinsARecord) {
+  std::uint32_t taken = 0;
+  Word word{pack(Verdict{5, 5})};
+  EXPECT_TRUE(win_take(word, 6));
+  EXPECT_FALSE(win_revoke(word, 6, taken));
+  EXPECT_EQ(taken, 6u);
+  EXPECT_TRUE(win_revoke(word, 7, taken));
+  EXPECT_FALSE(win_take(word, 7));
+  EXPECT_TRUE(win_take(word, 8));
+}
+
+TEST(Verdict, RevokingSeveralTellsWhichAreStillThePublishers) {
+  std::uint32_t taken = 0;
+  Word word{pack(Verdict{5, 5})};
+  win_take(word, 6);
+  EXPECT_TRUE(win_revoke(word, 9, taken));
+  EXPECT_EQ(taken, 6u);
+  for (std::uint32_t sequence = 7; sequence <= 9; ++sequence) EXPECT_FALSE(win_take(word, sequence));
+}
+
+TEST(Verdict, SequenceNumbersWrapAround) {
+  std::uint32_t taken = 0;
+  Word word{pack(Verdict{0xfffffffe, 0xfffffffe})};
+  for (const std::uint32_t sequence : {0xffffffffu, 0u, 1u}) EXPECT_TRUE(win_take(word, sequence));
+  EXPECT_TRUE(win_revoke(word, 3, taken));
+  EXPECT_FALSE(win_take(word, 2));
+  EXPECT_TRUE(win_take(word, 4));
+}
+
+}  // namespace
+}  // namespace channel
+}  // namespace tzc
