@@ -86,31 +86,55 @@ class ClassEmitter {
     return text;
   }
 
-  // Locals begin with an underscore, as no field can.
+  // Locals begin with an underscore, as no field can. Control fields have the same type on both sides.
   std::string from_stock() {
     std::vector<std::string> initializers;
+    std::string body;
     for (const Field& f : message_.fields) {
-      const std::string value = "_stock." + f.name;
-      initializers.push_back(f.name + "(" + converted(f, fmt::format("_{}_type", f.name), value) + ")");
+      const bool control = analysis_.part(f) == Part::control;
+      if (!control && f.array == ArrayKind::fixed) {
+        body +=
+            element_loop(fmt::format("{0}[_i] = {1}(_stock.{0}[_i])", f.name, twin_element(f, analysis_)));
+      } else if (!control && f.array == ArrayKind::variable) {
+        initializers.push_back(fmt::format("{0}(_stock.{0}.begin(), _stock.{0}.end())", f.name));
+      } else {
+        initializers.push_back(fmt::format("{0}(_stock.{0})", f.name));
+      }
     }
-    return fmt::format("  explicit {}(const {}& _stock)\n      : {} {{}}\n", name_, stock_,
-                       fmt::join(initializers, ",\n        "));
+    return fmt::format("  explicit {}(const {}& _stock){}{} {{{}}}\n", name_, stock_,
+                       initializers.empty() ? "" : "\n      : ", fmt::join(initializers, ",\n        "),
+                       body.empty() ? "" : "\n" + body + "  ");
   }
 
   std::string to_stock() {
     std::string body;
-    for (const Field& f : message_.fields) {
-      const std::string type = fmt::format("{}::_{}_type", stock_, f.name);
-      body += fmt::format("    _stock.{} = {};\n", f.name, converted(f, type, f.name));
-    }
+    for (const Field& f : message_.fields) body += field_to_stock(f);
     return fmt::format("  explicit operator {0}() const {{\n    {0} _stock;\n{1}    return _stock;\n  }}\n",
                        stock_, body);
   }
 
-  // A control field has the same type in twin and stock message.
-  std::string converted(const Field& field, const std::string& type, const std::string& value) {
-    if (analysis_.part(field) == Part::control) return value;
-    return fmt::format("::tzc::message::convert<{}>({})", type, value);
+  std::string field_to_stock(const Field& f) {
+    const std::string name = f.name;
+    switch (analysis_.part(f)) {
+      case Part::control:
+        return fmt::format("    _stock.{0} = {0};\n", name);
+      case Part::data:
+        return fmt::format("    _stock.{0}.assign({0}.begin(), {0}.end());\n", name);
+      case Part::mixed:
+        break;
+    }
+    const std::string element = stock_type(*f.message);
+    if (f.array == ArrayKind::none)
+      return fmt::format("    _stock.{0} = static_cast<{1}>({0});\n", name, element);
+    if (f.array == ArrayKind::fixed) {
+      return element_loop(fmt::format("_stock.{0}[_i] = static_cast<{1}>({0}[_i])", name, element));
+    }
+    return fmt::format("    _stock.{0} = ::std::vector<{1}>({0}.begin(), {0}.end());\n", name, element);
+  }
+
+  static std::string element_loop(const std::string& statement) {
+    const std::string array = statement.substr(0, statement.find('['));
+    return fmt::format("    for (::std::size_t _i = 0; _i < {}.size(); ++_i) {};\n", array, statement);
   }
 
   std::string aliases() const {
