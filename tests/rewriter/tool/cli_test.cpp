@@ -244,7 +244,8 @@ TEST_F(Cli, killed_at_any_time_the_package_is_old_or_new_after_the_next_start) {
   for (int milliseconds = 10; milliseconds < 34; ++milliseconds) {
     for (const char* name : names) ws.folder().write(std::string("ws/src/demo/") + name, before[name]);
     ws.shell("timeout -s KILL 0.0" + std::to_string(milliseconds) + command);
-    ASSERT_NE(ws.rewrite({}).status, 2);
+    const auto next = ws.rewrite({});
+    ASSERT_NE(next.status, 2) << next.errors;
     EXPECT_FALSE(std::filesystem::exists(ws.package() + "/.tzc-rewrite"));
     int changed = 0;
     for (const char* name : names) changed += ws.file(name) != before[name];
