@@ -58,7 +58,7 @@ class Porter {
   }
 
   Expected<void> plan_sources() {
-    const Expected<std::vector<std::string>> includes = find_tzc_includes(inputs_.options.tzc_include);
+    const Expected<std::vector<std::string>> includes = find_tzc_includes(inputs_.options.tzc_includes);
     if (!includes) return includes.error();
     const Expected<OwnMessages> messages = OwnMessages::generate(port_.package_dir);
     if (!messages) return messages.error();
