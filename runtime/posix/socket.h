@@ -5,7 +5,7 @@
 #include <string>
 
 #include "posix/file_descriptor.h"
-#include "tzc/channel.h"
+#include "tzc/credentials.h"
 #include "tzc/error.h"
 
 namespace tzc {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <tzc/credentials.h>
 #include <tzc/error.h>
 #include <tzc/memory.h>
 
@@ -24,13 +23,6 @@
 
 namespace tzc {
 namespace channel {
-
-/// Who is at the other end of a socket, as the kernel says.
-struct Credentials {
-  pid_t pid = -1;
-  uid_t uid = static_cast<uid_t>(-1);
-  gid_t gid = static_cast<gid_t>(-1);
-};
 
 /// A message ready to be sent: control part and blocks. Immutable, prepared once, sent to many; any thread.
 /// It keeps its buffers alive until the last queue that holds it is done with it.
