@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <tzc/publisher.h>
+
+#include <string>
+
+namespace tzc {
+
+/// Advertises `options` through roscpp and attaches shared memory to it. The forms below are shorthands for this one.
+/// M: the tzc:: message type, or the stock type where only stock messages are published.
+/// Errors are roscpp's own (exceptions for bad names, an empty publisher for a conflicting type).
+template <class M>
+Publisher advertise(ros::NodeHandle& node, ros::AdvertiseOptions& options,
+                    const PublisherOptions& publisher_options) {
+  typedef typename message::StockOf<M>::type Stock;
+  ros::Publisher publisher = node.advertise(options);
+  std::shared_ptr<detail::Attachment> attachment;
+  if (publisher)
+    attachment = detail::Attachment::create(node, options, detail::make_codec<Stock>(), publisher_options);
+  return Publisher(publisher, attachment);
+}
+
+/// As above, with `memory_size` bytes of shared memory (0: sized by queue and message).
+template <class M>
+Publisher advertise(ros::NodeHandle& node, ros::AdvertiseOptions& options, std::size_t memory_size = 0) {
+  PublisherOptions publisher_options;
+  publisher_options.memory_size = memory_size;
+  return advertise<M>(node, options, publisher_options);
+}
+
+/// ros::NodeHandle::advertise(topic, queue_size, latch) with the size of the shared memory in between.
+template <class M>
+Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
+                    std::size_t memory_size = 0, bool latch = false) {
+  ros::AdvertiseOptions options;
+  options.init<typename message::StockOf<M>::type>(topic, queue_size);
+  options.latch = latch;
+  return advertise<M>(node, options, memory_size);
+}
+
+/// ros::NodeHandle::advertise with connect callbacks.
+template <class M>
+Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size, std::size_t memory_size,
+                    const ros::SubscriberStatusCallback& connect_cb,
+                    const ros::SubscriberStatusCallback& disconnect_cb = ros::SubscriberStatusCallback(),
+                    const ros::VoidConstPtr& tracked_object = ros::VoidConstPtr(), bool latch = false) {
+  ros::AdvertiseOptions options;
+  options.init<typename message::StockOf<M>::type>(topic, queue_size, connect_cb, disconnect_cb);
+  options.tracked_object = tracked_object;
+  options.latch = latch;
+  return advertise<M>(node, options, memory_size);
+}
+
+/// Every form also for a temporary node handle (`tzc::advertise<M>(getNodeHandle(), ...)`).
+template <class M, class... Args>
+Publisher advertise(ros::NodeHandle&& node, Args&&... args) {
+  return advertise<M>(static_cast<ros::NodeHandle&>(node), std::forward<Args>(args)...);
+}
+
+}  // namespace tzc

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/advertise_options.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <tzc/detail/codec.h>
+#include <tzc/options.h>
+
+#include <boost/shared_ptr.hpp>
+#include <memory>
+#include <string>
+#include <typeinfo>
+
+namespace tzc {
+namespace detail {
+
+class Port;
+
+/// A topic's shared-memory side, attached beside roscpp's own publisher: while it lives, subscribers of the topic that
+/// can take shared memory are moved over to it. Thread-safe.
+class Attachment {
+ public:
+  /// Null when TZC is off for this node or topic, or when the topic could not be advertised.
+  /// `options.topic` must be resolved the way `node` resolves it; the publication must already exist.
+  static std::shared_ptr<Attachment> create(ros::NodeHandle& node, const ros::AdvertiseOptions& options,
+                                            const MessageCodec& codec, const PublisherOptions& publisher_options);
+  ~Attachment();
+  Attachment(const Attachment&) = delete;
+  Attachment& operator=(const Attachment&) = delete;
+
+  /// Ends the attachment: connections go back to plain TCPROS or end with the publisher. Idempotent.
+  void shutdown();
+
+  const std::shared_ptr<MemorySource>& memory() const;
+  /// Somebody takes messages of this type by pointer (through shared memory or inside this process), so that building
+  /// a view pays.
+  bool wants_pointer(const std::type_info& type) const;
+  bool delivers_exhausted() const;
+  void count_dropped();
+  PublisherStatistics statistics() const;
+
+ private:
+  Attachment() = default;
+  std::shared_ptr<Port> port_;
+  ros::Publisher observer_;  ///< carries our connect callback; ends with this object
+};
+
+/// While it lives, this thread's publish of `message` sends `encoded` instead of encoding it once more.
+class EncodedScope {
+ public:
+  EncodedScope(const void* message, const message::Encoded& encoded);
+  ~EncodedScope();
+  EncodedScope(const EncodedScope&) = delete;
+  EncodedScope& operator=(const EncodedScope&) = delete;
+
+ private:
+  const void* previous_message_;
+  const message::Encoded* previous_encoded_;
+};
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// TZC for roscpp nodes: tzc::advertise, tzc::Publisher, tzc::subscribe, tzc::attach.
+#include <ros/ros.h>
+#include <tzc/advertise.h>
+#include <tzc/direct_dispatch.h>
+#include <tzc/publisher.h>
+#include <tzc/subscribe.h>

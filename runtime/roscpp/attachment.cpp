@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <tzc/detail/attachment.h>
+
+#include <ros/publication.h>
+#include <ros/topic_manager.h>
+
+#include "roscpp/configuration.h"
+#include "roscpp/port.h"
+#include "roscpp/runtime.h"
+
+namespace tzc {
+namespace detail {
+namespace {
+
+/// Advertises the topic once more, for our connect callback alone, on the worker's queue. It is told about subscribers
+/// that are there already, and ends with `tracked`.
+ros::Publisher observe(ros::NodeHandle& node, const ros::AdvertiseOptions& options,
+                       const std::shared_ptr<Port>& port) {
+  const std::weak_ptr<Port> weak = port;
+  ros::AdvertiseOptions observer(
+      options.topic, options.queue_size, options.md5sum, options.datatype, options.message_definition,
+      [weak](const ros::SingleSubscriberPublisher& subscriber) {
+        if (const std::shared_ptr<Port> alive = weak.lock()) alive->on_connect(subscriber);
+      });
+  observer.has_header = options.has_header;
+  observer.callback_queue = &runtime().queue;
+  return node.advertise(observer);
+}
+
+}  // namespace
+
+std::shared_ptr<Attachment> Attachment::create(ros::NodeHandle& node, const ros::AdvertiseOptions& options,
+                                               const MessageCodec& codec,
+                                               const PublisherOptions& publisher_options) {
+  const std::string topic = node.resolveName(options.topic);
+  if (!is_enabled(topic)) return nullptr;
+  const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
+  if (!publication) return nullptr;
+  std::shared_ptr<Attachment> attachment(new Attachment);
+  attachment->port_ = Port::of(publication, configured(publisher_options), runtime().worker);
+  if (!attachment->port_) return nullptr;
+  attachment->port_->records().add_codec(codec);
+  attachment->observer_ = observe(node, options, attachment->port_);
+  return attachment;
+}
+
+Attachment::~Attachment() { shutdown(); }
+
+void Attachment::shutdown() { observer_.shutdown(); }
+
+const std::shared_ptr<MemorySource>& Attachment::memory() const { return port_->memory(); }
+bool Attachment::wants_pointer(const std::type_info& type) const { return port_->wants_pointer(type); }
+bool Attachment::delivers_exhausted() const { return port_->on_exhausted() == OnExhausted::deliver; }
+void Attachment::count_dropped() { port_->records().count_dropped(); }
+PublisherStatistics Attachment::statistics() const { return port_->statistics(); }
+
+void attach_topic(const std::string& resolved_topic, const MessageCodec& codec) {
+  if (is_enabled(resolved_topic)) runtime().receiver.attach(resolved_topic, codec);
+}
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/inlet.h"
+
+#include <ros/connection.h>
+#include <ros/console.h>
+
+#include <cstring>
+
+#include "roscpp/direct_queue.h"
+#include "roscpp/offer.h"
+#include "roscpp/roscpp_access.h"
+#include "roscpp/tcpros_drain.h"
+
+namespace tzc {
+namespace {
+
+namespace access = roscpp_access;
+
+/// The bytes of a received message as roscpp passes buffers around; they stay where they are.
+ros::SerializedMessage borrow(const channel::MessagePtr& message, const std::uint8_t* bytes, std::size_t size) {
+  const boost::shared_array<std::uint8_t> buffer(const_cast<std::uint8_t*>(bytes),
+                                                 [hold = channel::MessagePtr(message)](std::uint8_t*) mutable { hold.reset(); });
+  ros::SerializedMessage borrowed(buffer, size);
+  borrowed.message_start = buffer.get();
+  return borrowed;
+}
+
+bool has_writers(ros::Subscription& subscription) {
+  const boost::mutex::scoped_lock lock(access::callbacks_mutex_(subscription));
+  return access::nonconst_callbacks_(subscription) != 0;
+}
+
+}  // namespace
+
+void Inlet::take(const channel::MessagePtr& message) {
+  if (message->tag() == kSwitch) return wait_until_drained(*link_->getConnection());
+  const ros::SubscriptionPtr subscription = subscription_.lock();
+  if (!subscription || subscription->isDropped()) return;
+  {
+    const DirectReaderScope scope;
+    if (message->tag() == kControlPart) take_control_part(*subscription, message);
+    if (message->tag() == kWholeMessage) take_whole_message(*subscription, message);
+  }
+  run_direct_callbacks();
+}
+
+boost::shared_ptr<void> Inlet::decode(ros::Subscription& subscription, const channel::MessagePtr& message) const {
+  if (has_writers(subscription)) return codec_.copy(message->control(), message->control_size(), message->blocks());
+  return codec_.view(message->control(), message->control_size(), message->blocks(), message);
+}
+
+void Inlet::take_control_part(ros::Subscription& subscription, const channel::MessagePtr& message) {
+  const boost::shared_ptr<void> decoded = decode(subscription, message);
+  if (!decoded) {
+    ROS_WARN_STREAM_THROTTLE(10, "TZC: a malformed message on " << subscription.getName() << " from "
+                                                                << link_->getCallerID() << " is dropped");
+    return;
+  }
+  bool ser = false, nocopy = false;
+  subscription.getPublishTypes(ser, nocopy, *codec_.type);
+  // Callbacks of another C++ type, and those that subscribe to a latched topic later, need the stock wire format: one
+  // serialization here. Everybody else only needs the header, for topic statistics, and the control part begins with it.
+  const bool needs_wire = ser || link_->isLatched();
+  ros::SerializedMessage given = needs_wire ? codec_.serialize(decoded.get())
+                                            : borrow(message, message->control(), message->control_size());
+  given.message = decoded;
+  given.type_info = codec_.type;
+  give(subscription, given, ser, true);
+}
+
+void Inlet::take_whole_message(ros::Subscription& subscription, const channel::MessagePtr& message) {
+  if (message->blocks().empty())
+    return give(subscription, borrow(message, message->control(), message->control_size()), true, false);
+  const ConstBlock& block = message->blocks().front();
+  std::uint64_t size = 0;
+  if (message->control_size() == sizeof(size)) std::memcpy(&size, message->control(), sizeof(size));
+  if (size <= block.size) give(subscription, borrow(message, block.data, size), true, false);
+}
+
+void Inlet::give(ros::Subscription& subscription, const ros::SerializedMessage& message, bool ser, bool nocopy) {
+  subscription.handleMessage(message, ser, nocopy, link_->getConnection()->getHeader().getValues(), link_);
+}
+
+}  // namespace tzc

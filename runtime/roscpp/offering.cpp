@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The port's half of the upgrade: inviting a TCPROS subscriber.
+#include <ros/console.h>
+#include <ros/master.h>
+#include <ros/publication.h>
+#include <ros/this_node.h>
+
+#include <random>
+
+#include "roscpp/host_identity.h"
+#include "roscpp/offer.h"
+#include "roscpp/port.h"
+#include "roscpp/roscpp_access.h"
+#include "roscpp/xmlrpc_call.h"
+
+namespace tzc {
+namespace detail {
+namespace {
+
+namespace access = roscpp_access;
+
+/// Longer than any healthy node takes; a stopped one must not keep the worker from the others for long.
+constexpr std::chrono::milliseconds kCallTimeout(2000);
+
+std::string random_token() {
+  std::random_device random;
+  std::string token;
+  for (int i = 0; i < 4; ++i) token += std::to_string(random()) + ".";
+  return token;
+}
+
+/// Where a node answers XMLRPC calls; empty when the master does not know it.
+std::string node_uri(const std::string& caller_id) {
+  XmlRpc::XmlRpcValue params;
+  params[0] = ros::this_node::getName();
+  params[1] = caller_id;
+  XmlRpcReply reply = call_node(ros::master::getURI(), "lookupNode", params, kCallTimeout);
+  const bool found = reply.succeeded() && reply.value.getType() == XmlRpc::XmlRpcValue::TypeString;
+  return found ? static_cast<std::string>(reply.value) : std::string();
+}
+
+}  // namespace
+
+void Port::on_connect(const ros::SingleSubscriberPublisher& subscriber) {
+  const ros::SubscriberLinkPtr& link = access::link_(const_cast<ros::SingleSubscriberPublisher&>(subscriber));
+  if (const auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link)) offer(tcp);
+}
+
+void Port::offer_again(const std::string& caller_id) {
+  const ros::PublicationPtr publication = publication_.lock();
+  if (!publication) return;
+  ros::V_SubscriberLink links;
+  {
+    const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(*publication));
+    links = access::subscriber_links_(*publication);
+  }
+  for (const ros::SubscriberLinkPtr& link : links) {
+    const auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link);
+    if (tcp && tcp->getDestinationCallerID() == caller_id) offer(tcp);
+  }
+}
+
+void Port::offer(const TcpLink& link) {
+  if (link->getTransportType() != "TCPROS" || host_identity().empty()) return;
+  const std::string& subscriber = link->getDestinationCallerID();
+  const std::string uri = node_uri(subscriber);
+  if (uri.empty()) return;
+  Offer offer;
+  offer.topic = topic_;
+  offer.md5sum = md5sum_;
+  offer.publisher = ros::this_node::getName();
+  offer.address = channel_->address();
+  offer.identity = host_identity();
+  offer.token = expect(link);
+  const XmlRpcReply reply = call_node(uri, kOfferMethod, to_xmlrpc(offer), kCallTimeout);
+  if (reply.succeeded()) return;
+  expected(offer.token, true);
+  ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << subscriber << " stays on TCPROS: " << reply.status);
+}
+
+std::string Port::expect(const TcpLink& link) {
+  const std::string token = random_token();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (auto it = expected_.begin(); it != expected_.end();)
+    it = it->second.expired() ? expected_.erase(it) : std::next(it);
+  expected_[token] = link;
+  return token;
+}
+
+Port::TcpLink Port::expected(const std::string& token, bool take) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = expected_.find(token);
+  if (found == expected_.end()) return TcpLink();
+  const TcpLink link = found->second.lock();
+  if (take) expected_.erase(found);
+  return link;
+}
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/single_subscriber_publisher.h>
+#include <ros/transport_subscriber_link.h>
+#include <tzc/channel.h>
+#include <tzc/options.h>
+
+#include <atomic>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "roscpp/record_maker.h"
+#include "roscpp/shared_link.h"
+#include "roscpp/worker.h"
+
+namespace tzc {
+namespace detail {
+
+/// The shared-memory side of one publication of this process:
+///
+///   connect callback -> offer (XMLRPC) -> the subscriber connects to the channel -> its TCPROS link is parked and a
+///   SharedLink stands in its place -> the channel breaks: the TCPROS link is put back
+///                                  -> the TCPROS link is dropped: the SharedLink goes, and the user's callbacks hear it
+///
+/// Thread-safe. Locks, outermost first: roscpp's advertised_topics_mutex_, publish_queue_mutex_,
+/// subscriber_links_mutex_; the link's; the channel's. mutex_ is taken under none of them and holds none of them.
+class Port : public std::enable_shared_from_this<Port> {
+ public:
+  /// The port of a publication, made with the first attachment and shared by all of the process.
+  static std::shared_ptr<Port> of(const ros::PublicationPtr& publication, const PublisherOptions& options,
+                                  Worker& worker);
+  ~Port();
+
+  const std::shared_ptr<MemorySource>& memory() const { return memory_; }
+  OnExhausted on_exhausted() const { return on_exhausted_; }
+  RecordMaker& records() { return records_; }
+  PublisherStatistics statistics() const;
+  bool wants_pointer(const std::type_info& type) const;
+
+  /// roscpp's connect callback, on the worker: offers shared memory to the subscriber.
+  void on_connect(const ros::SingleSubscriberPublisher& subscriber);
+  /// A subscriber by that name says that it can take an offer. Any thread but roscpp's.
+  void offer_again(const std::string& caller_id);
+
+  /// \name For SharedLink, under subscriber_links_mutex_
+  /// @{
+  Shipment pointer_record(const ros::SerializedMessage& message);
+  Shipment bytes_record(const ros::SerializedMessage& message) { return records_.of_bytes(message, links_); }
+  Shipment bytes_record(const ros::SerializedMessage& message, std::size_t links) {
+    return records_.of_bytes(message, links);
+  }
+  void saw_serialized(const ros::SerializedMessage& message);
+  /// @}
+
+ private:
+  using TcpLink = ros::TransportSubscriberLinkPtr;
+
+  Port(const ros::PublicationPtr& publication, std::shared_ptr<SegmentMemory> memory, OnExhausted on_exhausted,
+       Worker& worker);
+  bool listen(std::size_t queue_size);
+  std::uint32_t take_sequence(const ros::SerializedMessage& message);
+
+  void offer(const TcpLink& link);
+  std::string expect(const TcpLink& link);
+  TcpLink expected(const std::string& token, bool take);
+
+  void connected(const channel::ConnectionPtr& connection);
+  void disconnected(const channel::ConnectionPtr& connection);
+  void watch(const SharedLinkPtr& link);
+  SharedLinkPtr park(const TcpLink& tcp, const channel::ConnectionPtr& connection);
+  void put_back(const SharedLinkPtr& link);
+  void ended(const SharedLinkPtr& link);
+  void go_live(const SharedLinkPtr& link);
+
+  const ros::PublicationWPtr publication_;
+  const std::string topic_;
+  const std::string md5sum_;
+  const std::shared_ptr<SegmentMemory> segments_;
+  const std::shared_ptr<MemorySource> memory_;
+  const OnExhausted on_exhausted_;
+  Worker& worker_;
+  RecordMaker records_;
+  std::shared_ptr<channel::Publisher> channel_;
+
+  std::size_t links_ = 0;                ///< SharedLinks in the publication; under subscriber_links_mutex_
+  std::deque<const void*> unnumbered_;   ///< serialized messages that roscpp has yet to number; likewise
+  std::atomic<std::size_t> shared_subscribers_{0};
+
+  std::mutex mutex_;
+  std::map<std::string, boost::weak_ptr<ros::TransportSubscriberLink>> expected_;  ///< by token
+  std::map<channel::ConnectionPtr, boost::weak_ptr<SharedLink>> by_connection_;
+};
+
+/// The port of a topic that this process advertises; null when there is none.
+std::shared_ptr<Port> find_port(const std::string& topic);
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/receiver.h"
+
+#include <ros/connection.h>
+#include <ros/console.h>
+#include <ros/this_node.h>
+#include <ros/topic_manager.h>
+
+#include <algorithm>
+
+#include "roscpp/host_identity.h"
+#include "roscpp/inlet.h"
+#include "roscpp/roscpp_access.h"
+#include "roscpp/xmlrpc_call.h"
+
+namespace tzc {
+namespace {
+
+namespace access = roscpp_access;
+
+/// The publisher's offer may overtake its TCPROS header, so the link is looked for a few times.
+constexpr int kTries = 100;
+constexpr std::chrono::milliseconds kRetry(5);
+constexpr std::chrono::milliseconds kCallTimeout(2000);
+
+ros::SubscriptionPtr find_subscription(const std::string& topic) {
+  ros::TopicManager& topics = *ros::TopicManager::instance();
+  const boost::mutex::scoped_lock lock(access::subs_mutex_(topics));
+  for (const ros::SubscriptionPtr& subscription : access::subscriptions_(topics))
+    if (subscription->getName() == topic && !subscription->isDropped()) return subscription;
+  return ros::SubscriptionPtr();
+}
+
+/// The TCPROS links of a subscription.
+std::vector<ros::TransportPublisherLinkPtr> tcp_links(ros::Subscription& subscription) {
+  std::vector<ros::TransportPublisherLinkPtr> links;
+  const boost::mutex::scoped_lock lock(access::publisher_links_mutex_(subscription));
+  for (const ros::PublisherLinkPtr& link : access::publisher_links_(subscription))
+    if (const auto tcp = boost::dynamic_pointer_cast<ros::TransportPublisherLink>(link)) links.push_back(tcp);
+  return links;
+}
+
+ros::TransportPublisherLinkPtr find_link(ros::Subscription& subscription, const std::string& publisher) {
+  for (const ros::TransportPublisherLinkPtr& link : tcp_links(subscription))
+    if (link->getCallerID() == publisher && !link->getConnection()->isDropped()) return link;
+  return ros::TransportPublisherLinkPtr();
+}
+
+}  // namespace
+
+void Receiver::attach(const std::string& topic, const detail::MessageCodec& codec) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::vector<detail::MessageCodec>& codecs = topics_[topic];
+    const bool known = std::any_of(codecs.begin(), codecs.end(), [&](const detail::MessageCodec& other) {
+      return *other.type == *codec.type;
+    });
+    if (known) return;
+    codecs.push_back(codec);
+  }
+  worker_.post([this, topic] { ask_publishers(topic); });
+}
+
+std::string Receiver::reason_to_refuse(const Offer& offer) const {
+  if (offer.identity != host_identity()) return "this node is on another machine or network namespace";
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = topics_.find(offer.topic);
+  if (found == topics_.end()) return "this node has not attached " + offer.topic;
+  const bool fits = std::any_of(found->second.begin(), found->second.end(), [&](const detail::MessageCodec& codec) {
+    return codec.md5sum == offer.md5sum;
+  });
+  return fits ? std::string() : "this node expects another message type on " + offer.topic;
+}
+
+void Receiver::answer(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& result) {
+  Offer offer;
+  const std::string refusal =
+      from_xmlrpc(params, offer) ? reason_to_refuse(offer) : std::string("not an offer of this version of TZC");
+  if (!refusal.empty()) {
+    result = response(0, refusal);
+    return;
+  }
+  worker_.post([this, offer] { accept(offer, kTries); });
+  result = response(1, "coming");
+}
+
+void Receiver::accept(const Offer& offer, int tries_left) {
+  const ros::SubscriptionPtr subscription = find_subscription(offer.topic);
+  if (!subscription) return;
+  const LinkPtr link = find_link(*subscription, offer.publisher);
+  if (link)
+    connect(offer, subscription, link);
+  else if (tries_left > 0)
+    worker_.post([this, offer, tries_left] { accept(offer, tries_left - 1); }, kRetry);
+}
+
+bool Receiver::connected(const LinkPtr& link) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return channels_.count(link) != 0;
+}
+
+bool Receiver::codec_for(const Offer& offer, ros::Subscription& subscription, detail::MessageCodec& codec) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  bool found = false;
+  for (const detail::MessageCodec& candidate : topics_.at(offer.topic)) {
+    if (candidate.md5sum != offer.md5sum) continue;
+    bool ser = false, is_wanted = false;
+    subscription.getPublishTypes(ser, is_wanted, *candidate.type);
+    if (!found || is_wanted) codec = candidate;
+    found = true;
+    if (is_wanted) break;
+  }
+  return found;
+}
+
+void Receiver::connect(const Offer& offer, const ros::SubscriptionPtr& subscription, const LinkPtr& link) {
+  detail::MessageCodec codec;
+  if (connected(link) || !codec_for(offer, *subscription, codec)) return;
+  const auto inlet = std::make_shared<Inlet>(subscription, link, codec);
+  channel::SubscriberOptions options;
+  options.address = offer.address;
+  options.hello = offer.token;
+  options.on_message = [inlet](const channel::MessagePtr& message) { inlet->take(message); };
+  options.on_disconnect = [this, link](const std::string&) {
+    worker_.post([this, link] {
+      std::shared_ptr<channel::Subscriber> ended;
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const auto found = channels_.find(link);
+      if (found == channels_.end()) return;
+      ended = std::move(found->second);
+      channels_.erase(found);
+    });
+  };
+  Expected<std::shared_ptr<channel::Subscriber>> channel = channel::Subscriber::create(std::move(options));
+  if (!channel) {
+    ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher
+                             << " stays on TCPROS: " << channel.error().text());
+    return;
+  }
+  ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher << " comes through shared memory");
+  const std::lock_guard<std::mutex> lock(mutex_);
+  channels_[link] = *channel;
+}
+
+void Receiver::ask_publishers(const std::string& topic) {
+  const ros::SubscriptionPtr subscription = find_subscription(topic);
+  if (!subscription) return;
+  XmlRpc::XmlRpcValue params;
+  params[0] = kProtocolVersion;
+  params[1] = topic;
+  params[2] = ros::this_node::getName();
+  for (const LinkPtr& link : tcp_links(*subscription))
+    if (!connected(link)) call_node(link->getPublisherXMLRPCURI(), kRequestMethod, params, kCallTimeout);
+}
+
+}  // namespace tzc

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// The private members of roscpp 1.15/1.16 that the transport needs, all of them here. Access goes through explicit
+/// template instantiation, where the standard ([temp.spec]/6) does not check access. Everything is read only, except
+/// that Publication::subscriber_links_ gets one pointer replaced in place (adding and removing links would fire the
+/// user's connect callbacks). ROS 1 is frozen; a roscpp where a member is missing fails to compile right here.
+
+#include <ros/poll_manager.h>
+#include <ros/publication.h>
+#include <ros/publisher_link.h>
+#include <ros/single_subscriber_publisher.h>
+#include <ros/subscription.h>
+#include <ros/topic_manager.h>
+#include <ros/transport/transport_tcp.h>
+#include <ros/transport_subscriber_link.h>
+
+#include <list>
+#include <queue>
+#include <vector>
+
+namespace tzc {
+namespace roscpp_access {
+
+template <class Tag, typename Tag::type Member>
+struct Grant {
+  friend typename Tag::type member(Tag) { return Member; }
+};
+
+#define TZC_GRANT(Name, Class, Type, Field)        \
+  struct Name {                                    \
+    typedef Type Class::*type;                     \
+    friend type member(Name);                      \
+  };                                               \
+  template struct Grant<Name, &Class::Field>;      \
+  inline Type& Field(Class& object, Name = Name()) { return object.*member(Name()); }
+
+typedef std::list<ros::SubscriptionPtr> SubscriptionList;
+typedef std::vector<ros::PublisherLinkPtr> PublisherLinks;
+typedef std::vector<ros::SerializedMessage> SerializedMessages;
+typedef std::queue<ros::SerializedMessage> SerializedQueue;
+
+TZC_GRANT(Subscriptions, ros::TopicManager, SubscriptionList, subscriptions_)
+TZC_GRANT(SubsMutex, ros::TopicManager, boost::mutex, subs_mutex_)
+TZC_GRANT(AdvertisedTopicsMutex, ros::TopicManager, boost::recursive_mutex, advertised_topics_mutex_)
+
+TZC_GRANT(PublisherLinksOf, ros::Subscription, PublisherLinks, publisher_links_)
+TZC_GRANT(PublisherLinksMutex, ros::Subscription, boost::mutex, publisher_links_mutex_)
+TZC_GRANT(NonconstCallbacks, ros::Subscription, std::uint32_t, nonconst_callbacks_)
+TZC_GRANT(CallbacksMutex, ros::Subscription, boost::mutex, callbacks_mutex_)
+
+TZC_GRANT(SubscriberLinks, ros::Publication, ros::V_SubscriberLink, subscriber_links_)
+TZC_GRANT(SubscriberLinksMutex, ros::Publication, boost::mutex, subscriber_links_mutex_)
+TZC_GRANT(PublishQueue, ros::Publication, SerializedMessages, publish_queue_)
+TZC_GRANT(PublishQueueMutex, ros::Publication, boost::mutex, publish_queue_mutex_)
+
+TZC_GRANT(SingleLink, ros::SingleSubscriberPublisher, ros::SubscriberLinkPtr, link_)
+
+TZC_GRANT(Outbox, ros::TransportSubscriberLink, SerializedQueue, outbox_)
+TZC_GRANT(OutboxMutex, ros::TransportSubscriberLink, boost::mutex, outbox_mutex_)
+TZC_GRANT(WritingMessage, ros::TransportSubscriberLink, bool, writing_message_)
+TZC_GRANT(HeaderWritten, ros::TransportSubscriberLink, bool, header_written_)
+
+TZC_GRANT(Socket, ros::TransportTCP, int, sock_)
+
+#undef TZC_GRANT
+
+}  // namespace roscpp_access
+}  // namespace tzc

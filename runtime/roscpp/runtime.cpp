@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/runtime.h"
+
+#include <ros/init.h>
+#include <ros/xmlrpc_manager.h>
+
+#include "roscpp/offer.h"
+#include "roscpp/port.h"
+
+namespace tzc {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+bool is_request(XmlRpcValue& params) {
+  return params.getType() == XmlRpcValue::TypeArray && params.size() == 3 &&
+         params[0].getType() == XmlRpcValue::TypeInt && static_cast<int>(params[0]) == kProtocolVersion &&
+         params[1].getType() == XmlRpcValue::TypeString && params[2].getType() == XmlRpcValue::TypeString;
+}
+
+/// A subscriber tells that it can take an offer; XMLRPC thread.
+void answer_request(XmlRpcValue& params, XmlRpcValue& result) {
+  if (!is_request(params)) {
+    result = response(0, "not a request of this version of TZC");
+    return;
+  }
+  const std::string topic = static_cast<std::string>(params[1]);
+  const std::string subscriber = static_cast<std::string>(params[2]);
+  runtime().worker.post([topic, subscriber] {
+    if (const std::shared_ptr<detail::Port> port = detail::find_port(topic)) port->offer_again(subscriber);
+  });
+  result = response(1, "noted");
+}
+
+void bind_methods() {
+  const ros::XMLRPCManagerPtr& xmlrpc = ros::XMLRPCManager::instance();
+  xmlrpc->bind(kOfferMethod,
+               [](XmlRpcValue& params, XmlRpcValue& result) { runtime().receiver.answer(params, result); });
+  xmlrpc->bind(kRequestMethod, answer_request);
+}
+
+/// Binding takes microseconds before ROS starts, and up to half a second afterwards (a nodelet's library), because the
+/// XMLRPC thread holds the table while it waits: then the worker does it.
+struct BindAtLoad {
+  BindAtLoad() {
+    if (ros::isStarted())
+      runtime().worker.post(bind_methods);
+    else
+      bind_methods();
+  }
+} bind_at_load;
+
+}  // namespace
+
+Runtime& runtime() {
+  static auto* const instance = new Runtime;
+  return *instance;
+}
+
+}  // namespace tzc

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/callback_queue_interface.h>
+
+#include "roscpp/receiver.h"
+#include "roscpp/worker.h"
+
+namespace tzc {
+
+/// What the transport has once in a process, made at its first use and never destroyed: roscpp's threads may call in
+/// until the very end, and nodelets come and go.
+struct Runtime {
+  Worker worker;
+  WorkerQueue queue{worker};
+  Receiver receiver{worker};
+};
+
+Runtime& runtime();
+
+}  // namespace tzc
