@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A TCPROS connection becomes a shared one, and back: real nodes, a real roscore."""
+import signal
+import time
+
+from topic_case import TopicCase, main
+
+
+class Upgrade(TopicCase):
+    def test_twin_is_shared_without_a_copy(self):
+        listener = self.listen()
+        counters = self.talk(count=50)
+        self.assert_got(listener, range(50), shared=True)
+        self.assert_seq_as_tcpros(listener)
+        self.assertEqual(counters["copied_bytes"], 0)
+        self.assertEqual(counters["shared"], 50)
+
+    def test_twin_by_pointer(self):
+        listener = self.listen()
+        counters = self.talk("twin_pointer", count=20)
+        self.assert_got(listener, range(20), shared=True)
+        self.assertEqual(counters["copied_bytes"], 0)
+
+    def test_stock_message_is_copied_once(self):
+        for mode in ("stock", "stock_pointer"):
+            with self.subTest(mode):
+                listener = self.listen()
+                counters = self.talk(mode, count=20, bytes=100000)
+                self.assert_got(listener, range(20), shared=True)
+                self.assertEqual(counters["copied_bytes"], 20 * 100000)
+                listener.process.stop()
+
+    def test_eight_subscribers(self):
+        listeners = [self.listen() for _ in range(8)]
+        self.talk(count=50, subscribers=8)
+        for listener in listeners:
+            self.assert_got(listener, range(50), shared=True)
+
+    def test_plain_listener_stays_on_tcpros(self):
+        plain, shared = self.listen("plain"), self.listen()
+        self.talk(count=50, subscribers=2)
+        self.assert_got(plain, range(50), shared=False)
+        self.assert_got(shared, range(50), shared=True)
+        self.assert_seq_as_tcpros(plain)
+
+    def test_plain_talker_reaches_a_ported_listener(self):
+        listener = self.listen()
+        talker = self.start_talker("plain", count=30)
+        talker.wait(30)
+        self.assert_got(listener, range(30), shared=False)
+
+    def test_callbacks_that_may_write_get_their_own_copy(self):
+        writers = [self.listen(mode) for mode in ("value", "mutable", "event", "filter")]
+        reader = self.listen("reference")
+        self.talk(count=30, subscribers=5)
+        for writer in writers:
+            self.assert_got(writer, range(30))
+        self.assert_got(reader, range(30), shared=True)
+
+    def test_direct_dispatch(self):
+        listener = self.listen("direct")
+        self.talk(count=50)
+        self.assert_got(listener, range(50), shared=True)
+
+    def test_late_attach(self):
+        listener = self.listen("late_attach")
+        self.talk(count=50)
+        self.assert_got(listener, range(50), shared=True)
+
+    def test_late_joiner(self):
+        talker = self.start_talker(count=0, rate=50, subscribers=0, settle=0)
+        listener = self.listen()
+        self.wait_for(listener, 50)
+        talker.stop()
+        numbers = listener.numbers()
+        self.assertEqual(numbers, list(range(numbers[0], numbers[0] + len(numbers))))
+        self.assertTrue(all(message["shared"] for message in listener.messages()[10:]))
+
+    def test_upgrade_under_traffic_loses_nothing(self):
+        for _ in range(5):
+            listener = self.listen(queue=5000)
+            self.talk(count=1500, rate=1000, settle=0, bytes=5000, queue=5000)
+            self.assert_got(listener, range(1500))
+            self.assert_seq_as_tcpros(listener)
+            listener.process.stop()
+
+    def test_off_switch(self):
+        listener = self.listen()
+        talker = self.start_talker(count=20, env={"TZC_DISABLE": "1"})
+        talker.wait(30)
+        self.assert_got(listener, range(20), shared=False)
+
+
+class Death(TopicCase):
+    def test_killed_publisher_and_its_successor(self):
+        listener = self.listen()
+        talker = self.start_talker(count=0, rate=200)
+        self.wait_for(listener, 50)
+        talker.kill()
+        before = len(listener.numbers())
+        self.talk(count=50, settle=1)
+        self.assertEqual(listener.numbers()[-50:], list(range(50)))
+        self.assertLess(before, len(listener.numbers()))
+        self.assertTrue(all(message["right"] for message in listener.messages()))
+
+    def test_killed_subscriber_disturbs_nobody(self):
+        victim, survivor = self.listen(), self.listen()
+        talker = self.start_talker(count=400, rate=200, subscribers=2)
+        self.wait_for(victim, 50)
+        victim.process.kill()
+        talker.wait(30)
+        self.assert_got(survivor, range(400), shared=True)
+
+    def test_stopped_subscriber_disturbs_nobody(self):
+        sleeper, survivor = self.listen(), self.listen()
+        talker = self.start_talker(count=600, rate=200, subscribers=2, memory=4000000)
+        self.wait_for(sleeper, 50)
+        sleeper.process.popen.send_signal(signal.SIGSTOP)
+        time.sleep(1.5)
+        sleeper.process.popen.send_signal(signal.SIGCONT)
+        talker.wait(30)
+        self.assert_got(survivor, range(600), shared=True)
+        numbers = sleeper.numbers()
+        self.assertEqual(numbers, sorted(set(numbers)))
+        self.assertEqual(numbers[-1], 599)
+
+
+if __name__ == "__main__":
+    main()

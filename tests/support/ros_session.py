@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A ROS graph of one's own: a roscore on a free loopback port, and processes that are all stopped at the end.
+
+    with RosSession(scratch) as ros:
+        camera = ros.start(["camera_node", "_count:=30"])
+        camera.wait(20)
+
+Everything is stopped by pid; nothing else on the machine is touched.
+"""
+import os
+import signal
+import socket
+import subprocess
+import time
+import xmlrpc.client
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class Process:
+    """A child with its output in a file."""
+
+    def __init__(self, name, command, env, log_path):
+        self.name = name
+        self.log_path = log_path
+        self._log = open(log_path, "wb")
+        self.popen = subprocess.Popen(command, env=env, stdin=subprocess.DEVNULL, stdout=self._log,
+                                      stderr=subprocess.STDOUT, start_new_session=True)
+
+    @property
+    def pid(self):
+        return self.popen.pid
+
+    def alive(self):
+        return self.popen.poll() is None
+
+    def wait(self, timeout):
+        """Exit status; raises with the end of the log when the time is up."""
+        try:
+            return self.popen.wait(timeout)
+        except subprocess.TimeoutExpired:
+            raise RuntimeError(f"{self.name} still runs after {timeout} s; its log ends:\n{self.tail()}") from None
+
+    def stop(self, sig=signal.SIGINT, timeout=8):
+        """Asks it to end, then makes it end. Harmless when it has ended."""
+        if self.alive():
+            self.popen.send_signal(sig)
+            try:
+                self.popen.wait(timeout)
+            except subprocess.TimeoutExpired:
+                self.popen.kill()
+        status = self.popen.wait()
+        self._log.close()
+        return status
+
+    def kill(self):
+        self.popen.kill()
+        self.popen.wait()
+
+    def log(self):
+        with open(self.log_path, "rb") as log:
+            return log.read().decode(errors="replace")
+
+    def tail(self, lines=15):
+        return "\n".join(self.log().splitlines()[-lines:])
+
+
+class RosSession:
+    def __init__(self, scratch, env=None):
+        self.scratch = scratch
+        os.makedirs(scratch, exist_ok=True)
+        self.port = free_port()
+        self.uri = f"http://127.0.0.1:{self.port}"
+        self.env = dict(os.environ, **(env or {}))
+        self.env.update(ROS_MASTER_URI=self.uri, ROS_IP="127.0.0.1", ROS_HOME=scratch,
+                        ROS_LOG_DIR=os.path.join(scratch, "log"), PYTHONUNBUFFERED="1")
+        self.env.pop("ROS_HOSTNAME", None)
+        self.master = xmlrpc.client.ServerProxy(self.uri)
+        self._processes = []
+        self._count = 0
+
+    def __enter__(self):
+        self.core = self.start(["roscore", "-p", str(self.port)], name="roscore")
+        self.wait_until(self.master_answers, 30, "roscore to answer")
+        return self
+
+    def __exit__(self, *exc):
+        for process in reversed(self._processes):
+            process.stop()
+        self.master("close")()
+        return False
+
+    def start(self, command, name=None, env=None):
+        self._count += 1
+        name = name or os.path.basename(command[0])
+        log_path = os.path.join(self.scratch, f"{self._count:02d}-{name}.log")
+        process = Process(name, command, dict(self.env, **(env or {})), log_path)
+        self._processes.append(process)
+        return process
+
+    def run(self, command, timeout=30, env=None):
+        """Runs to the end; returns (status, output)."""
+        done = subprocess.run(command, env=dict(self.env, **(env or {})), timeout=timeout, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+        return done.returncode, done.stdout.decode(errors="replace")
+
+    def master_answers(self):
+        try:
+            return self.master.getPid("/tzc_test")[0] == 1
+        except (OSError, xmlrpc.client.Error):
+            return False
+
+    def subscribers(self, topic):
+        """Names of the nodes that subscribe to a topic, as the master knows them."""
+        _, _, (_, subscribers, _) = self.master.getSystemState("/tzc_test")
+        return dict(subscribers).get(topic, [])
+
+    @staticmethod
+    def wait_until(condition, timeout, what):
+        deadline = time.monotonic() + timeout
+        while time.monotonic() < deadline:
+            if condition():
+                return
+            time.sleep(0.05)
+        raise RuntimeError(f"waited {timeout} s in vain for {what}")
