@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Sourced by the project's scripts: where things are, how they speak, how the project is configured and built.
+set -euo pipefail
+
+TZC_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+TZC_BUILD=${TZC_BUILD_DIR:-$TZC_ROOT/build}
+
+# Debian's catkin and rosmaster need Debian's python3, and pluginlib drags in ament without ROS_VERSION.
+export PATH=/usr/bin:$PATH
+export ROS_VERSION=1 ROS_PYTHON_VERSION=3
+export LANG=C.UTF-8
+
+if [ -t 1 ] && [ -z "${NO_COLOR:-}" ]; then bold=$'\e[1m' red=$'\e[31m' plain=$'\e[0m'; else bold='' red='' plain=''; fi
+say() { printf '%s== %s%s\n' "$bold" "$*" "$plain"; }
+fail() { printf '%serror:%s %s\n' "$red" "$plain" "$*" >&2; exit 1; }
+
+# Runs a long, chatty command quietly; shows its output only when it fails. quietly LOGFILE COMMAND...
+quietly() {
+  local log=$1; shift
+  mkdir -p "$(dirname "$log")"
+  "$@" >"$log" 2>&1 && return
+  local status=$?
+  tail -n 60 "$log" >&2
+  printf '%serror:%s %s failed with status %d; its whole output is in %s\n' "$red" "$plain" "$1" "$status" "$log" >&2
+  return "$status"
+}
+
+# build_project [CMAKE_OPTION...] -- TARGET...: configures build/ and builds the targets.
+build_project() {
+  local options=()
+  while [ "$1" != -- ]; do options+=("$1"); shift; done
+  shift
+  quietly "$TZC_BUILD/log/configure.log" cmake -G Ninja -S "$TZC_ROOT" -B "$TZC_BUILD" "${options[@]}"
+  # Progress for people; CI logs get the summary.
+  if [ -t 1 ]; then
+    ninja -C "$TZC_BUILD" "$@"
+  else
+    quietly "$TZC_BUILD/log/build.log" ninja -C "$TZC_BUILD" "$@"
+  fi
+}
