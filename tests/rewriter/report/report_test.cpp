@@ -40,7 +40,7 @@ TEST(TextReport, colours_only_where_they_are_wanted) {
 TEST(TextReport, package_without_sites) {
   PackageReport none;
   none.report.package = "none";
-  EXPECT_EQ(to_text(none, {}), "none\n  no advertise, publish or subscribe site\n\n");
+  EXPECT_EQ(to_text(none, {}), "none\n  no advertise, publish or subscribe site\n");
 }
 
 TEST(JsonReport, golden) {

@@ -226,6 +226,33 @@ TEST_F(Cli, every_package_below_a_folder) {
   EXPECT_TRUE(is_ported());
 }
 
+TEST_F(Cli, a_package_without_cpp_needs_no_compile_commands) {
+  std::filesystem::remove(ws.package() + "/src/node.cpp");
+  std::filesystem::remove_all(ws.folder() / "ws/build");
+  const auto result = ws.rewrite({});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.errors, HasSubstr("nothing to port"));
+}
+
+/// Where the kill hits is chance here; swap_test.cpp has it at each step.
+TEST_F(Cli, killed_at_any_time_the_package_is_old_or_new_after_the_next_start) {
+  ws.rewrite({});
+  const char* names[] = {"CMakeLists.txt", "package.xml", "src/node.cpp"};
+  std::map<std::string, std::string> before;
+  for (const char* name : names) before[name] = ws.file(name);
+  const std::string command = " " FAKE_REWRITE " --apply --tzc-include ../include src/demo";
+  for (int milliseconds = 10; milliseconds < 34; ++milliseconds) {
+    for (const char* name : names) ws.folder().write(std::string("ws/src/demo/") + name, before[name]);
+    ws.shell("timeout -s KILL 0.0" + std::to_string(milliseconds) + command);
+    const auto next = ws.rewrite({});
+    ASSERT_NE(next.status, 2) << next.errors;
+    EXPECT_FALSE(std::filesystem::exists(ws.package() + "/.tzc-rewrite"));
+    int changed = 0;
+    for (const char* name : names) changed += ws.file(name) != before[name];
+    EXPECT_TRUE(changed == 0 || changed == 3) << changed << " of 3 files changed";
+  }
+}
+
 TEST_F(Cli, an_interrupted_run_is_finished_by_the_next_start) {
   ws.folder().write("ws/src/demo/.tzc-rewrite/0", "half");
   EXPECT_EQ(ws.rewrite({}).status, 1);

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tzc::pcl and tzc::pcl_conversions against the libraries: the same messages, no more copies.
+#include <pcl/console/print.h>
+#include <pcl/point_types.h>
+#include <pcl_ros/point_cloud.h>
+#include <tzc/pcl.h>
+
+#include "copies.h"
+
+namespace tzc {
+namespace {
+
+using Point = ::pcl::PointXYZRGB;
+using Cloud = ::pcl::PointCloud<Point>;
+
+Cloud cloud_of(std::uint32_t width, std::uint32_t height) {
+  Cloud cloud(width, height);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    cloud.points[i].x = static_cast<float>(i);
+    cloud.points[i].r = static_cast<std::uint8_t>(i);
+  }
+  cloud.header.frame_id = "lidar";
+  cloud.header.stamp = 1234567;
+  cloud.is_dense = false;
+  return cloud;
+}
+
+::sensor_msgs::PointCloud2 librarys_message(const Cloud& cloud) {
+  ::sensor_msgs::PointCloud2 message;
+  ::pcl::toROSMsg(cloud, message);
+  return message;
+}
+
+std::vector<std::uint8_t> wire(const Cloud& cloud) {
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(cloud));
+  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, cloud);
+  return bytes;
+}
+
+class Pcl : public ::testing::Test {
+ protected:
+  message::Encoded encoded(const Cloud& cloud) {
+    message::Encoded result;
+    EXPECT_TRUE(message::encode(cloud, *publisher_.test_memory, result));
+    return result;
+  }
+  static std::vector<ConstBlock> blocks(const message::Encoded& encoded) {
+    std::vector<ConstBlock> all;
+    for (const BufferPtr& buffer : encoded.buffers) all.push_back(ConstBlock{buffer->data(), buffer->size()});
+    return all;
+  }
+
+  test::FakePublisher publisher_;
+};
+
+TEST_F(Pcl, ToRosMsgBuildsTheLibrarysMessage) {
+  for (const Cloud& cloud : {cloud_of(10, 20), cloud_of(300, 1), Cloud()}) {
+    sensor_msgs::PointCloud2 message;
+    pcl::toROSMsg(cloud, message);
+    EXPECT_EQ(librarys_message(cloud), message::to_stock(message));
+  }
+}
+
+TEST_F(Pcl, ToRosMsgCopiesOnceLikeTheLibrary) {
+  const Cloud cloud = cloud_of(1000, 100);
+  const std::size_t size = cloud.points.size() * sizeof(Point);
+  auto& memory = *publisher_.test_memory;
+  const auto librarys = test::places_for(size, memory, [&] { librarys_message(cloud); });
+  const auto ours = test::places_for(size, memory, [&] {
+    sensor_msgs::PointCloud2 message;
+    ASSERT_TRUE(message::allocate(message, publisher_.memory()));
+    pcl::toROSMsg(cloud, message);
+    message::Encoded encoded;
+    ASSERT_TRUE(message::encode(message, memory, encoded));
+    EXPECT_EQ(0u, encoded.copied_bytes) << "publishing copies nothing more";
+  });
+  EXPECT_EQ(1u, librarys);
+  EXPECT_EQ(1u, ours);
+}
+
+TEST_F(Pcl, FromPclConvertsLikeTheLibrary) {
+  const Cloud cloud = cloud_of(10, 20);
+  ::pcl::PCLPointCloud2 blob;
+  ::pcl::toPCLPointCloud2(cloud, blob);
+  sensor_msgs::PointCloud2 copied, moved;
+  pcl_conversions::fromPCL(blob, copied);
+  const auto* const data = blob.data.data();
+  pcl_conversions::moveFromPCL(blob, moved);
+  EXPECT_EQ(librarys_message(cloud), message::to_stock(copied));
+  EXPECT_EQ(copied, moved);
+  EXPECT_EQ(data, moved.data.data()) << "moving copies nothing";
+}
+
+TEST_F(Pcl, FromPclConvertsImages) {
+  ::pcl::PCLImage image;
+  image.header.frame_id = "camera";
+  image.height = 2, image.width = 3, image.step = 9, image.encoding = "bgr8";
+  image.data.assign(18, 5);
+  ::sensor_msgs::Image stock;
+  ::pcl_conversions::fromPCL(image, stock);
+  sensor_msgs::Image copied, moved;
+  pcl_conversions::fromPCL(image, copied);
+  pcl_conversions::moveFromPCL(image, moved);
+  EXPECT_EQ(stock, message::to_stock(copied));
+  EXPECT_EQ(stock, message::to_stock(moved));
+}
+
+TEST_F(Pcl, APublishedCloudIsSeenAsPointCloud2) {
+  for (const Cloud& cloud : {cloud_of(10, 20), cloud_of(300, 1), Cloud()}) {
+    auto result = encoded(cloud);
+    EXPECT_EQ(cloud.points.size() * sizeof(Point), result.copied_bytes);
+    const auto view = message::stock_view(cloud, result);
+    ASSERT_TRUE(view);
+    EXPECT_EQ(librarys_message(cloud), *view);
+  }
+}
+
+TEST_F(Pcl, APublishedCloudIsWhatPclRosSerializes) {
+  const Cloud cloud = cloud_of(10, 20);
+  auto result = encoded(cloud);
+  const auto view = message::stock_view(cloud, result);
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(*view));
+  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, *view);
+  EXPECT_EQ(wire(cloud), bytes);
+}
+
+TEST_F(Pcl, PclPointCloud2IsPublishedWithoutItsOwnType) {
+  const Cloud cloud = cloud_of(10, 20);
+  ::pcl::PCLPointCloud2 blob;
+  ::pcl::toPCLPointCloud2(cloud, blob);
+  message::Encoded result;
+  ASSERT_TRUE(message::encode(blob, *publisher_.test_memory, result));
+  EXPECT_EQ(librarys_message(cloud), *message::stock_view(blob, result));
+}
+
+TEST_F(Pcl, ACallbackMayTakeThePointType) {
+  const Cloud cloud = cloud_of(10, 20);
+  const auto result = encoded(cloud);
+  const auto received =
+      message::make_copy<Cloud>(result.control.data(), result.control.size(), blocks(result));
+  ASSERT_TRUE(received);
+  EXPECT_EQ(cloud.header.stamp, received->header.stamp);
+  ASSERT_EQ(cloud.points.size(), received->points.size());
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    EXPECT_EQ(cloud.points[i].x, received->points[i].x);
+    EXPECT_EQ(cloud.points[i].r, received->points[i].r);
+  }
+
+  using Other = ::pcl::PointCloud<::pcl::PointXYZ>;
+  const auto other = message::make_copy<Other>(result.control.data(), result.control.size(), blocks(result));
+  ASSERT_TRUE(other);
+  EXPECT_EQ(7, other->points[7].x);
+}
+
+TEST_F(Pcl, HostileCloudsAreRefusedOrHarmless) {
+  ::pcl::console::setVerbosityLevel(::pcl::console::L_ALWAYS);  // PCL complains about unknown fields
+  const auto result = encoded(cloud_of(4, 5));
+  const auto& control = result.control;
+  // Blocks of exactly the cloud's size, so that AddressSanitizer sees one byte too many.
+  const std::vector<std::uint8_t> data(result.buffers[0]->data(),
+                                       result.buffers[0]->data() + 20 * sizeof(Point));
+  const std::vector<ConstBlock> exact{ConstBlock{data.data(), data.size()}};
+  ASSERT_TRUE(message::make_copy<Cloud>(control.data(), control.size(), exact));
+  for (std::size_t at = 0; at < control.size(); ++at) {
+    EXPECT_FALSE(message::make_copy<Cloud>(control.data(), at, exact)) << "cut at " << at;
+    for (const int mask : {0x01, 0x10, 0x80, 0xff}) {
+      auto flipped = control;
+      flipped[at] ^= static_cast<std::uint8_t>(mask);
+      message::make_copy<Cloud>(flipped.data(), flipped.size(), exact);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tzc

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What tzc::Array promises beyond being a vector: where its elements live, and what is copied when.
+#include <tzc/array.h>
+
+#include <iterator>
+#include <sstream>
+
+#include "test_memory.h"
+
+namespace tzc {
+namespace {
+
+using Bytes = Array<std::uint8_t>;
+using Vector = std::vector<std::uint8_t>;
+
+static_assert(!std::is_convertible<Vector, Bytes>::value, "a silent copy is a defect");
+static_assert(!std::is_convertible<Bytes, Vector>::value, "a silent copy is a defect");
+static_assert(std::is_constructible<Vector, const Bytes&>::value, "explicitly it works");
+static_assert(std::is_constructible<Bytes, const Vector&>::value, "explicitly it works");
+static_assert(std::is_nothrow_default_constructible<Bytes>::value, "as std::vector");
+static_assert(std::is_nothrow_move_constructible<Bytes>::value, "as std::vector");
+static_assert(std::is_nothrow_move_assignable<Bytes>::value, "as std::vector");
+static_assert(detail::HasVectorWords<Vector>::value, "this platform's vectors can lend and borrow");
+
+class ArrayInMemory : public ::testing::Test {
+ protected:
+  /// An array of n elements 0, 1, 2, ... in shared memory.
+  Bytes bound(std::size_t n) {
+    Bytes array;
+    array.bind(memory_);
+    array.resize(n);
+    for (std::size_t i = 0; i < n; ++i) array[i] = static_cast<std::uint8_t>(i);
+    return array;
+  }
+  static void publish(const Bytes& array) { array.storage().share(); }
+  static const std::uint8_t* address(const Bytes& array) { return array.data(); }
+
+  std::shared_ptr<test::TestMemory> memory_ = std::make_shared<test::TestMemory>();
+};
+
+TEST_F(ArrayInMemory, VectorWordsAreWhatWeThinkTheyAre) {
+  EXPECT_TRUE(detail::vector_words_are_as_expected()) << "everything still works, but views are deep copies";
+}
+
+TEST_F(ArrayInMemory, GrowsOnTheHeapUntilBound) {
+  Bytes array(10);
+  EXPECT_FALSE(in_segment(address(array)));
+  array.bind(memory_);
+  EXPECT_FALSE(in_segment(address(array))) << "binding moves nothing";
+  array.resize(1000);
+  EXPECT_TRUE(in_segment(address(array)));
+  EXPECT_EQ(array.buffer(), find_buffer(address(array), array.size()));
+}
+
+TEST_F(ArrayInMemory, FallsBackToTheHeapWhenExhausted) {
+  Bytes array = bound(10);
+  memory_->exhausted = true;
+  array.resize(5000);
+  EXPECT_FALSE(in_segment(address(array)));
+  EXPECT_EQ(9, array[9]);
+  memory_->exhausted = false;
+  array.resize(50000);
+  EXPECT_TRUE(in_segment(address(array)));
+  EXPECT_EQ(9, array[9]);
+}
+
+TEST_F(ArrayInMemory, WritesAfterPublishGetFreshMemory) {
+  Bytes array = bound(100);
+  publish(array);
+  const BufferPtr published = array.buffer();
+  array[3] = 200;
+  EXPECT_NE(published, array.buffer());
+  EXPECT_TRUE(in_segment(address(array)));
+  EXPECT_EQ(3, published->data()[3]);
+  EXPECT_EQ(4, array[4]);
+}
+
+TEST_F(ArrayInMemory, ReadingAfterPublishCopiesNothing) {
+  Bytes array = bound(100);
+  publish(array);
+  const auto* const before = address(array);
+  const int allocations = memory_->allocations;
+  const Bytes& read = array;
+  EXPECT_EQ(9, read[9] + read.front());
+  EXPECT_EQ(99, *(read.end() - 1));
+  array.pop_back();
+  array.resize(50);
+  EXPECT_EQ(before, address(array));
+  EXPECT_EQ(allocations, memory_->allocations);
+}
+
+TEST_F(ArrayInMemory, OverwritingAfterPublishCopiesNothing) {
+  Bytes array = bound(100);
+  publish(array);
+  array.clear();
+  EXPECT_FALSE(array.buffer()) << "the old elements are let go";
+  EXPECT_EQ(100u, array.capacity());
+  const int allocations = memory_->allocations;
+  for (int i = 0; i < 100; ++i) array.push_back(7);
+  EXPECT_EQ(allocations + 1, memory_->allocations) << "the capacity that clear() kept";
+
+  publish(array);
+  array.resize(80, uninitialized);
+  EXPECT_EQ(allocations + 2, memory_->allocations);
+}
+
+TEST_F(ArrayInMemory, CopiesShareOnlyWhatIsPublished) {
+  Bytes array = bound(100);
+  const Bytes deep(array);
+  EXPECT_FALSE(in_segment(address(deep)));
+  publish(array);
+  Bytes shared(array);
+  EXPECT_EQ(address(array), address(shared));
+  shared[0] = 55;
+  EXPECT_EQ(0, address(array)[0]);
+  EXPECT_EQ(0, deep[0]);
+}
+
+TEST_F(ArrayInMemory, MovesCarryTheBinding) {
+  Bytes array = bound(100);
+  const auto* const before = address(array);
+  Bytes moved(std::move(array));
+  EXPECT_EQ(before, address(moved));
+  moved.resize(1000);
+  EXPECT_TRUE(in_segment(address(moved)));
+
+  Bytes target;
+  target.bind(memory_);
+  target = Bytes(5);
+  target.resize(1000);
+  EXPECT_TRUE(in_segment(address(target))) << "assignment keeps the target's binding";
+}
+
+TEST_F(ArrayInMemory, SwapsWithVectorsWithoutCopying) {
+  Vector vector(1000, 3);
+  const auto* const memory = vector.data();
+  Bytes array(10);
+  const auto* const old = address(array);
+  array.swap(vector);
+  EXPECT_EQ(memory, address(array));
+  EXPECT_EQ(old, vector.data());
+  swap(vector, array);
+  EXPECT_EQ(memory, vector.data());
+  array = std::move(vector);
+  EXPECT_EQ(memory, address(array));
+}
+
+TEST_F(ArrayInMemory, TakesAVectorIntoItsOwnBufferWhenThatHasRoom) {
+  Bytes array = bound(100);
+  const auto* const memory = address(array);
+  array = Vector(60, 3);
+  EXPECT_EQ(memory, address(array));
+  EXPECT_EQ(Vector(60, 3), Vector(array));
+}
+
+TEST_F(ArrayInMemory, SwapsWithVectorsFromSharedMemory) {
+  Bytes array = bound(5);
+  publish(array);
+  Vector vector{9};
+  array.swap(vector);
+  EXPECT_EQ((Vector{0, 1, 2, 3, 4}), vector);
+  EXPECT_EQ(Vector{9}, Vector(array));
+}
+
+TEST_F(ArrayInMemory, FreshElementsAreZeroEvenInReusedMemory) {
+  for (int round = 0; round < 50; ++round) {
+    Bytes array;
+    array.bind(memory_);
+    array.resize(100000);
+    EXPECT_EQ(array.end(), std::find_if(array.begin(), array.end(), [](int byte) { return byte != 0; }));
+    std::fill(array.begin(), array.end(), 0xff);
+  }
+}
+
+TEST(Array, ThrowsWhereVectorDoes) {
+  Array<double> array(3);
+  EXPECT_THROW(array.at(3), std::out_of_range);
+  EXPECT_THROW(array.reserve(array.max_size() + 1), std::length_error);
+  EXPECT_THROW(array.resize(std::size_t(-1)), std::length_error);
+  EXPECT_THROW(array.insert(array.begin(), std::size_t(-1), 1.0), std::length_error);
+  EXPECT_EQ(3u, array.size());
+}
+
+TEST(Array, TakesInputIterators) {
+  std::istringstream first("1 2 3"), second("8 9"), third("4 5");
+  using Input = std::istream_iterator<int>;
+  Array<int> array(Input(first), Input{});
+  array.insert(array.begin() + 1, Input(second), Input{});
+  EXPECT_EQ((std::vector<int>{1, 8, 9, 2, 3}), std::vector<int>(array));
+  array.assign(Input(third), Input{});
+  EXPECT_EQ((std::vector<int>{4, 5}), std::vector<int>(array));
+}
+
+TEST(Array, Compares) {
+  const Array<int> a{1, 2}, b{1, 3}, c{1, 2, 0};
+  EXPECT_TRUE(a < b && b > c && a <= a && c >= a && a != c && a == a);
+  EXPECT_TRUE(a == (std::vector<int>{1, 2}) && (std::vector<int>{1, 3}) != a);
+}
+
+TEST(Array, BracesMeanWhatTheyMeanForVectors) {
+  Array<int> array{3, 1};
+  EXPECT_EQ(2u, array.size());
+  array.resize(4, {});
+  EXPECT_EQ(0, array[3]);
+  array = {};
+  EXPECT_TRUE(array.empty());
+  EXPECT_EQ((std::vector<int>{7, 7}), std::vector<int>(Array<int>(2, 7)));
+}
+
+}  // namespace
+}  // namespace tzc

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Properties of partial serialization that hold for every message type, on random messages.
+#include "message_types.h"
+#include "random_message.h"
+#include "test_memory.h"
+
+namespace tzc {
+namespace message {
+namespace {
+
+template <class M>
+class StockMessage : public ::testing::Test {
+ protected:
+  static constexpr unsigned seeds = 20;
+
+  test::TestMemory memory_;
+};
+TYPED_TEST_SUITE(StockMessage, test::MessageTypes);
+
+TYPED_TEST(StockMessage, ViewAndCopyEqualTheOriginal) {
+  for (unsigned seed = 0; seed < this->seeds; ++seed) {
+    const auto original = test::random_message<TypeParam>(seed);
+    Encoded encoded;
+    ASSERT_TRUE(encode(original, this->memory_, encoded));
+    const auto blocks = test::blocks_of(encoded);
+    const auto view = make_view<TypeParam>(encoded.control.data(), encoded.control.size(), blocks, nullptr);
+    const auto copy = make_copy<TypeParam>(encoded.control.data(), encoded.control.size(), blocks);
+    ASSERT_TRUE(view && copy);
+    EXPECT_EQ(original, *view);
+    EXPECT_EQ(original, *copy);
+  }
+}
+
+TYPED_TEST(StockMessage, ArraysAreCopiedOnceIntoOneBuffer) {
+  for (unsigned seed = 0; seed < this->seeds; ++seed) {
+    const auto original = test::random_message<TypeParam>(seed);
+    Encoded encoded;
+    ASSERT_TRUE(encode(original, this->memory_, encoded));
+    const std::size_t size = test::data_size(original);
+    EXPECT_EQ(size, encoded.copied_bytes);
+    EXPECT_EQ(size == 0 ? 0u : 1u, encoded.buffers.size());
+  }
+}
+
+TYPED_TEST(StockMessage, ViewsBorrowAndCopiesDoNot) {
+  const auto original = test::random_message<TypeParam>(1);
+  Encoded encoded;
+  ASSERT_TRUE(encode(original, this->memory_, encoded));
+  const auto copy =
+      make_copy<TypeParam>(encoded.control.data(), encoded.control.size(), test::blocks_of(encoded));
+  const auto view = stock_view(original, encoded);
+  test::visit_arrays(*view, [](const void* data, std::size_t) { EXPECT_TRUE(in_segment(data)); });
+  test::visit_arrays(*copy, [](const void* data, std::size_t) { EXPECT_FALSE(in_segment(data)); });
+  test::visit_arrays(TypeParam(*view), [](const void* data, std::size_t) { EXPECT_FALSE(in_segment(data)); });
+}
+
+TYPED_TEST(StockMessage, PublishingAViewCopiesNothing) {
+  const auto original = test::random_message<TypeParam>(2);
+  Encoded encoded, again;
+  ASSERT_TRUE(encode(original, this->memory_, encoded));
+  const auto view = stock_view(original, encoded);
+  ASSERT_TRUE(encode(*view, this->memory_, again));
+  EXPECT_EQ(0u, again.copied_bytes);
+  EXPECT_EQ(encoded.buffers, again.buffers);
+  EXPECT_EQ(encoded.control, again.control);
+}
+
+TYPED_TEST(StockMessage, ExhaustedMemoryIsReported) {
+  const auto original = test::random_message<TypeParam>(3);
+  this->memory_.exhausted = true;
+  Encoded encoded;
+  EXPECT_EQ(test::data_size(original) == 0, encode(original, this->memory_, encoded));
+}
+
+TYPED_TEST(StockMessage, ControlPartIsTheWireWithoutArrays) {
+  const auto original = test::random_message<TypeParam>(4);
+  std::size_t arrays = 0;
+  test::visit_arrays(original, [&](const void*, std::size_t) { ++arrays; });
+  Encoded encoded;
+  ASSERT_TRUE(encode(original, this->memory_, encoded));
+  EXPECT_LE(encoded.control.size(), ros::serialization::serializationLength(original) + arrays * 16);
+}
+
+}  // namespace
+}  // namespace message
+}  // namespace tzc

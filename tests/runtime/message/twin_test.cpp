@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tzc:: messages: their wire format, their partial form, allocate, and what happens to them after publishing.
+#include <sys/wait.h>
+#include <tzc/message.h>
+#include <tzc/sensor_msgs/Image.h>
+#include <tzc/sensor_msgs/PointCloud.h>
+#include <unistd.h>
+
+#include <thread>
+
+#include "random_message.h"
+#include "test_memory.h"
+
+namespace tzc {
+namespace message {
+namespace {
+
+namespace stock = ::sensor_msgs;
+using sensor_msgs::Image;
+using sensor_msgs::PointCloud;
+
+template <class M>
+std::vector<std::uint8_t> wire(const M& message) {
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, message);
+  return bytes;
+}
+
+template <class M>
+M from_wire(std::vector<std::uint8_t> bytes) {
+  M message;
+  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::deserialize(stream, message);
+  return message;
+}
+
+template <class M>
+std::vector<const void*> array_addresses(const M& message) {
+  std::vector<const void*> addresses;
+  test::visit_arrays(message, [&](const void* data, std::size_t) { addresses.push_back(data); });
+  return addresses;
+}
+
+class Twin : public ::testing::Test {
+ protected:
+  Image image(std::size_t bytes) {
+    Image message;
+    message.encoding = "mono8";
+    message.data.resize(bytes);
+    for (std::size_t i = 0; i < bytes; ++i) message.data[i] = static_cast<std::uint8_t>(i);
+    return message;
+  }
+  stock::PointCloud stock_cloud(unsigned seed = 3) { return test::random_message<stock::PointCloud>(seed); }
+  Encoded encoded(const Image& message) {
+    Encoded result;
+    EXPECT_TRUE(encode(message, *memory_, result));
+    return result;
+  }
+
+  std::shared_ptr<test::TestMemory> memory_ = std::make_shared<test::TestMemory>();
+};
+
+TEST_F(Twin, SpeaksTheStockWireFormat) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const auto cloud = stock_cloud(seed);
+    const PointCloud twin(cloud);
+    EXPECT_EQ(wire(cloud), wire(twin));
+    EXPECT_TRUE(twin == from_wire<PointCloud>(wire(cloud)));
+    EXPECT_EQ(cloud, to_stock(twin));
+  }
+}
+
+TEST_F(Twin, RefusesAWireLengthThatTheStreamDoesNotHave) {
+  auto bytes = wire(image(4));
+  bytes[bytes.size() - 8 + 3] = 0x7f;  // the array's count
+  EXPECT_THROW(from_wire<Image>(bytes), ros::serialization::StreamOverrunException);
+}
+
+TEST_F(Twin, HasThePartialFormOfItsStockType) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const auto cloud = stock_cloud(seed);
+    Encoded of_stock, of_twin;
+    ASSERT_TRUE(encode(cloud, *memory_, of_stock));
+    ASSERT_TRUE(encode(PointCloud(cloud), *memory_, of_twin));
+    EXPECT_EQ(of_stock.control, of_twin.control);
+    EXPECT_EQ(cloud, *stock_view(PointCloud(cloud), of_twin));
+  }
+}
+
+TEST_F(Twin, AllocatePutsAllArraysIntoOneBuffer) {
+  const auto cloud = stock_cloud();
+  PointCloud twin(cloud);
+  ASSERT_TRUE(allocate(twin, memory_));
+  EXPECT_EQ(1, memory_->allocations);
+  EXPECT_EQ(cloud, to_stock(twin)) << "contents are kept";
+
+  Encoded encoded;
+  ASSERT_TRUE(encode(twin, *memory_, encoded));
+  EXPECT_EQ(0u, encoded.copied_bytes);
+  EXPECT_EQ(1u, encoded.buffers.size());
+  EXPECT_EQ(array_addresses(twin), array_addresses(*stock_view(twin, encoded)));
+}
+
+TEST_F(Twin, AllocateBeforeTheSizesAreKnown) {
+  Image message;
+  ASSERT_TRUE(allocate(message, memory_));
+  EXPECT_EQ(0, memory_->allocations);
+  message.data.resize(1000);
+  EXPECT_TRUE(in_segment(message.data.data()));
+  EXPECT_EQ(0u, encoded(message).copied_bytes);
+}
+
+TEST_F(Twin, AllocateAgainMovesNothing) {
+  Image message = image(1000);
+  ASSERT_TRUE(allocate(message, memory_));
+  const auto before = array_addresses(message);
+  ASSERT_TRUE(allocate(message, memory_));
+  EXPECT_EQ(before, array_addresses(message));
+  EXPECT_EQ(1, memory_->allocations);
+}
+
+TEST_F(Twin, AllocateHonoursAReservedCapacity) {
+  Image message;
+  message.data.reserve(1000);
+  ASSERT_TRUE(allocate(message, memory_));
+  for (int i = 0; i < 1000; ++i) message.data.push_back(1);
+  EXPECT_EQ(1, memory_->allocations);
+  EXPECT_TRUE(in_segment(message.data.data()));
+}
+
+TEST_F(Twin, WithoutMemoryTheMessageStaysAsItIs) {
+  Image message = image(1000);
+  memory_->exhausted = true;
+  EXPECT_FALSE(allocate(message, memory_));
+  EXPECT_EQ(image(1000).data, message.data);
+  memory_->exhausted = false;
+  EXPECT_EQ(1000u, encoded(message).copied_bytes) << "publishing tries again";
+}
+
+TEST_F(Twin, AllocateAfterPublishTakesRoomButCopiesOnlyWhenWritten) {
+  Image message = image(1000);
+  ASSERT_TRUE(allocate(message, memory_));
+  const Encoded published = encoded(message);
+  ASSERT_TRUE(allocate(message, memory_));
+  EXPECT_EQ(2, memory_->allocations);
+  const Image& read = message;
+  EXPECT_EQ(published.buffers[0], read.data.buffer()) << "still the published bytes";
+  memory_->exhausted = true;
+  message.data[0] = 99;
+  EXPECT_TRUE(in_segment(read.data.data())) << "the room was taken before";
+  EXPECT_EQ(0, published.buffers[0]->data()[0]);
+  EXPECT_EQ(1, read.data[1]);
+}
+
+TEST_F(Twin, NoWriteAfterPublishReachesASubscriber) {
+  Image message = image(1000);
+  ASSERT_TRUE(allocate(message, memory_));
+  Encoded published = encoded(message);
+  const auto view = stock_view(message, published);
+  const stock::Image before(*view);
+  message.data[5] = 77;
+  message.data.resize(2000);
+  std::fill(message.data.begin(), message.data.end(), 1);
+  message = image(3);
+  EXPECT_EQ(before, *view);
+}
+
+TEST_F(Twin, PublishedTwiceAndToTwoMemoriesIsCopiedNever) {
+  Image message = image(1000);
+  ASSERT_TRUE(allocate(message, memory_));
+  const Encoded first = encoded(message), second = encoded(message);
+  EXPECT_EQ(first.buffers, second.buffers);
+  test::TestMemory other;
+  Encoded third;
+  ASSERT_TRUE(encode(message, other, third));
+  EXPECT_EQ(0u, third.copied_bytes);
+  EXPECT_EQ(0, other.allocations);
+}
+
+TEST_F(Twin, AnArraySharedTooOftenInOneMessageIsRefused) {
+  PointCloud cloud;
+  cloud.channels.resize(1);
+  cloud.channels[0].values.resize(1000);
+  ASSERT_TRUE(allocate(cloud, memory_));
+  Encoded encoded;
+  ASSERT_TRUE(encode(cloud, *memory_, encoded));
+  const auto shared = cloud.channels[0];
+  cloud.channels.assign(10, shared);
+  ASSERT_TRUE(encode(cloud, *memory_, encoded));
+  EXPECT_EQ(1u, encoded.buffers.size());
+  EXPECT_TRUE(stock_view(cloud, encoded));
+  cloud.channels.assign(1000, shared);
+  EXPECT_FALSE(encode(cloud, *memory_, encoded)) << "receivers would not believe it";
+}
+
+TEST_F(Twin, ViewsOutliveMessageAndEncoded) {
+  boost::shared_ptr<const stock::Image> view;
+  {
+    Image message = image(1000);
+    Encoded result = encoded(message);
+    view = stock_view(message, result);
+  }
+  EXPECT_TRUE(in_segment(view->data.data()));
+  EXPECT_EQ(to_stock(image(1000)), *view);
+}
+
+TEST_F(Twin, TheHoldEndsWithTheLastViewPointer) {
+  const Encoded result = encoded(image(100));
+  const auto hold = std::make_shared<int>();
+  auto view =
+      make_view<stock::Image>(result.control.data(), result.control.size(), test::blocks_of(result), hold);
+  EXPECT_EQ(2, hold.use_count());
+  const boost::shared_ptr<const stock::Image> second = view;
+  view.reset();
+  EXPECT_EQ(2, hold.use_count());
+  EXPECT_EQ(100u, second->data.size());
+}
+
+TEST_F(Twin, AViewThatBorrowsNothingHoldsNothing) {
+  const Encoded result = encoded(Image());
+  const auto hold = std::make_shared<int>();
+  const auto view = make_view<stock::Image>(result.control.data(), result.control.size(), {}, hold);
+  EXPECT_TRUE(view);
+  EXPECT_EQ(1, hold.use_count());
+}
+
+TEST_F(Twin, TheHoldEndsWhenTheViewIsRefused) {
+  const Encoded result = encoded(image(100));
+  const auto hold = std::make_shared<int>();
+  EXPECT_FALSE(make_view<stock::Image>(result.control.data(), 3, test::blocks_of(result), hold));
+  EXPECT_EQ(1, hold.use_count());
+}
+
+TEST_F(Twin, AViewThatDiesInAForkedChildLetsNothingGo) {
+  const Encoded result = encoded(image(100));
+  int released = 0;
+  std::shared_ptr<const void> hold(&released, [](const int* p) { ++*const_cast<int*>(p); });
+  auto view = make_view<stock::Image>(result.control.data(), result.control.size(), test::blocks_of(result),
+                                      std::move(hold));
+  const pid_t child = fork();
+  if (child == 0) {
+    const bool readable = view->data[7] == 7;
+    view.reset();
+    _exit(readable && released == 0 ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(child, waitpid(child, &status, 0));
+  EXPECT_EQ(0, status);
+  view.reset();
+  EXPECT_EQ(1, released);
+}
+
+TEST_F(Twin, OneMessageIsPublishedAndCopiedByManyThreads) {
+  Image message = image(100000);
+  ASSERT_TRUE(allocate(message, memory_));
+  const Image& shared = message;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back([&] {
+      for (int round = 0; round < 50; ++round) {
+        Encoded mine;
+        EXPECT_TRUE(encode(shared, *memory_, mine));
+        Image copy(shared);
+        copy.data[0] = 99;
+        EXPECT_EQ(0, stock_view(shared, mine)->data[0]);
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(to_stock(image(100000)), to_stock(message));
+}
+
+TEST_F(Twin, ControlPartIsLaidOutAsDocumented) {
+  Image message = image(300);
+  message.header.seq = 0x01020304;
+  message.header.frame_id = "f";
+  const Encoded result = encoded(message);
+  // When this fails the layout has changed: give the channel's handshake a new version.
+  const auto at = [&](std::size_t offset, auto value) {
+    std::memcpy(&value, result.control.data() + offset, sizeof value);
+    return static_cast<std::uint64_t>(value);
+  };
+  EXPECT_EQ(0x01020304u, at(0, std::uint32_t()));
+  const std::size_t entry = result.control.size() - 20;
+  EXPECT_EQ(300u, at(entry, std::uint32_t())) << "count";
+  EXPECT_EQ(1u, at(entry + 4, std::uint32_t())) << "element size";
+  EXPECT_EQ(0u, at(entry + 8, std::uint32_t())) << "block";
+  EXPECT_EQ(0u, at(entry + 12, std::uint64_t())) << "offset";
+  EXPECT_EQ(17u + 4 + 4 + 9 + 1 + 4 + 20, result.control.size());
+}
+
+}  // namespace
+}  // namespace message
+}  // namespace tzc
