@@ -29,8 +29,8 @@ bool write_all(int descriptor, std::string_view content) {
 }
 
 bool is_analysed(const fs::path& path) {
-  static const std::set<std::string> extensions = {".c",   ".cc",  ".cpp", ".cxx",    ".h",
-                                                   ".hh",  ".hpp", ".hxx", ".inl",    ".ipp",
+  static const std::set<std::string> extensions = {".c",   ".C",   ".c++", ".cc",     ".cpp",  ".cxx",
+                                                   ".h",   ".hh",  ".hpp", ".hxx",    ".inl",  ".ipp",
                                                    ".tpp", ".msg", ".srv", ".action", ".cmake"};
   const std::string name = path.filename().string();
   return extensions.count(path.extension().string()) || name == "CMakeLists.txt" || name == "package.xml";

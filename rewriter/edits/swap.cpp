@@ -8,8 +8,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
 #include "edits/journal.h"
 
@@ -31,26 +33,41 @@ std::string system_text() {
 /// The staging folder, held against other runs for the life of the object.
 class Lock {
  public:
+  /// Waits a second: a run that was just killed may hold it until the system has cleaned up.
   static Expected<Lock> take(const std::string& folder) {
-    std::error_code failed;
-    fs::create_directory(folder, failed);
-    Lock lock;
-    const std::string path = folder + "/lock";
-    lock.descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (lock.descriptor_ < 0) return Error{"can not be written: " + system_text(), path, ""};
-    if (::flock(lock.descriptor_, LOCK_EX | LOCK_NB) != 0)
-      return Error{"another tzc-rewrite is working on this package", fs::path(folder).parent_path(),
-                   "wait until it has finished"};
-    return lock;
+    constexpr int attempts = 50;
+    for (int i = 0; i < attempts; ++i) {
+      Lock lock(folder);
+      if (lock.descriptor_ < 0) return Error{"can not be written: " + system_text(), folder, ""};
+      if (lock.is_held()) return lock;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return Error{"another tzc-rewrite is working on this package", fs::path(folder).parent_path(),
+                 "wait until it has finished"};
   }
-  Lock(Lock&& other) noexcept : descriptor_(other.descriptor_) { other.descriptor_ = -1; }
+  Lock(Lock&& other) noexcept : path_(std::move(other.path_)), descriptor_(other.descriptor_) {
+    other.descriptor_ = -1;
+  }
   Lock& operator=(Lock&&) = delete;
   ~Lock() {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
 
  private:
-  Lock() = default;
+  explicit Lock(const std::string& folder) : path_(folder + "/lock") {
+    std::error_code failed;
+    fs::create_directory(folder, failed);
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  }
+
+  /// Locked, and still the file of that name: whoever held it before may have removed it.
+  bool is_held() const {
+    struct stat mine{}, named{};
+    return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor_, &mine) == 0 &&
+           ::stat(path_.c_str(), &named) == 0 && mine.st_ino == named.st_ino;
+  }
+
+  std::string path_;
   int descriptor_ = -1;
 };
 

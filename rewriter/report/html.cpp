@@ -121,8 +121,8 @@ class PackagePage {
       const std::string title = info ? std::string(info->title) : "";
       html += fmt::format("<b>{}</b> {}", site.code, html_prose(site.reason.empty() ? title : site.reason));
       if (site.suppressed)
-        html += fmt::format(" <span class=\"none\">(suppressed: {})</span>",
-                            html_prose(site.suppression_reason));
+        html +=
+            fmt::format(" <span class=\"none\">(suppressed: {})</span>", html_prose(site.suppression_reason));
     }
     if (!site.chain.empty()) html += "<ol>";
     for (const FlowStep& step : site.chain)

@@ -106,13 +106,14 @@ class TextReport {
   }
 
   void summary() {
-    text_ += "\n";
+    const std::size_t before = text_.size();
     for (const SiteKind kind : {SiteKind::publish, SiteKind::subscribe}) counts(kind);
     const DiffStat stat = package_.stat();
     if (stat.files > 0)
       text_ += fmt::format("  {:<10} {} file{}, {} {}\n", "changes", stat.files, stat.files == 1 ? "" : "s",
                            painted("32", fmt::format("+{}", stat.added)),
                            painted("31", fmt::format("-{}", stat.removed)));
+    if (text_.size() > before) text_.insert(before, "\n");
   }
 
   void counts(SiteKind kind) {

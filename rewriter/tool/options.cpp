@@ -90,9 +90,8 @@ void add_inputs(CLI::App& app, Raw& raw) {
                  "Build folder with compile_commands.json (default: catkin's usual places)")
       ->type_name("BUILD_DIR")
       ->group(group);
-  app.add_option("--tzc-include", options.tzc_include,
-                 "TZC's headers (default: where tzc-rewrite is installed)")
-      ->type_name("DIR")
+  repeated(app, "--tzc-include", options.tzc_includes, "DIR",
+           "TZC's headers (default: where tzc-rewrite is installed)")
       ->group(group);
   app.add_option("-j,--jobs", options.jobs, "Files analysed at a time (default: one for each processor)")
       ->type_name("N")

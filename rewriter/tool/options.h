@@ -31,7 +31,7 @@ struct Options {
   bool force = false;
   bool quiet = false;
   unsigned jobs = 0;
-  std::string tzc_include;
+  std::vector<std::string> tzc_includes;
 };
 
 /// What to do instead of a run: print this and end with that status (--help, --explain, a mistake in the

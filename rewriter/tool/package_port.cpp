@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/package_port.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
 #include "buildfiles/package_xml.h"
 #include "buildfiles/plan.h"
 #include "tool/filter.h"
@@ -19,6 +23,8 @@ class Porter {
   }
 
   Expected<PackagePort> run() {
+    if (Expected<void> done = read_package(); !done) return done.error();
+    if (!has_cpp()) return std::move(port_);
     for (const auto step :
          {&Porter::prepare, &Porter::plan_sources, &Porter::plan_build, &Porter::apply, &Porter::report})
       if (Expected<void> done = (this->*step)(); !done) return done.error();
@@ -26,20 +32,33 @@ class Porter {
   }
 
  private:
-  Expected<void> prepare() {
+  Expected<void> read_package() {
     const Expected<PackageXml> package = read_package_xml(port_.package_dir);
     if (!package) return package.error();
-    package_ = package->name;
-    const Expected<std::string> build_dir =
-        find_build_dir(port_.package_dir, package_, inputs_.options.build_dir);
-    if (!build_dir) return build_dir.error();
-    build_dir_ = *build_dir;
+    port_.result.report.package = package->name;
+    port_.result.report.package_dir = port_.package_dir;
     port_.before = snapshot(port_.package_dir);
     return {};
   }
 
+  /// Metapackages, message packages and Python packages have nothing to port, and no compile commands either.
+  bool has_cpp() const {
+    static const std::set<std::string> extensions = {".cc", ".cpp", ".cxx", ".c++", ".C"};
+    return std::any_of(port_.before.begin(), port_.before.end(), [](const auto& entry) {
+      return extensions.count(std::filesystem::path(entry.first).extension()) != 0;
+    });
+  }
+
+  Expected<void> prepare() {
+    const Expected<std::string> build_dir =
+        find_build_dir(port_.package_dir, port_.result.report.package, inputs_.options.build_dir);
+    if (!build_dir) return build_dir.error();
+    build_dir_ = *build_dir;
+    return {};
+  }
+
   Expected<void> plan_sources() {
-    const Expected<std::vector<std::string>> includes = find_tzc_includes(inputs_.options.tzc_include);
+    const Expected<std::vector<std::string>> includes = find_tzc_includes(inputs_.options.tzc_includes);
     if (!includes) return includes.error();
     const Expected<OwnMessages> messages = OwnMessages::generate(port_.package_dir);
     if (!messages) return messages.error();
@@ -109,10 +128,9 @@ class Porter {
   }
 
   Expected<void> report() {
-    port_.result.report = std::move(plan_.report);
     Report& report = port_.result.report;
-    report.package = package_;
-    report.package_dir = port_.package_dir;
+    report.sites = std::move(plan_.report.sites);
+    report.notes = std::move(plan_.report.notes);
     std::set<std::string> files;
     for (const std::string& file : plan_.parsed_files)
       if (is_below(file, port_.package_dir)) files.insert(file);
@@ -121,7 +139,7 @@ class Porter {
   }
 
   const PortInputs& inputs_;
-  std::string package_, build_dir_;
+  std::string build_dir_;
   PortPlan plan_;
   PackagePort port_;
 };

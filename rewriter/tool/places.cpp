@@ -113,15 +113,16 @@ std::string own_folder() {
   return fs::read_symlink("/proc/self/exe", failed).parent_path();
 }
 
-Expected<std::vector<std::string>> find_tzc_includes(const std::string& given) {
-  const std::vector<fs::path> places = given.empty() ? own_include_folders() : std::vector<fs::path>{given};
+Expected<std::vector<std::string>> find_tzc_includes(const std::vector<std::string>& given) {
+  const std::vector<fs::path> places =
+      given.empty() ? own_include_folders() : std::vector<fs::path>(given.begin(), given.end());
   std::vector<std::string> found;
   for (const fs::path& place : places)
     if (fs::exists(place / "tzc")) found.push_back(fs::canonical(place));
   const auto has_ros = [](const std::string& folder) { return fs::exists(fs::path(folder) / "tzc/ros.h"); };
   const auto main = std::find_if(found.begin(), found.end(), has_ros);
   if (main == found.end())
-    return Error{"TZC's headers were not found", given.empty() ? own_folder() : given,
+    return Error{"TZC's headers were not found", given.empty() ? own_folder() : given.front(),
                  "name the folder that holds tzc/ros.h with --tzc-include"};
   std::rotate(found.begin(), main, main + 1);
   return found;

@@ -23,6 +23,6 @@ std::string own_folder();
 
 /// TZC's include folders, the one with tzc/ros.h first: `given`, else those of the install or build tree that
 /// this program belongs to.
-Expected<std::vector<std::string>> find_tzc_includes(const std::string& given);
+Expected<std::vector<std::string>> find_tzc_includes(const std::vector<std::string>& given);
 
 }  // namespace tzc::rewriter
