@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <clang/AST/ParentMapContext.h>
+
+#include "facts/unit.h"
+
+namespace tzc::rewriter {
+namespace {
+
+const clang::MemberExpr* callee_of(const clang::CXXMemberCallExpr* call) {
+  return llvm::dyn_cast<clang::MemberExpr>(call->getCallee()->IgnoreParens());
+}
+
+/// Comments between the object and the arguments stay.
+std::string comments_in(const std::string& text) {
+  std::string comments;
+  for (std::size_t at = text.find("/*"); at != std::string::npos; at = text.find("/*", at + 2))
+    comments += " " + text.substr(at, text.find("*/", at) + 2 - at);
+  return comments;
+}
+
+Place span(const Place& from, unsigned begin, unsigned end) {
+  Place place = from;
+  place.begin = begin;
+  place.end = end;
+  return place;
+}
+
+}  // namespace
+
+Receiver receiver_of(const clang::CXXMemberCallExpr* call) {
+  const clang::MemberExpr* callee = callee_of(call);
+  if (!callee) return {};
+  const clang::Expr* base = callee->getBase()->IgnoreParenImpCasts();
+  if (llvm::isa<clang::CXXThisExpr>(base)) return {base, true};
+  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(base);
+  if (op && op->getOperator() == clang::OO_Arrow) return {op->getArg(0)->IgnoreImpCasts(), true};
+  return {callee->getBase()->IgnoreImpCasts(), callee->isArrow()};
+}
+
+std::string written_template_arguments(Unit& unit, const clang::CXXMemberCallExpr* call) {
+  const clang::MemberExpr* callee = callee_of(call);
+  if (!callee || !callee->hasExplicitTemplateArgs() || callee->getNumTemplateArgs() == 0) return "";
+  const clang::SourceRange range(callee->getTemplateArgs()[0].getSourceRange().getBegin(),
+                                 callee->getTemplateArgs()[callee->getNumTemplateArgs() - 1].getSourceRange().getEnd());
+  return unit.source.text(range);
+}
+
+std::vector<Change> receiver_first(Unit& unit, const clang::CXXMemberCallExpr* call, const std::string& to,
+                                   const char* rule, const char* header, const std::string& last) {
+  const Receiver receiver = receiver_of(call);
+  if (!receiver.expr) return {};
+  const auto* self = llvm::dyn_cast<clang::CXXThisExpr>(receiver.expr);
+  const std::optional<Place> whole = unit.source.place(call->getSourceRange());
+  if (!whole) return {};
+  const bool implicit = self && self->isImplicit();
+  const std::optional<Place> object = implicit ? unit.source.before(call->getBeginLoc())
+                                               : unit.source.place(receiver.expr->getSourceRange());
+  if (!object) return {};
+  const unsigned count = written_arguments(call);
+  const std::optional<Place> first =
+      count > 0 ? unit.source.place(call->getArg(0)->getSourceRange()) : unit.source.before(call->getRParenLoc());
+  if (!first || first->begin < object->end || object->begin != whole->begin) return {};
+  const Place between = span(*whole, object->end, first->begin);
+  std::string separator = (count > 0 || !last.empty() ? "," : "") + comments_in(unit.source.text(between));
+  if (!separator.empty() && count > 0) separator += " ";
+  const std::string open = to + "(" + (receiver.pointer ? "*" : "") + (implicit ? "this" : "");
+  return {{span(*whole, object->begin, object->begin), open, rule, {header}},
+          {between, separator + (last.empty() ? "" : (count > 0 ? "" : " ") + last), rule, {}}};
+}
+
+std::optional<std::string> constant_string(const clang::Expr* expr) {
+  for (;;) {
+    expr = expr->IgnoreParenImpCasts();
+    if (const auto* literal = llvm::dyn_cast<clang::StringLiteral>(expr)) return literal->getString().str();
+    if (const auto* full = llvm::dyn_cast<clang::FullExpr>(expr)) {
+      expr = full->getSubExpr();
+    } else if (const auto* temporary = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr)) {
+      expr = temporary->getSubExpr();
+    } else if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(expr)) {
+      expr = bound->getSubExpr();
+    } else if (const auto* cast = llvm::dyn_cast<clang::ExplicitCastExpr>(expr)) {
+      expr = cast->getSubExpr();
+    } else if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expr); made && made->getNumArgs() > 0) {
+      expr = made->getArg(0);
+    } else {
+      return {};
+    }
+  }
+}
+
+std::string function_name_around(Unit& unit, const clang::Stmt& stmt) {
+  const clang::FunctionDecl* function = function_around(unit, stmt);
+  while (function) {
+    const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
+    if (!method || !method->getParent()->isLambda()) break;
+    const auto* outer = llvm::dyn_cast<clang::FunctionDecl>(method->getParent()->getDeclContext());
+    if (!outer) break;
+    function = outer;
+  }
+  return function ? qualified_name_of(function) : "";
+}
+
+}  // namespace tzc::rewriter

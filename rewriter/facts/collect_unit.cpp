@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/collect_unit.h"
+
+#include <clang/AST/ASTContext.h>
+
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "facts/unit.h"
+#include "report/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+bool lies_in(const std::string& file, const std::string& dir) { return file.rfind(dir + "/", 0) == 0; }
+
+void note_files(Unit& unit, const CompileUnit& compiled, const CollectOptions& options) {
+  const clang::SourceManager& manager = unit.source.manager();
+  for (auto file = manager.fileinfo_begin(); file != manager.fileinfo_end(); ++file) {
+    const clang::FileID id = manager.translateFile(file->first);
+    if (id.isInvalid()) continue;
+    const std::string path = unit.source.file_of(manager.getLocForStartOfFile(id));
+    if (lies_in(path, options.package_dir) && !lies_in(path, options.build_dir))
+      unit.facts.units_of_file[path].insert(compiled.file);
+  }
+}
+
+/// The declarations of the package alone: the parents of system headers are of no interest, and there are many.
+void limit_to_package(Unit& unit) {
+  std::vector<clang::Decl*> own;
+  for (clang::Decl* decl : unit.ast().getTranslationUnitDecl()->decls())
+    if (unit.source.in_package(decl->getLocation())) own.push_back(decl);
+  unit.ast().setTraversalScope(own);
+}
+
+void note_branches(const ParseResult& parsed, const CollectOptions& options, Facts& facts) {
+  for (const SkippedBranch& branch : parsed.skipped)
+    if (lies_in(branch.file, options.package_dir) && !lies_in(branch.file, options.build_dir))
+      facts.skipped.push_back({branch.file, branch.begin, branch.end, branch.line, 1});
+}
+
+}  // namespace
+
+std::vector<Diagnostic> collect_unit(const CompileUnit& unit, const CollectOptions& options, Facts& facts) {
+  ParseOptions parse_options;
+  parse_options.skip_bodies_outside = options.package_dir;
+  const ParseResult parsed = parse(unit, parse_options, [&](clang::ASTContext& ast) {
+    if (ast.getDiagnostics().hasErrorOccurred()) return;
+    Unit collected{Source(ast, options.package_dir), *options.rules, facts, options.exported_dirs, {}, {}, {}};
+    note_files(collected, unit, options);
+    limit_to_package(collected);
+    collect(collected);
+  });
+  note_branches(parsed, options, facts);
+  return parsed.errors;
+}
+
+std::set<std::string> exported_dirs(const std::string& package_dir) {
+  std::ifstream file(package_dir + "/CMakeLists.txt");
+  std::ostringstream text;
+  text << file.rdbuf();
+  const std::string content = std::regex_replace(text.str(), std::regex("#[^\n]*"), "");
+  std::set<std::string> dirs;
+  std::smatch call;
+  if (!std::regex_search(content, call, std::regex("catkin_package\\s*\\(([^)]*)\\)"))) return dirs;
+  std::istringstream words(call[1].str());
+  bool listing = false;
+  for (std::string word; words >> word;) {
+    if (word == "INCLUDE_DIRS") {
+      listing = true;
+    } else if (std::regex_match(word, std::regex("[A-Z_]+"))) {
+      listing = false;
+    } else if (listing) {
+      dirs.insert(word[0] == '/' ? word : package_dir + "/" + word);
+    }
+  }
+  return dirs;
+}
+
+}  // namespace tzc::rewriter

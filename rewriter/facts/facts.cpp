@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/facts.h"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
+namespace tzc::rewriter {
+namespace {
+
+bool same(const Place& a, const Place& b) {
+  return std::tie(a.begin, a.end, a.file) == std::tie(b.begin, b.end, b.file);
+}
+
+bool same(const Change& a, const Change& b) { return same(a.where, b.where) && a.text == b.text; }
+
+bool same(const Obstacle& a, const Obstacle& b) {
+  return a.code == b.code && a.reason == b.reason && a.where.line == b.where.line && a.where.file == b.where.file;
+}
+
+template <class T>
+void unite(std::vector<T>& into, std::vector<T>& from) {
+  for (T& item : from) {
+    const bool known = std::any_of(into.begin(), into.end(), [&](const T& t) { return same(t, item); });
+    if (!known) into.push_back(std::move(item));
+  }
+}
+
+template <class T>
+void append(std::vector<T>& into, std::vector<T>& from) {
+  std::move(from.begin(), from.end(), std::back_inserter(into));
+}
+
+void unite(std::map<Key, Entity>& into, std::map<Key, Entity>& from) {
+  for (auto& [key, entity] : from) {
+    auto [known, is_new] = into.emplace(key, entity);
+    if (is_new) continue;
+    unite(known->second.changes, entity.changes);
+    unite(known->second.obstacles, entity.obstacles);
+  }
+}
+
+void unite(std::map<std::string, std::set<std::string>>& into, std::map<std::string, std::set<std::string>>& from) {
+  for (auto& [key, values] : from) into[key].insert(values.begin(), values.end());
+}
+
+}  // namespace
+
+void Facts::merge(Facts&& other) {
+  unite(entities, other.entities);
+  append(flows, other.flows);
+  append(uses, other.uses);
+  append(births, other.births);
+  append(data_uses, other.data_uses);
+  append(notes, other.notes);
+  append(skipped, other.skipped);
+  advertises.merge(other.advertises);
+  publishes.merge(other.publishes);
+  subscribes.merge(other.subscribes);
+  unite(bases, other.bases);
+  unite(units_of_file, other.units_of_file);
+  writing_filter_scopes.merge(other.writing_filter_scopes);
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/message_type.h"
+
+#include <clang/AST/DeclCXX.h>
+#include <clang/AST/DeclTemplate.h>
+
+#include "facts/unit.h"
+
+namespace tzc::rewriter {
+
+std::string qualified_name_of(const clang::NamedDecl* decl) {
+  std::string name;
+  for (const clang::DeclContext* context = decl->getDeclContext(); context && !context->isTranslationUnit();
+       context = context->getParent()) {
+    const auto* space = llvm::dyn_cast<clang::NamedDecl>(context);
+    const auto* as_namespace = llvm::dyn_cast<clang::NamespaceDecl>(context);
+    if (!space || (as_namespace && (as_namespace->isInline() || as_namespace->isAnonymousNamespace()))) continue;
+    name = space->getNameAsString() + "::" + name;
+  }
+  return name + decl->getNameAsString();
+}
+
+namespace {
+
+const clang::CXXRecordDecl* record_of(clang::QualType type) {
+  if (type.isNull()) return nullptr;
+  return type.getNonReferenceType().getCanonicalType().getUnqualifiedType()->getAsCXXRecordDecl();
+}
+
+const clang::ClassTemplateSpecializationDecl* specialization_of(clang::QualType type) {
+  return llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(record_of(type));
+}
+
+bool is_std_template(const clang::ClassTemplateSpecializationDecl* decl, llvm::StringRef name) {
+  return decl && decl->getName() == name && decl->isInStdNamespace();
+}
+
+clang::QualType first_argument(const clang::ClassTemplateSpecializationDecl* decl) {
+  if (!decl || decl->getTemplateArgs().size() == 0) return {};
+  const clang::TemplateArgument& argument = decl->getTemplateArgs()[0];
+  return argument.getKind() == clang::TemplateArgument::Type ? argument.getAsType() : clang::QualType();
+}
+
+bool has_message_shape(const clang::ClassTemplateSpecializationDecl* decl) {
+  if (!decl || !decl->getName().ends_with("_") || decl->getTemplateArgs().size() != 1) return false;
+  if (!llvm::isa_and_nonnull<clang::NamespaceDecl>(decl->getDeclContext())) return false;
+  return llvm::any_of(decl->getSpecializedTemplate()->getTemplatedDecl()->decls(), [](const clang::Decl* member) {
+    const auto* name = llvm::dyn_cast<clang::TypedefNameDecl>(member);
+    return name && name->getName() == "ConstPtr";
+  });
+}
+
+bool is_fixed_length(clang::QualType type);
+bool is_fixed_pattern(clang::QualType type, unsigned depth);
+
+bool all_fields_fixed(const clang::CXXRecordDecl* record) {
+  return llvm::all_of(record->fields(), [](const clang::FieldDecl* f) { return is_fixed_pattern(f->getType(), 0); });
+}
+
+bool is_fixed_length(clang::QualType type) {
+  if (type->isArithmeticType()) return true;
+  const clang::CXXRecordDecl* record = record_of(type);
+  if (!record) return false;
+  const auto* templated = specialization_of(type);
+  if (templated && templated->getName() == "array") return is_fixed_length(first_argument(templated));
+  const std::string name = qualified_name_of(record);
+  if (name == "ros::Time" || name == "ros::Duration") return true;
+  if (!has_message_shape(templated)) return false;
+  if (record->hasDefinition()) return all_fields_fixed(record->getDefinition());
+  return all_fields_fixed(templated->getSpecializedTemplate()->getTemplatedDecl());
+}
+
+void look_into_pattern(clang::QualType type, bool nested, MessageType& message, unsigned depth);
+
+/// `nested`: the field lies in an array of messages.
+void look_into(clang::QualType type, bool nested, MessageType& message) {
+  const auto* templated = specialization_of(type);
+  if (is_std_template(templated, "vector")) {
+    message.heavy = true;
+    const clang::QualType element = first_argument(templated);
+    if (!is_fixed_length(element)) return look_into(element, true, message);
+    message.has_data = true;
+    if (!nested) message.direct_data = true;
+  } else if (templated && templated->getName() == "array") {
+    look_into(first_argument(templated), nested, message);
+  } else if (has_message_shape(templated)) {
+    const clang::CXXRecordDecl* fields = templated->hasDefinition()
+                                             ? templated->getDefinition()
+                                             : templated->getSpecializedTemplate()->getTemplatedDecl();
+    for (const clang::FieldDecl* field : fields->fields()) look_into_pattern(field->getType(), nested, message, 0);
+  }
+}
+
+// A message that is only used by pointer is not instantiated: then its template tells, whose types are dependent.
+
+const clang::TemplateSpecializationType* template_type_of(clang::QualType type) {
+  return type->getAs<clang::TemplateSpecializationType>();
+}
+
+const clang::ClassTemplateDecl* template_decl_of(const clang::TemplateSpecializationType* type) {
+  return type ? llvm::dyn_cast_or_null<clang::ClassTemplateDecl>(type->getTemplateName().getAsTemplateDecl()) : nullptr;
+}
+
+bool is_fixed_pattern(clang::QualType type, unsigned depth) {
+  if (!type->isDependentType()) return is_fixed_length(type);
+  const auto* written = template_type_of(type);
+  const clang::ClassTemplateDecl* decl = template_decl_of(written);
+  if (!decl || depth > 8) return false;
+  if (decl->getName() == "array")
+    return is_fixed_pattern(written->template_arguments()[0].getAsType(), depth + 1);
+  if (!decl->getName().ends_with("_")) return false;
+  return llvm::all_of(decl->getTemplatedDecl()->fields(),
+                      [&](const clang::FieldDecl* field) { return is_fixed_pattern(field->getType(), depth + 1); });
+}
+
+void look_into_pattern(clang::QualType type, bool nested, MessageType& message, unsigned depth) {
+  if (!type->isDependentType()) return look_into(type, nested, message);
+  const auto* written = template_type_of(type);
+  const clang::ClassTemplateDecl* decl = template_decl_of(written);
+  if (!decl || depth > 8) return;
+  if (decl->getName() == "vector") {
+    message.heavy = true;
+    const clang::QualType element = written->template_arguments()[0].getAsType();
+    if (!is_fixed_pattern(element, 0)) return look_into_pattern(element, true, message, depth + 1);
+    message.has_data = true;
+    if (!nested) message.direct_data = true;
+  } else if (decl->getName() == "array") {
+    look_into_pattern(written->template_arguments()[0].getAsType(), nested, message, depth + 1);
+  } else if (decl->getName().ends_with("_")) {
+    for (const clang::FieldDecl* field : decl->getTemplatedDecl()->fields())
+      look_into_pattern(field->getType(), nested, message, depth + 1);
+  }
+}
+
+bool is_known_wrapper(const clang::CXXRecordDecl* record) {
+  static const std::set<std::string> own = {"ros::MessageEvent"};
+  const std::string name = qualified_name_of(record);
+  return name.rfind("std::", 0) == 0 || name.rfind("boost::", 0) == 0 || name.rfind("__gnu_cxx::", 0) == 0 ||
+         own.count(name);
+}
+
+std::optional<Carried> carried_by_template(const clang::ClassTemplateSpecializationDecl* decl, const RuleSet& rules,
+                                           unsigned depth);
+
+std::optional<Carried> carried_at(clang::QualType type, const RuleSet& rules, unsigned depth) {
+  if (type.isNull() || depth > 6) return {};
+  type = type.getNonReferenceType().getCanonicalType();
+  if (type->isPointerType()) return carried_at(type->getPointeeType(), rules, depth + 1);
+  if (const auto* array = type->getAsArrayTypeUnsafe()) return carried_at(array->getElementType(), rules, depth + 1);
+  const clang::CXXRecordDecl* record = record_of(type);
+  if (!record) return {};
+  if (const ClassRename* rename = rules.find_class(qualified_name_of(record))) {
+    const Carrier carrier = rename->role == ClassRename::Role::publisher ? Carrier::publisher
+                            : rename->role == ClassRename::Role::filter  ? Carrier::filter
+                                                                         : Carrier::message;
+    return Carried{carrier, {}, rename};
+  }
+  if (std::optional<MessageType> message = message_of(record)) return Carried{Carrier::message, message, nullptr};
+  return carried_by_template(llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record), rules, depth);
+}
+
+std::optional<Carried> carried_by_template(const clang::ClassTemplateSpecializationDecl* decl, const RuleSet& rules,
+                                           unsigned depth) {
+  if (!decl || !is_known_wrapper(decl) || decl->getName() == "function") return {};
+  for (const clang::TemplateArgument& argument : decl->getTemplateArgs().asArray()) {
+    if (argument.getKind() == clang::TemplateArgument::Type)
+      if (auto carried = carried_at(argument.getAsType(), rules, depth + 1)) return carried;
+    if (argument.getKind() == clang::TemplateArgument::Pack && decl->getName() == "tuple")
+      for (const clang::TemplateArgument& part : argument.pack_elements())
+        if (part.getKind() == clang::TemplateArgument::Type)
+          if (auto carried = carried_at(part.getAsType(), rules, depth + 1)) return carried;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<MessageType> message_of(const clang::CXXRecordDecl* record) {
+  const auto* templated = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(record);
+  if (!has_message_shape(templated)) return {};
+  MessageType message;
+  message.record = record;
+  const std::string name = templated->getName().drop_back().str();
+  message.name = qualified_name_of(llvm::cast<clang::NamedDecl>(templated->getDeclContext())) + "/" + name;
+  message.service = llvm::StringRef(name).ends_with("Request") || llvm::StringRef(name).ends_with("Response");
+  if (templated->hasDefinition())
+    for (const clang::FieldDecl* field : templated->getDefinition()->fields())
+      look_into(field->getType(), false, message);
+  else
+    for (const clang::FieldDecl* field : templated->getSpecializedTemplate()->getTemplatedDecl()->fields())
+      look_into_pattern(field->getType(), false, message, 0);
+  return message;
+}
+
+std::optional<MessageType> message_of(clang::QualType type) { return message_of(record_of(type)); }
+
+bool is_data_array(clang::QualType type) {
+  const auto* templated = specialization_of(type);
+  return is_std_template(templated, "vector") && is_fixed_length(first_argument(templated));
+}
+
+std::optional<Carried> carried_by(clang::QualType type, const RuleSet& rules) { return carried_at(type, rules, 0); }
+
+clang::QualType pointee_of(clang::QualType type) {
+  if (type.isNull()) return {};
+  type = type.getNonReferenceType();
+  if (type->isPointerType()) return type->getPointeeType();
+  const auto* templated = specialization_of(type);
+  if (!templated) return {};
+  const llvm::StringRef name = templated->getName();
+  if (name != "shared_ptr" && name != "unique_ptr" && name != "scoped_ptr") return {};
+  return first_argument(templated);
+}
+
+bool is_pcl_cloud(clang::QualType type) {
+  const clang::QualType pointee = pointee_of(type);
+  const clang::CXXRecordDecl* record = record_of(pointee.isNull() ? type : pointee);
+  return record && qualified_name_of(record) == "pcl::PointCloud";
+}
+
+std::string twin_name(const std::string& message) {
+  const std::size_t slash = message.find('/');
+  return "tzc::" + message.substr(0, slash) + "::" + message.substr(slash + 1);
+}
+
+std::string twin_header(const std::string& message) { return "tzc/" + message + ".h"; }
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clang/AST/ASTContext.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facts/facts.h"
+#include "rules/rule.h"
+
+namespace tzc::rewriter {
+
+/// A generated ROS message struct.
+struct MessageType {
+  const clang::CXXRecordDecl* record = nullptr;
+  std::string name;          ///< "sensor_msgs/Image"
+  bool heavy = false;        ///< has a variable-length array at any depth
+  bool has_data = false;     ///< has a data part: an array of a fixed-length type, at any depth
+  bool direct_data = false;  ///< has a data part outside arrays of messages
+  bool service = false;      ///< request or response of a service
+};
+
+/// What a C++ type carries, however deep in pointers and containers.
+struct Carried {
+  Carrier carrier;
+  std::optional<MessageType> message;
+  const ClassRename* rename = nullptr;
+};
+
+/// The message struct that a record is, by the shape that gencpp gives it.
+std::optional<MessageType> message_of(const clang::CXXRecordDecl* record);
+
+/// The message type itself, without pointers and references around it.
+std::optional<MessageType> message_of(clang::QualType type);
+
+/// std::vector of a fixed-length type: a data array.
+bool is_data_array(clang::QualType type);
+
+/// Message, publisher or filter, directly or in pointers, references, containers and iterators.
+std::optional<Carried> carried_by(clang::QualType type, const RuleSet& rules);
+
+/// pcl::PointCloud<T>, directly or by pointer.
+bool is_pcl_cloud(clang::QualType type);
+
+/// The pointee of a raw, boost:: or std:: pointer; null for other types.
+clang::QualType pointee_of(clang::QualType type);
+
+/// "sensor_msgs/Image" -> "tzc::sensor_msgs::Image".
+std::string twin_name(const std::string& message);
+/// "sensor_msgs/Image" -> "tzc/sensor_msgs/Image.h".
+std::string twin_header(const std::string& message);
+
+}  // namespace tzc::rewriter

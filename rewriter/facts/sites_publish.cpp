@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <clang/AST/ParentMapContext.h>
+
+#include "facts/unit.h"
+#include "report/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+bool is_single_subscriber(const std::string& name) {
+  return name == "ros::SingleSubscriberPublisher" || name == "image_transport::SingleSubscriberPublisher";
+}
+
+std::string id_of(const Place& where, const std::string& type) {
+  return where.file + ":" + std::to_string(where.begin) + "<" + type;
+}
+
+/// Notes the statement that is nothing but this call.
+void describe_statement(Unit& unit, const clang::Expr* call, Publish& site) {
+  const clang::FunctionDecl* function = function_around(unit, *call);
+  site.in_void_function = function && function->getReturnType()->isVoidType();
+  clang::DynTypedNode node = clang::DynTypedNode::create(*call);
+  for (;;) {
+    const auto parents = unit.ast().getParents(node);
+    if (parents.empty()) return;
+    node = parents[0];
+    if (node.get<clang::ExprWithCleanups>()) continue;
+    site.in_block = node.get<clang::CompoundStmt>() != nullptr;
+    if (site.in_block || node.get<clang::IfStmt>() || node.get<clang::ForStmt>())
+      site.statement = unit.source.before(call->getBeginLoc()).value_or(Place());
+    return;
+  }
+}
+
+/// The written argument, without the conversions that the call implies.
+const clang::Expr* written(const clang::Expr* expr) {
+  for (;;) {
+    const clang::Expr* next = expr->IgnoreImplicit();
+    const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(next);
+    if (construct && !llvm::isa<clang::CXXTemporaryObjectExpr>(construct) && construct->getNumArgs() >= 1 &&
+        !construct->isListInitialization())
+      next = construct->getArg(0);
+    if (next == expr) return expr;
+    expr = next;
+  }
+}
+
+void describe_message(Unit& unit, const clang::Expr* argument, Publish& site) {
+  const clang::QualType type = argument->getType();
+  const clang::QualType pointee = pointee_of(type);
+  const std::optional<MessageType> message = message_of(pointee.isNull() ? type : pointee);
+  if (message) {
+    site.type = message->name;
+    site.heavy = message->has_data;
+    site.nested_only = message->has_data && !message->direct_data;
+  } else if (is_pcl_cloud(type)) {
+    site.type = "sensor_msgs/PointCloud2";
+    site.pcl = true;
+  } else {
+    site.type = type.getAsString();
+    site.obstacles.push_back({codes::TZC1012, "the type of what is published is '" + site.type + "'",
+                              location_of(unit.source.where(argument->getBeginLoc()))});
+  }
+  const Sources sources = sources_of(unit, argument);
+  site.messages = sources.keys;
+  if (sources.foreign && message && message->has_data)
+    site.obstacles.push_back({codes::TZC1013, "code outside the package builds the message",
+                              location_of(unit.source.where(argument->getBeginLoc()))});
+}
+
+std::string object_text(Unit& unit, const clang::Expr* argument) {
+  if (!argument->isLValue() || llvm::isa<clang::CallExpr>(argument) != llvm::isa<clang::CXXOperatorCallExpr>(argument))
+    return "";
+  const std::string text = unit.source.text(argument->getSourceRange());
+  return pointee_of(argument->getType()).isNull() ? text : "*" + text;
+}
+
+void describe_publisher(Unit& unit, const clang::CXXMemberCallExpr* call, Publish& site) {
+  const Receiver receiver = receiver_of(call);
+  if (!receiver.expr) return;
+  const Sources sources = sources_of(unit, receiver.expr);
+  if (!sources.keys.empty()) site.publisher = sources.keys[0];
+  site.publisher_text = unit.source.text(receiver.expr->getSourceRange()) + (receiver.pointer ? "->" : ".");
+  unit.publishers.push_back({receiver.expr, receiver.pointer, site.publisher, site.messages,
+                             function_around(unit, *call), site.where.begin});
+}
+
+std::optional<std::string> written_text(Unit& unit, const clang::CallExpr* call, unsigned index) {
+  if (written_arguments(call) <= index) return {};
+  return unit.source.text(call->getArg(index)->getSourceRange());
+}
+
+void describe_type(clang::QualType type, Advertise& site) {
+  if (const auto message = message_of(type)) {
+    site.type = message->name;
+    site.heavy = message->has_data;
+    site.no_twin = !message->has_data || message->service;
+  } else if (is_pcl_cloud(type)) {
+    site.type = "sensor_msgs/PointCloud2";
+    site.no_twin = true;
+  } else {
+    site.type = type.getAsString();
+    site.no_twin = true;
+    site.heavy = false;
+  }
+}
+
+clang::QualType template_type(const clang::CXXMethodDecl* method) {
+  const clang::TemplateArgumentList* arguments = method->getTemplateSpecializationArgs();
+  if (!arguments || arguments->size() == 0 || (*arguments)[0].getKind() != clang::TemplateArgument::Type) return {};
+  return (*arguments)[0].getAsType();
+}
+
+std::optional<Place> behind_argument(Unit& unit, const clang::CallExpr* call, unsigned index) {
+  if (written_arguments(call) <= index) return {};
+  std::optional<Place> place = unit.source.place(call->getArg(index)->getSourceRange());
+  if (place) place->begin = place->end;
+  return place;
+}
+
+void change_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const MethodCall& rule, Advertise& site) {
+  std::string to = rule.to;
+  if (rule.role == MethodCall::Role::advertise) {
+    const std::string written = written_template_arguments(unit, call);
+    to += "<" + (site.no_twin ? written : twin_name(site.type)) + ">";
+  }
+  site.changes = receiver_first(unit, call, to, rule.rule, rule.header);
+  if (site.changes.empty()) {
+    site.obstacles.push_back({codes::TZC1006, "the advertise call comes from a macro", location_of(site.where)});
+    return;
+  }
+  if (!site.no_twin && rule.role == MethodCall::Role::advertise)
+    site.changes[0].headers.push_back(twin_header(site.type));
+  if (is_pcl_cloud(template_type(call->getMethodDecl()))) site.changes[0].headers.push_back("tzc/pcl.h");
+  if (rule.role != MethodCall::Role::advertise) return;
+  const unsigned last = written_arguments(call) == 1 ? 0 : 1;
+  if (const auto memory = behind_argument(unit, call, last))
+    site.changes.push_back({*memory, ", $MEM", rule.rule, {}});
+  else
+    site.obstacles.push_back({codes::TZC1006, "an argument comes from a macro", location_of(site.where)});
+}
+
+}  // namespace
+
+bool is_publisher_class(const std::string& name) {
+  return name == "ros::Publisher" || name == "image_transport::Publisher" ||
+         name == "image_transport::CameraPublisher" || is_single_subscriber(name);
+}
+
+void collect_publish(Unit& unit, const clang::CXXMemberCallExpr* call) {
+  if (call->getNumArgs() == 0 || call->isTypeDependent()) return;
+  Publish site;
+  site.where = unit.source.where(call->getExprLoc());
+  site.function = function_name_around(unit, *call);
+  describe_statement(unit, call, site);
+  const clang::Expr* argument = written(call->getArg(0));
+  if (argument->isTypeDependent()) return;
+  describe_message(unit, argument, site);
+  site.object = object_text(unit, argument);
+  describe_publisher(unit, call, site);
+  if (is_single_subscriber(qualified_name_of(call->getRecordDecl())))
+    site.obstacles.push_back({codes::TZC1014, "the message is sent to one subscriber only", location_of(site.where)});
+  else if (site.publisher.empty())
+    site.obstacles.push_back({codes::TZC1017, "the publisher is not one of the package", location_of(site.where)});
+  unit.facts.publishes.emplace(id_of(site.where, site.type), site);
+}
+
+void collect_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const MethodCall& rule) {
+  Advertise site;
+  site.where = unit.source.where(call->getExprLoc());
+  site.function = function_name_around(unit, *call);
+  site.rule = rule.rule;
+  site.type = "sensor_msgs/Image";
+  if (rule.role == MethodCall::Role::advertise) {
+    const clang::QualType type = template_type(call->getMethodDecl());
+    if (!type.isNull())
+      describe_type(type, site);
+    else
+      site.obstacles.push_back({codes::TZC1012, "the options of this call say what is advertised",
+                                location_of(site.where)});
+  }
+  if (written_arguments(call) > 0) site.topic = constant_string(call->getArg(0));
+  site.queue = written_text(unit, call, 1);
+  site.publisher = declare_temporary(unit, call);
+  change_advertise(unit, call, rule, site);
+  for (const Obstacle& obstacle : site.obstacles)
+    unit.facts.entities[site.publisher].obstacles.push_back(obstacle);
+  unit.facts.advertises.emplace(id_of(site.where, site.type), site);
+}
+
+}  // namespace tzc::rewriter

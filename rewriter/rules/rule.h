@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A rule is data: what it matches (a qualified name and an argument), and what stands there afterwards. The facts
+// attach the resulting edits to the entity that the rule is about; the edits are made when that entity is ported.
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace tzc::rewriter {
+
+/// A class whose objects are ported by writing another class.
+struct ClassRename {
+  enum class Role { publisher, filter, accessor };
+  const char* rule;
+  Role role;
+  const char* from;    ///< qualified name; templates without arguments
+  const char* to;
+  const char* header;  ///< of `to`
+};
+
+/// A library function that takes the message: the call goes to its twin in the adapters.
+struct LibraryCall {
+  const char* rule;
+  const char* function;  ///< qualified name
+  unsigned argument;     ///< which argument is the message that is ported
+  const char* to;
+  const char* header;
+};
+
+/// A member function of a library class that becomes a free function with the object as first argument.
+struct MethodCall {
+  enum class Role { advertise, advertise_transport, subscribe, subscribe_transport, builds_message, fills_message };
+  const char* rule;
+  Role role;
+  const char* object;  ///< qualified name of the class
+  const char* method;
+  const char* to;
+  const char* header;
+  int arguments = -1;  ///< how many the call has; -1: any number
+};
+
+/// The rules of a run. Tests take single ones away to show that each is needed.
+struct RuleSet {
+  std::vector<const ClassRename*> classes;
+  std::vector<const LibraryCall*> calls;
+  std::vector<const MethodCall*> methods;
+
+  const ClassRename* find_class(const std::string& name) const;
+  const LibraryCall* find_call(const std::string& function, unsigned argument) const;
+  const MethodCall* find_method(const std::string& object, const std::string& method, unsigned arguments) const;
+};
+
+/// Every rule of the rewriter but those named.
+RuleSet all_rules(const std::set<std::string>& without = {});
+
+}  // namespace tzc::rewriter

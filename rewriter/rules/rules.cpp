@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rules/rules.h"
+
+#include "rules/rule.h"
+
+namespace tzc::rewriter {
+namespace {
+
+const ClassRename* const classes[] = {
+    &rules::publisher,           &rules::image_publisher,   &rules::camera_publisher,
+    &rules::filter_subscriber,   &rules::subscriber_filter, &rules::point_cloud2_modifier,
+    &rules::point_cloud2_iterator, &rules::point_cloud2_const_iterator,
+};
+
+const LibraryCall* const calls[] = {
+    &rules::pcl_to_ros_msg, &rules::pcl_from_pcl, &rules::pcl_move_from_pcl, &rules::pcl_image_meta_data,
+    &rules::fill_image,     &rules::clear_image,  &rules::pcl_cloud_meta_data,
+};
+
+const MethodCall* const methods[] = {
+    &rules::advertise,         &rules::image_advertise,       &rules::camera_advertise,
+    &rules::subscribe,         &rules::image_subscribe,       &rules::camera_subscribe,
+    &rules::cv_image_to_message, &rules::cv_image_into_message,
+};
+
+template <class Rule, std::size_t count>
+std::vector<const Rule*> select(const Rule* const (&all)[count], const std::set<std::string>& without) {
+  std::vector<const Rule*> selected;
+  for (const Rule* rule : all)
+    if (without.count(rule->rule) == 0) selected.push_back(rule);
+  return selected;
+}
+
+}  // namespace
+
+const ClassRename* RuleSet::find_class(const std::string& name) const {
+  for (const ClassRename* rule : classes)
+    if (name == rule->from) return rule;
+  return nullptr;
+}
+
+const LibraryCall* RuleSet::find_call(const std::string& function, unsigned argument) const {
+  for (const LibraryCall* rule : calls)
+    if (function == rule->function && argument == rule->argument) return rule;
+  return nullptr;
+}
+
+const MethodCall* RuleSet::find_method(const std::string& object, const std::string& method,
+                                       unsigned arguments) const {
+  for (const MethodCall* rule : methods)
+    if (object == rule->object && method == rule->method &&
+        (rule->arguments < 0 || static_cast<unsigned>(rule->arguments) == arguments))
+      return rule;
+  return nullptr;
+}
+
+RuleSet all_rules(const std::set<std::string>& without) {
+  return {select(classes, without), select(calls, without), select(methods, without)};
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The little of Boost that the golden cases need: parsed in no time.
+#pragma once
+#include <functional>
+#include <memory>
+#include <utility>
+
+namespace boost {
+template <class T>
+class shared_ptr {
+ public:
+  shared_ptr() = default;
+  shared_ptr(decltype(nullptr)) {}
+  template <class U>
+  explicit shared_ptr(U* p) : p_(p) {}
+  template <class U, class = typename std::enable_if<std::is_convertible<U*, T*>::value>::type>
+  shared_ptr(const shared_ptr<U>& other) : p_(other.p_) {}
+  T* operator->() const { return p_.get(); }
+  typename std::add_lvalue_reference<T>::type operator*() const { return *p_; }
+  T* get() const { return p_.get(); }
+  void reset() { p_.reset(); }
+  template <class U>
+  void reset(U* p) { p_.reset(p); }
+  explicit operator bool() const { return p_ != nullptr; }
+  bool operator!() const { return !p_; }
+  std::shared_ptr<T> p_;
+};
+template <class T, class... A>
+shared_ptr<T> make_shared(A&&... a) { return shared_ptr<T>(new T(std::forward<A>(a)...)); }
+template <class T, class U>
+shared_ptr<T> const_pointer_cast(const shared_ptr<U>& p) { return shared_ptr<T>(const_cast<T*>(p.get())); }
+template <class F>
+using function = std::function<F>;
+template <class F, class... A>
+auto bind(F&& f, A&&... a) { return std::bind(std::forward<F>(f), std::forward<A>(a)...); }
+template <class T, unsigned long N>
+struct array { T elems[N]; T& operator[](unsigned long i) { return elems[i]; } const T& operator[](unsigned long i) const { return elems[i]; } };
+}  // namespace boost
+using namespace std::placeholders;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Code of another package.
+#pragma once
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/PointCloud2.h>
+namespace other {
+inline void rotate(sensor_msgs::Image&) {}
+inline void inspect(const sensor_msgs::Image&) {}
+inline sensor_msgs::Image grab() { return {}; }
+inline sensor_msgs::ImagePtr grab_shared() { return {}; }
+inline void watch(const ros::Publisher&) {}
+inline ros::Publisher connect() { return {}; }
+inline void decode(std::vector<uint8_t>&) {}
+inline void read(unsigned char*, std::size_t) {}
+template <class M>
+void log(const M&) {}
+class Source {
+ public:
+  virtual ~Source() {}
+  virtual void fill(sensor_msgs::Image&) = 0;
+};
+}  // namespace other

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <boost/core.h>
+#include <vector>
+namespace pcl {
+struct PointXYZ { float x, y, z; };
+template <class T>
+struct PointCloud {
+  typedef boost::shared_ptr<PointCloud<T>> Ptr;
+  typedef boost::shared_ptr<PointCloud<T> const> ConstPtr;
+  std::vector<T> points;
+  void push_back(const T& t) { points.push_back(t); }
+};
+struct PCLPointCloud2 {};
+}  // namespace pcl

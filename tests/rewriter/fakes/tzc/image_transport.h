@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <image_transport/subscriber_filter.h>
+#include <tzc/ros.h>
+#include <tzc/sensor_msgs/CameraInfo.h>
+#include <tzc/sensor_msgs/Image.h>
+namespace tzc {
+namespace image_transport {
+class Publisher : public ::tzc::Publisher {};
+class CameraPublisher {
+ public:
+  template <class I, class C>
+  void publish(const I&, const C&) const {}
+  template <class M>
+  bool allocate(M&) const { static_assert(sizeof(typename M::Stock) > 0, "a twin"); return true; }
+  uint32_t getNumSubscribers() const { return 1; }
+};
+template <class... A>
+Publisher advertise(::image_transport::ImageTransport it, A&&... a) { it.advertise(std::forward<A>(a)...); return {}; }
+template <class... A>
+CameraPublisher advertiseCamera(::image_transport::ImageTransport it, A&&... a) {
+  it.advertiseCamera(std::forward<A>(a)...);
+  return {};
+}
+template <class... A>
+::image_transport::Subscriber subscribe(::image_transport::ImageTransport it, A&&... a) {
+  return it.subscribe(std::forward<A>(a)...);
+}
+template <class... A>
+::image_transport::CameraSubscriber subscribeCamera(::image_transport::ImageTransport it, A&&... a) {
+  return it.subscribeCamera(std::forward<A>(a)...);
+}
+class SubscriberFilter : public ::image_transport::SubscriberFilter {
+  using ::image_transport::SubscriberFilter::SubscriberFilter;
+};
+}  // namespace image_transport
+}  // namespace tzc

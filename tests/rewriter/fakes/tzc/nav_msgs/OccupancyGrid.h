@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <tzc/array.h>
+#include <nav_msgs/OccupancyGrid.h>
+namespace tzc {
+namespace nav_msgs {
+struct OccupancyGrid {
+  typedef ::nav_msgs::OccupancyGrid Stock;
+  typedef boost::shared_ptr<OccupancyGrid> Ptr;
+  typedef boost::shared_ptr<OccupancyGrid const> ConstPtr;
+  OccupancyGrid() = default;
+  explicit OccupancyGrid(const Stock&) {}
+  explicit operator Stock() const { return Stock(); }
+  ::std_msgs::Header header;
+  uint32_t height = 0, width = 0;
+  ::tzc::Array<int8_t> data;
+};
+typedef boost::shared_ptr<OccupancyGrid> OccupancyGridPtr;
+typedef boost::shared_ptr<OccupancyGrid const> OccupancyGridConstPtr;
+inline std::ostream& operator<<(std::ostream& s, const OccupancyGrid&) { return s; }
+}  // namespace nav_msgs
+}  // namespace tzc

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <ros/ros.h>
+namespace tzc {
+class Publisher {
+ public:
+  template <class M>
+  void publish(const boost::shared_ptr<M>&) const {}
+  template <class M>
+  void publish(const M&) const {}
+  template <class M>
+  bool allocate(M&) const { static_assert(sizeof(typename M::Stock) > 0, "a twin"); return true; }
+  uint32_t getNumSubscribers() const { return 1; }
+  std::string getTopic() const { return ""; }
+  void shutdown() {}
+  operator void*() const { return nullptr; }
+};
+template <class M>
+Publisher advertise(const ros::NodeHandle&, const std::string&, uint32_t, std::size_t, bool = false) { return {}; }
+template <class M>
+Publisher advertise(const ros::NodeHandle&, const std::string&, uint32_t, std::size_t,
+                    const ros::SubscriberStatusCallback&, const ros::SubscriberStatusCallback& = {},
+                    const ros::VoidConstPtr& = {}, bool = false) { return {}; }
+template <class M>
+Publisher advertise(const ros::NodeHandle&, ros::AdvertiseOptions&, std::size_t) { return {}; }
+template <class... A>
+ros::Subscriber subscribe(ros::NodeHandle nh, A&&... a) { return nh.subscribe(std::forward<A>(a)...); }
+template <class M, class... A>
+ros::Subscriber subscribe(ros::NodeHandle nh, A&&... a) { return nh.subscribe<M>(std::forward<A>(a)...); }
+template <class M, class C, class... A>
+ros::Subscriber subscribe(ros::NodeHandle nh, const std::string& topic, uint32_t queue, A&&... a) {
+  return nh.subscribe<M, C>(topic, queue, std::forward<A>(a)...);
+}
+}  // namespace tzc

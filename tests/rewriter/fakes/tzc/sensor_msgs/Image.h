@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <tzc/array.h>
+#include <sensor_msgs/Image.h>
+namespace tzc {
+namespace sensor_msgs {
+struct Image {
+  typedef ::sensor_msgs::Image Stock;
+  typedef boost::shared_ptr<Image> Ptr;
+  typedef boost::shared_ptr<Image const> ConstPtr;
+  Image() = default;
+  explicit Image(const Stock&) {}
+  explicit operator Stock() const { return Stock(); }
+  ::std_msgs::Header header;
+  uint32_t height = 0, width = 0;
+  std::string encoding;
+  uint8_t is_bigendian = 0;
+  uint32_t step = 0;
+  ::tzc::Array<uint8_t> data;
+};
+typedef boost::shared_ptr<Image> ImagePtr;
+typedef boost::shared_ptr<Image const> ImageConstPtr;
+inline std::ostream& operator<<(std::ostream& s, const Image&) { return s; }
+}  // namespace sensor_msgs
+}  // namespace tzc

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <tzc/array.h>
+#include <std_msgs/Float32MultiArray.h>
+namespace tzc {
+namespace std_msgs {
+struct Float32MultiArray {
+  typedef ::std_msgs::Float32MultiArray Stock;
+  typedef boost::shared_ptr<Float32MultiArray> Ptr;
+  typedef boost::shared_ptr<Float32MultiArray const> ConstPtr;
+  Float32MultiArray() = default;
+  explicit Float32MultiArray(const Stock&) {}
+  explicit operator Stock() const { return Stock(); }
+  ::tzc::Array<float> data;
+};
+typedef boost::shared_ptr<Float32MultiArray> Float32MultiArrayPtr;
+typedef boost::shared_ptr<Float32MultiArray const> Float32MultiArrayConstPtr;
+inline std::ostream& operator<<(std::ostream& s, const Float32MultiArray&) { return s; }
+}  // namespace std_msgs
+}  // namespace tzc

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <tzc/array.h>
+#include <visualization_msgs/MarkerArray.h>
+#include <tzc/visualization_msgs/Marker.h>
+namespace tzc {
+namespace visualization_msgs {
+struct MarkerArray {
+  typedef ::visualization_msgs::MarkerArray Stock;
+  typedef boost::shared_ptr<MarkerArray> Ptr;
+  typedef boost::shared_ptr<MarkerArray const> ConstPtr;
+  MarkerArray() = default;
+  explicit MarkerArray(const Stock&) {}
+  explicit operator Stock() const { return Stock(); }
+  std::vector< ::tzc::visualization_msgs::Marker> markers;
+};
+typedef boost::shared_ptr<MarkerArray> MarkerArrayPtr;
+typedef boost::shared_ptr<MarkerArray const> MarkerArrayConstPtr;
+inline std::ostream& operator<<(std::ostream& s, const MarkerArray&) { return s; }
+}  // namespace visualization_msgs
+}  // namespace tzc

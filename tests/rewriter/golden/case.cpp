@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "golden/case.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <vector>
+
+namespace tzc::rewriter::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_whole(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  return content.str();
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string commented(const std::string& line) { return line.empty() ? "//\n" : "// " + line + "\n"; }
+
+const char* name(Level level) {
+  static const char* const names[] = {"zero_copy", "one_copy", "plain", "not_needed", "shared", "copied"};
+  return names[static_cast<int>(level)];
+}
+
+const char* name(SiteKind kind) {
+  static const char* const names[] = {"advertise", "publish", "subscribe"};
+  return names[static_cast<int>(kind)];
+}
+
+/// Lines that differ, by longest common subsequence.
+std::string changed_lines(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  std::vector<std::vector<int>> best(a.size() + 1, std::vector<int>(b.size() + 1, 0));
+  for (std::size_t i = a.size(); i-- > 0;)
+    for (std::size_t j = b.size(); j-- > 0;)
+      best[i][j] = a[i] == b[j] ? best[i + 1][j + 1] + 1 : std::max(best[i + 1][j], best[i][j + 1]);
+  std::string text;
+  std::size_t i = 0, j = 0;
+  while (i < a.size() || j < b.size()) {
+    if (i < a.size() && j < b.size() && a[i] == b[j]) {
+      ++i, ++j;
+    } else if (i < a.size() && (j == b.size() || best[i + 1][j] >= best[i][j + 1])) {
+      text += commented("-" + a[i++]);
+    } else {
+      text += commented("+" + b[j++]);
+    }
+  }
+  return text;
+}
+
+std::string relative(const Package& package, const std::string& file) { return file.substr(package.dir().size() + 1); }
+
+std::string describe_sites(const Package& package, const PortPlan& plan) {
+  std::string text;
+  for (const Site& site : plan.report.sites) {
+    std::string line = std::string(name(site.kind)) + " " + relative(package, site.where.file) + ":" +
+                       std::to_string(site.where.line) + " " + site.message_type + " " + name(site.level);
+    if (site.topic) line += " '" + *site.topic + "'";
+    if (!site.code.empty()) line += " " + site.code + " " + site.reason;
+    text += commented(line);
+  }
+  for (const Note& note : plan.report.notes)
+    text += commented("note " + (note.where ? relative(package, note.where->file) + ":" +
+                                                  std::to_string(note.where->line) + " "
+                                            : "") +
+                      note.code);
+  return text;
+}
+
+std::string compile_commands(const std::string& dir, const std::map<std::string, std::string>& files) {
+  std::string text = "[";
+  for (const auto& item : files) {
+    if (fs::path(item.first).extension() != ".cpp") continue;
+    text += std::string(text.size() > 1 ? "," : "") + "{\"directory\":\"" + dir + "\",\"file\":\"" + dir + "/" +
+            item.first + "\",\"command\":\"c++ -std=c++17 -I" TZC_FAKES " -I" + dir + "/include -c " + dir + "/" +
+            item.first + " -o x.o\"}";
+  }
+  return text + "]";
+}
+
+}  // namespace
+
+Case read_case(const std::string& path) {
+  Case one;
+  one.path = path;
+  std::string* file = &one.files["src/node.cpp"];
+  bool behind = false;
+  for (const std::string& line : lines_of(read_whole(path))) {
+    if (line == "//===") behind = true;
+    (behind ? one.expected : one.input) += line + "\n";
+    if (behind) continue;
+    if (line.rfind("//RUN:", 0) == 0) {
+      std::istringstream words(line.substr(6));
+      for (std::string word; words >> word;)
+        one.settings[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
+    }
+    if (line.rfind("//--- ", 0) == 0)
+      file = &one.files[line.substr(6)];
+    else
+      *file += line + "\n";
+  }
+  if (one.settings.count("crlf"))
+    for (auto& item : one.files)
+      for (std::size_t at = item.second.find('\n'); at != std::string::npos; at = item.second.find('\n', at + 2))
+        item.second.replace(at, 1, "\r\n");
+  return one;
+}
+
+void write_expected(const Case& one, const std::string& found) {
+  std::ofstream(one.path, std::ios::binary) << one.input << found;
+}
+
+Package::Package(const std::map<std::string, std::string>& files) {
+  std::string pattern = (fs::temp_directory_path() / "tzc_golden_XXXXXX").string();
+  dir_ = fs::canonical(::mkdtemp(pattern.data())).string();
+  for (const auto& item : files) {
+    fs::create_directories(fs::path(dir_ + "/" + item.first).parent_path());
+    std::ofstream(dir_ + "/" + item.first, std::ios::binary) << item.second;
+  }
+  fs::create_directories(dir_ + "/build");
+  std::ofstream(dir_ + "/build/compile_commands.json") << compile_commands(dir_, files);
+}
+
+Package::~Package() {
+  std::error_code ignored;
+  fs::remove_all(dir_, ignored);
+}
+
+EngineOptions Package::options(const std::map<std::string, std::string>& settings) const {
+  EngineOptions options;
+  options.package_dir = dir_;
+  options.build_dir = dir_ + "/build";
+  options.jobs = 1;
+  const auto is = [&](const char* key, const char* value) {
+    const auto found = settings.find(key);
+    return found != settings.end() && found->second == value;
+  };
+  if (is("level", "one_copy")) options.max_level = Level::one_copy;
+  if (is("level", "plain")) options.max_level = Level::plain;
+  if (is("on-exhausted", "drop")) options.on_exhausted = OnExhausted::drop;
+  if (is("on-exhausted", "return")) options.on_exhausted = OnExhausted::return_from_function;
+  if (settings.count("mem-size")) options.mem_size = std::stoull(settings.at("mem-size"));
+  if (settings.count("measured")) options.measured_sizes["image"] = std::stoull(settings.at("measured"));
+  if (settings.count("without")) options.without_rules.insert(settings.at("without"));
+  if (settings.count("except"))
+    options.wanted = [topic = settings.at("except")](const Site& site) { return site.topic != topic; };
+  return options;
+}
+
+std::string Package::read(const std::string& file) const { return read_whole(dir_ + "/" + file); }
+
+std::map<std::string, std::string> ported(const Package& package, const Case& one, const PortPlan& plan) {
+  std::map<std::string, std::string> files = one.files;
+  for (const auto& [file, edits] : by_file(plan.edits)) {
+    const std::string name = relative(package, file);
+    Expected<std::string> content = apply_edits(files.at(name), edits);
+    files[name] = content ? *content : to_string(content.error());
+  }
+  return files;
+}
+
+std::string describe(const Package& package, const Case& one, const PortPlan& plan) {
+  std::string text = "//===\n" + describe_sites(package, plan);
+  for (const auto& [name, content] : ported(package, one, plan)) {
+    if (content == one.files.at(name)) continue;
+    text += commented("") + commented("+++ " + name) + changed_lines(lines_of(one.files.at(name)), lines_of(content));
+  }
+  return text;
+}
+
+}  // namespace tzc::rewriter::test
