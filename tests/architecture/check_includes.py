@@ -15,6 +15,7 @@ USES = {
     "runtime/message": ["runtime/segment"],
     "runtime/roscpp": ["runtime/channel", "runtime/message", "runtime/segment"],
     "runtime/adapters": ["runtime/roscpp", "runtime/message", "runtime/segment"],
+    "runtime/preload": ["runtime/roscpp", "runtime/message", "runtime/segment"],
     "msggen/model": [],
     "msggen/parse": ["msggen/model"],
     "msggen/emit": ["msggen/model"],
@@ -32,7 +33,7 @@ USES = {
 # Headers of other projects that only some rooms may see.
 FOREIGN = {
     "ROS": (r"(ros|rosconsole|xmlrpcpp|cv_bridge|image_transport|message_filters|pcl_conversions|[a-z0-9_]+_msgs)/",
-            ["runtime/message", "runtime/roscpp", "runtime/adapters"]),
+            ["runtime/message", "runtime/roscpp", "runtime/adapters", "runtime/preload"]),
     "Clang": (r"(clang|llvm)/", ["rewriter/facts", "rewriter/solve", "rewriter/rules", "rewriter/verify", "rewriter"]),
     "Boost": (r"boost/", ["runtime/message", "runtime/roscpp", "runtime/adapters"]),
 }

@@ -14,11 +14,13 @@ import sys
 import tempfile
 import time
 import unittest
+import xmlrpc.client
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "support"))
 from ros_session import RosSession  # noqa: E402
 
 NODES = os.environ.get("TZC_TEST_NODES", ".")
+TZC_RUN = [os.environ.get("TZC_RUN", "tzc-run")]
 
 
 def shared_memory_files():
@@ -53,22 +55,22 @@ class TopicCase(unittest.TestCase):
         self.assertEqual(shared_memory_files(), self.left_before, "something was left behind")
         shutil.rmtree(self.scratch, ignore_errors=True)
 
-    def node(self, program, name, parameters, remaps=(), env=None):
-        command = [os.path.join(NODES, program)]
+    def node(self, program, name, parameters, remaps=(), env=None, runner=()):
+        command = list(runner) + [os.path.join(NODES, program)]
         command += [f"__name:={name}"] if name else []
         command += [f"_{key}:={value}" for key, value in parameters.items()] + list(remaps)
         return self.ros.start(command, name=name or program, env=env)
 
-    def listen(self, mode="pointer", name=None, remaps=(), env=None, **parameters):
+    def listen(self, mode="pointer", name=None, remaps=(), env=None, runner=(), **parameters):
         before = len(self.ros.subscribers("/image"))
-        process = self.node("listener", name, dict(parameters, mode=mode), remaps, env)
+        process = self.node("listener", name, dict(parameters, mode=mode), remaps, env, runner)
         if not remaps:
             self.ros.wait_until(lambda: len(self.ros.subscribers("/image")) > before, 20, "the listener")
         return Listener(process)
 
-    def start_talker(self, mode="twin", name="talker", remaps=(), env=None, **parameters):
+    def start_talker(self, mode="twin", name="talker", remaps=(), env=None, runner=(), **parameters):
         # The upgrade takes a few ms; tests of it set settle to 0.
-        return self.node("talker", name, dict({"settle": 0.5}, mode=mode, **parameters), remaps, env)
+        return self.node("talker", name, dict({"settle": 0.5}, mode=mode, **parameters), remaps, env, runner)
 
     def talk(self, mode="twin", timeout=60, **parameters):
         """Runs a talker to its end; its counters."""
@@ -94,6 +96,18 @@ class TopicCase(unittest.TestCase):
         if shared is not None:
             wrong = [message["number"] for message in messages if message["shared"] != shared]
             self.assertEqual(wrong, [], f"messages that were {'not ' if shared else ''}in shared memory")
+
+    def shared_transports(self, node):
+        """Topics that a node sends through shared memory, by its own word (getBusInfo)."""
+        code, _, uri = self.ros.master.lookupNode("/tzc_test", node)
+        if code != 1:
+            return []
+        try:
+            with xmlrpc.client.ServerProxy(uri) as proxy:
+                _, _, connections = proxy.getBusInfo("/tzc_test")
+        except OSError:
+            return []  # it has ended
+        return [topic for _, _, _, transport, topic, *_ in connections if transport == "TZC"]
 
     def assert_seq_as_tcpros(self, listener, first=0):
         seqs = [message["seq"] for message in listener.messages()]

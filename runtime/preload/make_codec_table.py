@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the codec table's sources, shard_0.cpp to shard_<N-1>.cpp: the packages are spread over them.
+
+usage: make_codec_table.py CENSUS.json OUTPUT_DIR SHARDS
+
+CENSUS.json is what `tzc-msggen classify --json` prints. A file is only written when its content changes.
+"""
+import json
+import os
+import sys
+
+SHARD = """// Made by make_codec_table.py. Do not edit.
+{includes}
+#include "preload/codec_table.h"
+
+namespace tzc {{
+template <>
+void add_shard<{index}>(CodecTable& table) {{
+  (void)table;
+{entries}
+}}
+}}  // namespace tzc
+"""
+
+
+def write_if_changed(path, text):
+    if os.path.exists(path):
+        with open(path) as old:
+            if old.read() == text:
+                return
+    with open(path, "w") as new:
+        new.write(text)
+
+
+def main():
+    with open(sys.argv[1]) as census:
+        types = json.load(census)["types"]
+    shards = int(sys.argv[3])
+    supported = sorted(name.split("/") for name, facts in types.items() if facts["supported"])
+    if not supported:
+        sys.exit(f"{sys.argv[1]} has no data-carrying type: are ROS's message packages installed?")
+    packages = sorted({package for package, _ in supported})
+    for index in range(shards):
+        mine = [(package, name) for package, name in supported if packages.index(package) % shards == index]
+        includes = "\n".join(f"#include <{package}/{name}.h>" for package, name in mine)
+        entries = "\n".join(f'  table.emplace("{package}/{name}", detail::make_codec<::{package}::{name}>());'
+                            for package, name in mine)
+        write_if_changed(os.path.join(sys.argv[2], f"shard_{index}.cpp"),
+                         SHARD.format(includes=includes, index=index, entries=entries))
+
+
+if __name__ == "__main__":
+    main()
