@@ -19,7 +19,8 @@ file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/include)
 catkin_package(
   INCLUDE_DIRS runtime/include ${CATKIN_DEVEL_PREFIX}/include
   LIBRARIES tzc_roscpp tzc_core
-  CATKIN_DEPENDS roscpp roscpp_serialization roscpp_traits rosconsole roslib)
+  CATKIN_DEPENDS roscpp roscpp_serialization roscpp_traits rosconsole roslib
+  CFG_EXTRAS tzc-extras.cmake)
 
 # catkin_package() has its own idea of where binaries go. Packages that use tzc look for libraries in the devel space.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)

@@ -23,3 +23,12 @@ add_dependencies(tzc_messages tzc_installed_messages)
 
 install(DIRECTORY ${TZC_MESSAGES_INCLUDE_DIR}/tzc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.h")
+
+# What packages that use tzc need to make headers of their own messages; see tzc-extras.cmake.in.
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/tzc_generate_messages.cmake DESTINATION share/tzc/cmake)
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/gentzc/gentzcConfig.cmake DESTINATION share/tzc/cmake/gentzc)
+
+# In one workspace with tzc, targets that link its library find the headers made.
+if(TARGET tzc_roscpp)
+  add_dependencies(tzc_roscpp tzc_installed_messages)
+endif()

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# tzc_clang_program(NAME OUTPUT path [COMPILE flag...] [LINK flag...] [DEPENDS file...] SOURCES file...)
+#
+# A test program that Clang builds, whatever compiler the project uses: for libFuzzer, and because Clang compiles much
+# generated code with sanitizers in half of GCC's time. Target NAME is part of ALL.
+find_program(TZC_CLANGXX NAMES clang++-19 clang++)
+if(POLICY CMP0116)
+  cmake_policy(SET CMP0116 NEW)  # dependency files hold absolute paths here
+endif()
+
+function(tzc_clang_program name)
+  cmake_parse_arguments(PROGRAM "" "OUTPUT" "SOURCES;COMPILE;LINK;DEPENDS" ${ARGN})
+  set(depfiles ON)
+  if(NOT CMAKE_GENERATOR MATCHES "Ninja" AND CMAKE_VERSION VERSION_LESS 3.20)
+    set(depfiles OFF)
+  endif()
+  set(objects)
+  foreach(source ${PROGRAM_SOURCES})
+    file(RELATIVE_PATH object ${PROJECT_SOURCE_DIR} ${source})
+    string(REGEX REPLACE "[^A-Za-z0-9_]" "_" object ${object})
+    set(object ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir/${object}.o)
+    set(depfile)
+    if(depfiles)
+      set(depfile DEPFILE ${object}.d)
+    endif()
+    add_custom_command(OUTPUT ${object}
+      COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} ${TZC_CLANGXX} ${PROGRAM_COMPILE} -MD -MT ${object} -MF ${object}.d
+        -c ${source} -o ${object}
+      DEPENDS ${source} ${PROGRAM_DEPENDS}
+      ${depfile}
+      COMMENT "Clang: ${source}"
+      VERBATIM)
+    list(APPEND objects ${object})
+  endforeach()
+  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir)
+  add_custom_command(OUTPUT ${PROGRAM_OUTPUT}
+    COMMAND ${TZC_CLANGXX} ${objects} -o ${PROGRAM_OUTPUT} ${PROGRAM_LINK}
+    DEPENDS ${objects}
+    VERBATIM)
+  add_custom_target(${name} ALL DEPENDS ${PROGRAM_OUTPUT})
+endfunction()

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# tzc_generate_messages(PACKAGE [FILES file...] [INCLUDES PKG:DIR...] [OUTPUT_DIRECTORY dir])
+#
+# TZC headers (tzc/PACKAGE/Type.h) of a message package that does not make them itself. Targets that the same
+# CMakeLists.txt defines afterwards find them, and are built after them.
+#
+#   find_package(catkin REQUIRED COMPONENTS roscpp other_msgs tzc)
+#   tzc_generate_messages(other_msgs)                    all messages and services of a catkin package
+#
+#   find_package(tzc REQUIRED)
+#   tzc_generate_messages(my_msgs FILES msg/Scan.msg INCLUDES std_msgs:/opt/ros/noetic/share/std_msgs/msg)
+#
+# FILES are .msg, .srv or .action; INCLUDES say where the packages are whose types they use (of a catkin package both
+# are known). Headers go to OUTPUT_DIRECTORY, by default a folder of this build.
+# A package that calls generate_messages() with tzc among its catkin components needs none of this.
+
+# Adds the command that makes the headers of one definition file; their paths are stored in `result`.
+function(_tzc_header_command result package file include_flags output_directory dependencies)
+  get_filename_component(name ${file} NAME_WE)
+  get_filename_component(extension ${file} EXT)
+  get_filename_component(folder ${output_directory}/tzc/${package} ABSOLUTE)
+  set(names "")
+  if(extension STREQUAL ".srv")
+    set(names "" Request Response)
+  elseif(extension STREQUAL ".action")
+    set(names Action ActionGoal ActionResult ActionFeedback Goal Result Feedback)
+  endif()
+  set(headers ${folder}/${name}.h)
+  if(names)
+    list(TRANSFORM names PREPEND ${folder}/${name} OUTPUT_VARIABLE headers)
+    list(TRANSFORM headers APPEND .h)
+  endif()
+  set(program ${TZC_MSGGEN_EXECUTABLE})
+  if(TARGET tzc-msggen)  # built in the same workspace
+    set(program tzc-msggen)
+  endif()
+  add_custom_command(OUTPUT ${headers}
+    COMMAND ${program} generate -p ${package} ${include_flags} -o ${output_directory} ${file}
+    DEPENDS ${program} ${file} ${dependencies}
+    WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
+    COMMENT "Generating TZC headers from ${package}/${name}${extension}"
+    VERBATIM)
+  set(${result} ${headers} PARENT_SCOPE)
+endfunction()
+
+# The folders of a catkin package's messages and of all that they depend on, as -IPKG:DIR; and the packages' names.
+function(_tzc_include_flags package flags_result)
+  set(flags "")
+  set(pending ${package})
+  set(handled "")
+  while(pending)
+    list(GET pending 0 dependency)
+    list(REMOVE_AT pending 0)
+    list(APPEND handled ${dependency})
+    unset(paths_file CACHE)
+    find_file(paths_file share/${dependency}/cmake/${dependency}-msg-paths.cmake
+      PATHS ${CATKIN_DEVEL_PREFIX} ${CATKIN_WORKSPACES} ${CMAKE_PREFIX_PATH} ${${dependency}_DIR}/../../..)
+    if(NOT paths_file)
+      message(FATAL_ERROR "tzc_generate_messages(): can't find ${dependency}-msg-paths.cmake, which a package gets that "
+        "calls generate_messages(). Is ${dependency} a message package, and among find_package(catkin COMPONENTS)?")
+    endif()
+    include(${paths_file})
+    unset(paths_file CACHE)
+    foreach(folder ${${dependency}_MSG_INCLUDE_DIRS})
+      list(APPEND flags -I${dependency}:${folder})
+    endforeach()
+    foreach(next ${${dependency}_MSG_DEPENDENCIES})
+      if(NOT next IN_LIST handled AND NOT next IN_LIST pending)
+        list(APPEND pending ${next})
+      endif()
+    endforeach()
+  endwhile()
+  set(${flags_result} ${flags} PARENT_SCOPE)
+endfunction()
+
+# All definition files of a catkin package, absolute.
+function(_tzc_definition_files package result)
+  if(NOT DEFINED ${package}_MESSAGE_FILES)
+    find_package(${package} REQUIRED)
+  endif()
+  set(files "")
+  foreach(file ${${package}_MESSAGE_FILES} ${${package}_SERVICE_FILES})
+    get_filename_component(file ${file} ABSOLUTE BASE_DIR ${${package}_DIR}/..)
+    list(APPEND files ${file})
+  endforeach()
+  set(${result} ${files} PARENT_SCOPE)
+endfunction()
+
+# Does somebody provide tzc/PACKAGE/*.h already?
+function(_tzc_has_headers package result)
+  set(${result} FALSE PARENT_SCOPE)
+  if(TARGET ${package}_generate_messages_tzc)
+    set(${result} TRUE PARENT_SCOPE)
+  elseif(TARGET tzc_installed_messages AND NOT DEFINED ${package}_SOURCE_DIR)
+    set(${result} TRUE PARENT_SCOPE)  # tzc is built in the same workspace, the package is not
+  endif()
+  foreach(folder ${tzc_INCLUDE_DIRS} ${${package}_INCLUDE_DIRS})
+    if(EXISTS ${folder}/tzc/${package})
+      set(${result} TRUE PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+# For genmsg's plugin: the headers of packages that this one's messages use and that have none. They go with this
+# package's own, because who includes those needs them.
+function(_tzc_generate_missing package include_flags)
+  foreach(flag ${include_flags})
+    string(REGEX REPLACE "^-I([^:]*):.*$" "\\1" dependency ${flag})
+    if(dependency STREQUAL package)
+      continue()
+    endif()
+    _tzc_has_headers(${dependency} has_headers)
+    if(TARGET tzc_messages_of_${dependency})
+      tzc_generate_messages(${dependency})  # another package of this workspace came first
+    elseif(NOT has_headers)
+      tzc_generate_messages(${dependency} OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/include)
+      install(DIRECTORY ${CATKIN_DEVEL_PREFIX}/include/tzc/${dependency} DESTINATION include/tzc)
+    endif()
+  endforeach()
+endfunction()
+
+function(tzc_generate_messages package)
+  cmake_parse_arguments(ARG "" "OUTPUT_DIRECTORY" "FILES;INCLUDES" ${ARGN})
+  if(ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "tzc_generate_messages(): unknown arguments: ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
+  set(target tzc_messages_of_${package})
+  if(TARGET ${target})
+    link_libraries(${target}_headers)
+    return()
+  endif()
+  if(NOT ARG_OUTPUT_DIRECTORY)
+    set(ARG_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/tzc_messages)
+  endif()
+  list(TRANSFORM ARG_INCLUDES PREPEND -I OUTPUT_VARIABLE flags)
+  if(NOT ARG_FILES)
+    _tzc_definition_files(${package} ARG_FILES)
+    _tzc_include_flags(${package} flags)
+  endif()
+  set(all_headers "")
+  foreach(file ${ARG_FILES})
+    get_filename_component(file ${file} ABSOLUTE)
+    _tzc_header_command(headers ${package} ${file} "${flags}" ${ARG_OUTPUT_DIRECTORY} "")
+    list(APPEND all_headers ${headers})
+  endforeach()
+  file(MAKE_DIRECTORY ${ARG_OUTPUT_DIRECTORY}/tzc/${package})
+  add_custom_target(${target} ALL DEPENDS ${all_headers})
+  if(TARGET ${package}_generate_messages_cpp)
+    add_dependencies(${target} ${package}_generate_messages_cpp)
+  endif()
+  # An interface library carries the include folder and the order of building to every later target of this folder.
+  add_library(${target}_headers INTERFACE)
+  target_include_directories(${target}_headers INTERFACE ${ARG_OUTPUT_DIRECTORY})
+  add_dependencies(${target}_headers ${target})
+  link_libraries(${target}_headers)
+endfunction()

@@ -1,0 +1,83 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Builds the catkin workspace beside this file against tzc's devel space, or against an installed tzc.
+
+usage: catkin_test.py {devel DEVEL_DIR | install BUILD_DIR}
+
+The node must run; a second build must generate nothing; a changed definition must be generated again; the headers of
+messages must be installed with the packages.
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+here = os.path.dirname(os.path.abspath(__file__))
+
+
+def run(command, **options):
+    result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **options)
+    if result.returncode:
+        print(result.stdout[-6000:])
+        sys.exit(f'failed: {" ".join(command)}')
+    return result.stdout
+
+
+def environment(prefix):
+    variables = dict(os.environ, ROS_VERSION='1', PATH='/usr/bin:/bin:' + os.environ['PATH'])
+    variables['CMAKE_PREFIX_PATH'] = os.pathsep.join([prefix] + [p for p in [os.environ.get('CMAKE_PREFIX_PATH')] if p])
+    libraries = [f'{prefix}/lib', os.environ.get('LD_LIBRARY_PATH', '')]
+    variables['LD_LIBRARY_PATH'] = os.pathsep.join(p for p in libraries if p)
+    variables.pop('ROS_PACKAGE_PATH', None)
+    return variables
+
+
+def generated(output):
+    return re.findall(r'Generating TZC headers from (\S+)', output)
+
+
+def check(condition, text):
+    if not condition:
+        sys.exit(f'FAILED: {text}')
+    print(f'ok: {text}')
+
+
+def build(workspace, variables, *targets):
+    return run(['catkin_make', '-C', workspace, '-j2', '-DCATKIN_ENABLE_TESTING=OFF', '-DPYTHON_EXECUTABLE=/usr/bin/python3',
+                *targets],
+               env=variables)
+
+
+def test_workspace(workspace, prefix):
+    shutil.copytree(f'{here}/src', f'{workspace}/src')
+    variables = environment(prefix)
+    first = generated(build(workspace, variables))
+    check({'probe_msgs/Probe.msg', 'probe_msgs/Ask.srv', 'plain_msgs/Samples.msg', 'lone_msgs/Scan.msg'} <= set(first),
+          f'the first build generates headers from {len(first)} definitions')
+    node = f'{workspace}/devel/lib/probe_node/probe_node'
+    check('all as expected' in run([node], env=variables), 'the node that uses them runs')
+    check(generated(build(workspace, variables)) == [], 'a second build generates nothing')
+    with open(f'{workspace}/src/probe_msgs/msg/Joint.msg', 'a', encoding='utf-8') as file:
+        file.write('float32 torque\n')
+    again = generated(build(workspace, variables))
+    check(set(again) == {'probe_msgs/Joint.msg', 'probe_msgs/Probe.msg'},
+          f'a changed definition is generated again, with what uses it, and nothing else: {again}')
+    build(workspace, variables, 'install')
+    for header in ('probe_msgs/Probe.h', 'probe_msgs/AskRequest.h', 'plain_msgs/Samples.h'):
+        check(os.path.exists(f'{workspace}/install/include/tzc/{header}'), f'tzc/{header} is installed')
+
+
+def main():
+    kind, folder = sys.argv[1:3]
+    with tempfile.TemporaryDirectory() as scratch:
+        prefix = folder
+        if kind == 'install':
+            prefix = f'{scratch}/prefix'
+            run(['cmake', '--install', folder, '--prefix', prefix])
+        os.mkdir(f'{scratch}/ws')
+        test_workspace(f'{scratch}/ws', prefix)
+
+
+main()

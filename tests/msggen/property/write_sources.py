@@ -1,0 +1,46 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the property tests' sources: one TEST per installed message type, spread over COUNT files.
+
+usage: write_sources.py TZC_MSGGEN SHARE_DIR OUT_DIR COUNT
+
+Files whose content would not change are left alone.
+"""
+import glob
+import json
+import os
+import subprocess
+import sys
+
+msggen, share, out, count = sys.argv[1], sys.argv[2], sys.argv[3], int(sys.argv[4])
+
+
+def all_types():
+    folders = sorted({os.path.dirname(f) for k in ('msg', 'srv', 'action') for f in glob.glob(f'{share}/*/{k}/*.{k}')})
+    census = json.loads(subprocess.run([msggen, 'classify', '--json'] + folders, check=True, stdout=subprocess.PIPE).stdout)
+    return sorted(census['types'])
+
+
+def source(types):
+    lines = ['// Written by write_sources.py.\n', '#include "check.h"\n']
+    lines += [f'#include <tzc/{t}.h>\n' for t in types]
+    for t in types:
+        package, name = t.split('/')
+        lines.append(f'TEST(Properties, {package}_{name}) {{\n'
+                     f'  tzc::test::check_type<::tzc::{package}::{name}, ::{package}::{name}>();\n}}\n')
+    return ''.join(lines)
+
+
+def write(path, text):
+    if os.path.exists(path) and open(path, encoding='utf-8').read() == text:
+        return
+    with open(path, 'w', encoding='utf-8') as file:
+        file.write(text)
+
+
+types = all_types()
+if len(types) < 280:
+    sys.exit(f'only {len(types)} message types under {share}: are all message packages installed?')
+os.makedirs(out, exist_ok=True)
+for i in range(count):
+    write(f'{out}/properties_{i}.cpp', source(types[i::count]))
