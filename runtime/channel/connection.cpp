@@ -86,7 +86,8 @@ bool ConnectionImpl::announce_segments(const Record& record) {
 // The marks come before the write: once the subscriber can know of a block, the block is its own.
 void ConnectionImpl::claim(const Record& record) {
   Undecided::Entry& entry = undecided_.push(++last_sequence_);
-  for (const segment::BlockName& block : record.names()) {
+  for (const BufferPtr& buffer : record.buffers()) {
+    const segment::BlockName block = segment::Segment::name_of(*buffer);
     auto ledger = segments_.ledger_of(block.segment);
     if (ledger->mark(block.slot, block.generation)) entry.claims.push_back(Claim{std::move(ledger), block});
     posix::step("publish: marked");

@@ -38,15 +38,18 @@ Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options) 
   if (!trusted(options, *peer))
     return failed("trust the publisher, a process of another user", options.address);
   auto link = std::make_shared<Link>(std::move(*socket), *peer);
-  const Status greeted = link->say_hello(options);
-  if (!greeted) return greeted.error();
-  const Status welcome = link->await_welcome(options);
+  const Status welcome = link->shake_hands(options);
   if (!welcome) return welcome.error();
   return link;
 }
 
 Link::Link(posix::FileDescriptor socket, const Credentials& peer)
     : socket_(std::move(socket)), peer_(peer), epoch_(posix::fork_epoch()) {}
+
+Status Link::shake_hands(const SubscriberOptions& options) {
+  const Status greeted = say_hello(options);
+  return greeted ? await_welcome(options) : greeted;
+}
 
 bool Link::forked() const {
   return posix::forked_since(epoch_);

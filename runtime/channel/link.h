@@ -18,6 +18,8 @@ class Link {
   /// Connects and shakes hands, within options.handshake_timeout.
   static Expected<std::shared_ptr<Link>> connect(const SubscriberOptions& options);
   Link(posix::FileDescriptor socket, const Credentials& peer);
+  /// On a socket that is connected already.
+  Status shake_hands(const SubscriberOptions& options);
 
   int fd() const { return socket_.get(); }
   const Credentials& peer() const { return peer_; }

@@ -121,7 +121,7 @@ bool Reader::deliver(std::uint32_t sequence, std::vector<std::uint8_t> body, Mes
   posix::step("take: verdict won");
   std::vector<ReceivedMessage::Hold> holds;
   if (!take(parsed, holds)) return false;
-  if (holds.size() < parsed.refs.size()) {
+  if (holds.size() < parsed.header.block_count) {
     for (const auto& hold : holds) hold.segment->release(hold.ref);
     ++counters_.lost;
     return true;
@@ -140,8 +140,9 @@ bool Reader::advance(std::uint32_t sequence) {
 }
 
 bool Reader::take(const ParsedBody& parsed, std::vector<ReceivedMessage::Hold>& holds) {
-  holds.reserve(parsed.refs.size());
-  for (const segment::BlockRef& ref : parsed.refs) {
+  holds.reserve(parsed.header.block_count);
+  for (std::uint32_t i = 0; i < parsed.header.block_count; ++i) {
+    const segment::BlockRef& ref = parsed.refs[i];
     const auto found = segments_.find(ref.segment);
     if (found == segments_.end() || !found->second->check(ref)) return broken("a block that does not exist");
     if (!found->second->take(ref)) break;

@@ -15,12 +15,11 @@ bool parse_body(const std::uint8_t* data, std::size_t size, ParsedBody& parsed) 
   if (count > max_refs) return false;
   const std::uint64_t refs_end = sizeof parsed.header + count * sizeof(segment::BlockRef);
   if (refs_end > size) return false;
-  parsed.refs.resize(count);
-  if (count > 0)
-    std::memcpy(parsed.refs.data(), data + sizeof parsed.header, count * sizeof(segment::BlockRef));
+  parsed.refs = reinterpret_cast<const segment::BlockRef*>(data + sizeof parsed.header);
   const bool in_block = (parsed.header.flags & control_in_last_block) != 0;
   parsed.control = in_block ? nullptr : data + refs_end;
-  if (in_block) return refs_end == size && count > 0 && parsed.header.control_size <= parsed.refs.back().size;
+  if (in_block)
+    return refs_end == size && count > 0 && parsed.header.control_size <= parsed.refs[count - 1].size;
   return parsed.header.control_size == size - refs_end;
 }
 

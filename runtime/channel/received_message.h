@@ -13,11 +13,11 @@
 namespace tzc {
 namespace channel {
 
-/// A body's parts, checked against its length; they point into the body.
+/// A body's parts, checked against its length; they point into the body, which is aligned to 8 bytes.
 struct ParsedBody {
   BodyHeader header;
-  std::vector<segment::BlockRef> refs;
-  const std::uint8_t* control;  // null: in the last block
+  const segment::BlockRef* refs;  // header.block_count of them
+  const std::uint8_t* control;    // null: in the last block
 };
 
 /// False: malformed.

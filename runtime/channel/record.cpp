@@ -55,12 +55,6 @@ bool all_valid(const std::vector<BufferPtr>& buffers) {
 
 }  // namespace
 
-Record::Record(std::vector<std::uint8_t> body, std::vector<BufferPtr> buffers)
-    : body_(std::move(body)), buffers_(std::move(buffers)) {
-  names_.reserve(buffers_.size());
-  for (const BufferPtr& buffer : buffers_) names_.push_back(segment::Segment::name_of(*buffer));
-}
-
 RecordPtr make_record(std::uint32_t tag, const void* control, std::size_t control_size,
                       std::vector<BufferPtr> buffers, MemorySource* memory) {
   if (!all_valid(buffers) || control_size > max_body_bytes / 2) return nullptr;

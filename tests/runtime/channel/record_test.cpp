@@ -37,7 +37,7 @@ TEST(Record, ParsesWhatItEncodes) {
   ParsedBody parsed;
   ASSERT_TRUE(parse_body(record->body().data(), record->body().size(), parsed));
   EXPECT_EQ(parsed.header.tag, 7u);
-  EXPECT_EQ(parsed.refs.size(), 2u);
+  EXPECT_EQ(parsed.header.block_count, 2u);
   EXPECT_EQ(std::string(reinterpret_cast<const char*>(parsed.control), parsed.header.control_size),
             "control");
 }

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "measure.h"
+
+namespace tzc {
+namespace bench {
+
+/// Bytes of the application's control part in every contender that has one.
+constexpr std::size_t control_bytes = 64;
+
+/// Nothing but a seqpacket socket that carries a record of the size that tzc's has: the floor.
+std::unique_ptr<Contender> seqpacket_contender();
+/// Callback on tzc's reader thread.
+std::unique_ptr<Contender> tzc_reader_contender();
+/// poll() and read() in the application's own loop.
+std::unique_ptr<Contender> tzc_own_loop_contender();
+std::unique_ptr<Contender> iceoryx_listener_contender();
+std::unique_ptr<Contender> iceoryx_waitset_contender();
+
+/// Runs iceoryx's daemon as long as it exists.
+class RouDi {
+ public:
+  RouDi();
+  ~RouDi();
+  bool running() const { return pid_ > 0; }
+
+ private:
+  int pid_ = -1;
+};
+
+}  // namespace bench
+}  // namespace tzc

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// 1 publisher, 8 subscribers, 4 MB at 200 Hz for a minute: is anything lost, does memory stay flat?
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "commands.h"
+#include "contenders.h"
+#include "options.h"
+#include "tzc/channel.h"
+
+namespace tzc {
+namespace bench {
+namespace {
+
+std::size_t resident_kb() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.compare(0, 6, "VmRSS:") == 0) return std::strtoul(line.c_str() + 6, nullptr, 10);
+  }
+  return 0;
+}
+
+/// The ordinary tzc contender, watched: prints the publisher's memory early and late.
+class Watched final : public Contender {
+ public:
+  const char* name() const override { return "tzc-sustained"; }
+  void subscribe(const Setup& setup, std::size_t who, Recorder& recorder) override {
+    inner_->subscribe(setup, who, recorder);
+  }
+  std::function<void(std::uint64_t)> publish(const Setup& setup) override {
+    return [inner = inner_->publish(setup), setup](std::uint64_t index) {
+      inner(index);
+      if (index == setup.count / 10 || index + 1 == setup.count)
+        std::printf("publisher after %llu messages: %zu KB resident\n",
+                    static_cast<unsigned long long>(index), resident_kb());
+      std::fflush(stdout);
+    };
+  }
+
+ private:
+  const std::unique_ptr<Contender> inner_ = tzc_reader_contender();
+};
+
+}  // namespace
+
+int run_sustained(int argc, char** argv) {
+  Options options;
+  options.sizes = {4 << 20};
+  options.subscribers = {8};
+  options.rate = 200;
+  options.count = 200 * 60;
+  if (!parse_options(argc, argv, options)) return 2;
+  Watched contender;
+  const Setup setup{options.sizes[0], options.subscribers[0], options.rate, options.count,
+                    "tzcs" + std::to_string(::getpid())};
+  const Row row = measure(contender, setup);
+  print_header();
+  print_row(row);
+  const bool complete = row.delivered == row.sent;
+  if (!complete) std::fprintf(stderr, "%zu messages were lost\n", row.sent - row.delivered);
+  const bool written = options.json.empty() || write_json(options.json, {row});
+  return complete && written ? 0 : 1;
+}
+
+}  // namespace bench
+}  // namespace tzc

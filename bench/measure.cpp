@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measure.h"
+
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+namespace tzc {
+namespace bench {
+namespace {
+
+constexpr std::uint64_t warm_up = 20;  // the first messages fault pages in and open segments
+constexpr int patience_ms = 20'000;
+
+Board* create_board() {
+  void* memory = ::mmap(nullptr, sizeof(Board), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return memory == MAP_FAILED ? nullptr : new (memory) Board();
+}
+
+pid_t in_child(const std::function<void()>& body) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  body();
+  ::_exit(0);
+}
+
+void sleep_ms(int milliseconds) {
+  ::usleep(static_cast<useconds_t>(milliseconds) * 1000);
+}
+
+bool wait_until_ready(const Board& board, std::size_t subscribers) {
+  for (int i = 0; i < patience_ms && board.ready < subscribers; ++i) sleep_ms(1);
+  return board.ready >= subscribers;
+}
+
+void send_all(Contender& contender, const Setup& setup, const Board& board) {
+  const auto publish = contender.publish(setup);
+  if (!wait_until_ready(board, setup.subscribers)) {
+    std::fprintf(stderr, "%s: only %u of %zu subscribers came\n", contender.name(), board.ready.load(),
+                 setup.subscribers);
+    return;
+  }
+  sleep_ms(100);
+  const auto period = static_cast<std::int64_t>(1e9 / setup.rate);
+  std::int64_t next = now_ns();
+  for (std::uint64_t index = 0; index < setup.count + warm_up; ++index) {
+    next += period;
+    const timespec until{next / 1'000'000'000, next % 1'000'000'000};
+    ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+    publish(index);
+  }
+  sleep_ms(200);
+}
+
+void kill_all(const std::vector<pid_t>& children) {
+  sleep_ms(50);
+  for (const pid_t child : children) ::kill(child, SIGKILL);
+  for (const pid_t child : children) ::waitpid(child, nullptr, 0);
+}
+
+Row summarize(const Contender& contender, const Setup& setup, const Board& board) {
+  std::vector<std::uint32_t> all;
+  for (std::size_t who = 0; who < setup.subscribers; ++who) {
+    const std::uint32_t* first = board.latency_ns[who];
+    std::copy_if(first, first + setup.count, std::back_inserter(all),
+                 [](std::uint32_t ns) { return ns != 0; });
+  }
+  std::sort(all.begin(), all.end());
+  Row row{contender.name(),
+          setup.size_bytes,
+          setup.subscribers,
+          setup.count * setup.subscribers,
+          all.size(),
+          0,
+          0};
+  if (all.empty()) return row;
+  row.median_us = all[all.size() / 2] / 1000.0;
+  row.p99_us = all[all.size() * 99 / 100] / 1000.0;
+  return row;
+}
+
+}  // namespace
+
+std::int64_t now_ns() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
+}
+
+void Recorder::record(const Stamp& stamp) {
+  const std::int64_t latency = now_ns() - stamp.nanoseconds;
+  ++board_.received[who_];
+  if (stamp.index < warm_up || stamp.index - warm_up >= most_messages) return;
+  board_.latency_ns[who_][stamp.index - warm_up] =
+      static_cast<std::uint32_t>(std::clamp<std::int64_t>(latency, 1, UINT32_MAX));
+}
+
+Row measure(Contender& contender, const Setup& setup) {
+  Board* board = create_board();
+  contender.prepare(setup);
+  std::vector<pid_t> subscribers;
+  for (std::size_t who = 0; who < setup.subscribers; ++who) {
+    subscribers.push_back(in_child([&] {
+      Recorder recorder(*board, who);
+      contender.subscribe(setup, who, recorder);
+    }));
+  }
+  const pid_t publisher = in_child([&] { send_all(contender, setup, *board); });
+  ::waitpid(publisher, nullptr, 0);
+  board->stop = true;
+  kill_all(subscribers);
+  const Row row = summarize(contender, setup, *board);
+  ::munmap(board, sizeof(Board));
+  return row;
+}
+
+}  // namespace bench
+}  // namespace tzc

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "report.h"
+
+namespace tzc {
+namespace bench {
+
+/// What travels with each message: when it was published, and which it is.
+struct Stamp {
+  std::int64_t nanoseconds;
+  std::uint64_t index;
+};
+
+std::int64_t now_ns();
+
+constexpr std::size_t most_messages = 1 << 16;
+constexpr std::size_t most_subscribers = 16;
+
+/// Shared by the processes of one measurement.
+struct Board {
+  std::atomic<std::uint32_t> ready;
+  std::atomic<bool> stop;
+  std::atomic<std::uint64_t> received[most_subscribers];
+  std::uint32_t latency_ns[most_subscribers][most_messages];
+};
+
+/// Where one subscriber notes what it receives.
+class Recorder {
+ public:
+  Recorder(Board& board, std::size_t who) : board_(board), who_(who) {}
+  void ready() { ++board_.ready; }
+  bool stop() const { return board_.stop; }
+  void record(const Stamp& stamp);
+
+ private:
+  Board& board_;
+  std::size_t who_;
+};
+
+struct Setup {
+  std::size_t size_bytes;
+  std::size_t subscribers;
+  double rate;
+  std::size_t count;
+  std::string name;  // unique for each measurement: for addresses and services
+};
+
+/// One way of carrying messages. Every function but prepare runs in a process of its own.
+class Contender {
+ public:
+  virtual ~Contender() = default;
+  virtual const char* name() const = 0;
+  virtual bool supports(const Setup&) const { return true; }
+  /// In the parent, before any process is forked.
+  virtual void prepare(const Setup&) {}
+  /// Subscribes, calls recorder.ready(), records until recorder.stop().
+  virtual void subscribe(const Setup& setup, std::size_t who, Recorder& recorder) = 0;
+  /// Opens the publisher; the result is called once for each message and fills in the time itself, right
+  /// before it publishes.
+  virtual std::function<void(std::uint64_t index)> publish(const Setup& setup) = 0;
+};
+
+/// Forks the publisher and the subscribers, sends at the given rate, and collects.
+Row measure(Contender& contender, const Setup& setup);
+
+}  // namespace bench
+}  // namespace tzc

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A hostile subscriber: any greeting, any packets, and any acknowledgements while the publisher goes on.
+#include <cstring>
+#include <thread>
+
+#include "channel/connection.h"
+#include "channel/greeting.h"
+#include "channel/wire.h"
+#include "input.h"
+#include "posix/mapping.h"
+#include "tzc/channel.h"
+
+namespace {
+
+using namespace tzc;           // NOLINT: a fuzz target, not a header
+using namespace tzc::channel;  // NOLINT
+
+/// Keeps every file that the publisher shares, mapped for writing where it lets us.
+class Hostile {
+ public:
+  explicit Hostile(posix::FileDescriptor socket) : socket_(std::move(socket)), memory_(max_packet_bytes) {}
+
+  void read_one() {
+    posix::ReceivedPacket packet;
+    const auto result = posix::receive_packet(socket_.get(), memory_.data(), memory_.size(),
+                                              posix::Waiting::return_at_once, true, packet);
+    if (result != posix::ReceiveResult::packet) return;
+    for (std::size_t i = 0; i < packet.descriptor_count; ++i) map(packet.descriptors[i].get());
+  }
+
+  void scribble(fuzz::Input& input) {
+    if (writable_.empty()) return;
+    const posix::Mapping& target = writable_[input.take<std::uint8_t>() % writable_.size()];
+    const std::size_t offset = input.take<std::uint16_t>() % (target.size() - 64);
+    input.take_into(target.data() + offset, input.take<std::uint8_t>() % 64);
+  }
+
+  void say(fuzz::Input& input) const {
+    const auto packet = input.take_bytes(input.take<std::uint8_t>());
+    const iovec part{const_cast<std::uint8_t*>(packet.data()), packet.size()};
+    posix::send_packet(socket_.get(), &part, 1);
+  }
+
+ private:
+  void map(int fd) {
+    auto mapping = posix::Mapping::map(fd, 4096, posix::Access::read_write);
+    if (mapping) writable_.push_back(std::move(*mapping));
+  }
+
+  posix::FileDescriptor socket_;
+  std::vector<std::uint8_t> memory_;
+  std::vector<posix::Mapping> writable_;
+};
+
+void publish(ConnectionImpl& connection, SegmentMemory& memory, fuzz::Input& input) {
+  std::vector<BufferPtr> buffers;
+  for (int count = input.take<std::uint8_t>() % 3; count > 0; --count) {
+    if (BufferPtr buffer = memory.allocate(input.take<std::uint16_t>())) buffers.push_back(std::move(buffer));
+  }
+  if (buffers.size() == 2 && (input.take<std::uint8_t>() & 1)) buffers[1] = buffers[0];
+  const std::vector<std::uint8_t> control(input.take<std::uint8_t>() & 1 ? 10 : 40'000, 1);
+  connection.send(make_record(1, control.data(), control.size(), std::move(buffers)));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::string hello, reason;
+  parse_hello(data, size, hello, reason);
+
+  fuzz::Input input(data, size);
+  fuzz::SocketPair sockets;
+  MemoryOptions memory_options;
+  memory_options.size = 256 << 10;
+  memory_options.prefault = Prefault::none;
+  memory_options.policy = input.take<std::uint8_t>() & 1 ? Policy::best_effort() : Policy::medium_effort();
+  const auto memory = *SegmentMemory::create(memory_options);
+  auto page = SharedPage::create(first_sequence);
+  auto connection =
+      std::make_shared<ConnectionImpl>(std::move(sockets.ours), ConnectionImpl::Peer{}, std::move(*page),
+                                       input.take<std::uint8_t>() % 8 + 1, std::weak_ptr<Hub>());
+  connection->start(**Service::instance());
+  connection->uncork();
+  {
+    Hostile hostile(std::move(sockets.theirs));
+    while (!input.empty()) {
+      switch (input.take<std::uint8_t>() % 8) {
+        case 0:
+          hostile.say(input);
+          break;
+        case 1:
+        case 2:
+          hostile.read_one();
+          break;
+        case 3:
+        case 4:
+          hostile.scribble(input);
+          break;
+        default:
+          publish(*connection, *memory, input);
+      }
+    }
+  }
+  // Whatever it did: once it is gone, everything is free again.
+  for (int i = 0; i < 10'000 && connection->stats().in_flight + connection->alive() > 0; ++i)
+    std::this_thread::yield();
+  while (connection.use_count() > 1) std::this_thread::yield();
+  connection.reset();
+  if (!memory->allocate(256 << 10)) __builtin_trap();
+  return 0;
+}
