@@ -42,6 +42,7 @@ ReceivedMessage::~ReceivedMessage() {
   for (const Hold& hold : holds_) {
     posix::step("release: block");
     hold.segment->release(hold.ref);
+    posix::step("release: released");
   }
 }
 

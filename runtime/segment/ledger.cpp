@@ -46,6 +46,7 @@ bool Ledger::mark(std::uint32_t slot, std::uint32_t generation) {
 
 void Ledger::revoke(std::uint32_t slot, std::uint32_t generation) {
   revoke_in_flight(word(slot), generation);
+  revocations_.fetch_add(1, std::memory_order_release);
 }
 
 bool Ledger::holds(std::uint32_t slot, std::uint32_t generation) const {
@@ -67,8 +68,8 @@ bool Ledger::idle() const {
   return true;
 }
 
-std::uint32_t Ledger::releases() const {
-  return header().releases.load(std::memory_order_acquire);
+std::uint64_t Ledger::releases() const {
+  return header().releases.load(std::memory_order_acquire) + revocations_.load(std::memory_order_acquire);
 }
 
 std::atomic<std::uint64_t>& Ledger::word(std::uint32_t slot) const {

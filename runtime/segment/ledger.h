@@ -33,8 +33,8 @@ class Ledger {
   bool taken(std::uint32_t slot, std::uint32_t generation) const;
   /// The subscriber holds nothing at all. Slow: looks at every slot.
   bool idle() const;
-  /// Changes whenever the subscriber released something.
-  std::uint32_t releases() const;
+  /// Changes whenever the subscriber released something, or something was revoked.
+  std::uint64_t releases() const;
 
   int fd() const { return file_.shared_fd(); }
   std::size_t file_size() const { return file_.size; }
@@ -48,6 +48,7 @@ class Ledger {
   posix::MemoryFile file_;
   posix::Mapping mapping_;
   std::uint32_t slots_ = 0;
+  std::atomic<std::uint64_t> revocations_{0};
   std::unique_ptr<std::atomic<std::uint32_t>[]> sent_;  // per slot: the last generation that was marked
 };
 

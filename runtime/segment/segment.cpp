@@ -198,11 +198,11 @@ void Segment::detach(const std::shared_ptr<Ledger>& ledger) {
       std::remove_if(attachments_.begin(), attachments_.end(),
                      [&ledger](const Attachment& attachment) { return attachment.ledger == ledger; });
   attachments_.erase(gone, attachments_.end());
-  count_release();
+  count_release(ledger->releases() + 1);  // the sum must not fall back to an earlier value
 }
 
 std::uint64_t Segment::releases() const {
-  std::uint64_t sum = handle_releases_.load(std::memory_order_acquire);
+  std::uint64_t sum = releases_.load(std::memory_order_acquire);
   const std::lock_guard<std::mutex> lock(attachments_mutex_);
   for (const Attachment& attachment : attachments_) sum += attachment.ledger->releases();
   return sum;

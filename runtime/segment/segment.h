@@ -75,7 +75,9 @@ class Segment {
 
   void add_user() noexcept { users_.fetch_add(1, std::memory_order_relaxed); }
   void drop_user() noexcept;
-  void count_release() noexcept { handle_releases_.fetch_add(1, std::memory_order_release); }
+  void count_release(std::uint64_t count = 1) noexcept {
+    releases_.fetch_add(count, std::memory_order_release);
+  }
 
  private:
   struct Attachment {
@@ -99,7 +101,7 @@ class Segment {
   const Prefault prefault_;
   const std::uint32_t epoch_;
   std::atomic<std::uint32_t> users_{0};
-  std::atomic<std::uint32_t> handle_releases_{0};
+  std::atomic<std::uint64_t> releases_{0};  // by handles, and by ledgers that are gone
   std::atomic<bool> retired_{false};
 
   Extents extents_;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tzc/channel.h"
+
+namespace tzc {
+namespace crash {
+
+/// A message of several blocks whose every byte follows from its seed. Null: no memory.
+channel::RecordPtr make_patterned(SegmentMemory& memory, std::uint64_t seed);
+/// Nobody changed a single byte of it.
+bool is_intact(const channel::Message& message);
+
+}  // namespace crash
+}  // namespace tzc
