@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs original and ported nodes side by side and prints the demo's tables; exit status 1 when a claim fails.
 
-usage: demo_pairs.py SCRATCH ORIGINAL_WORKSPACE PORTED_WORKSPACE --picture FILE --reports DIR [--seconds N]
+usage: demo_pairs.py SCRATCH ORIGINAL_WORKSPACE PORTED_WORKSPACE --picture FILE --report FILE.json [--seconds N]
 """
 import argparse
 import json
@@ -74,9 +74,10 @@ class Demo:
 
     def show_reports(self, pairs):
         row(["package", "sites", "ported as", "files", "lines"], SITE_WIDTHS)
+        with open(self.options.report) as report:
+            reports = {entry["package"]: entry for entry in json.load(report)["packages"]}
         for pair in pairs:
-            with open(os.path.join(self.options.reports, f"{pair.name}.json")) as report:
-                self.show_report(pair, json.load(report))
+            self.show_report(pair, reports[pair.name])
         print()
 
     def show_report(self, pair, report):
@@ -166,7 +167,7 @@ def main():
     for name in ("scratch", "original", "ported"):
         parser.add_argument(name)
     parser.add_argument("--picture", required=True)
-    parser.add_argument("--reports", required=True)
+    parser.add_argument("--report", required=True)
     parser.add_argument("--seconds", type=float, default=5)
     options = parser.parse_args()
     demo = Demo(options)
