@@ -181,6 +181,17 @@ Edits add_message_dependency(const CmakeProject& project, const std::string& tar
   return extend(project, target, "add_dependencies", "", "${${PROJECT_NAME}_EXPORTED_TARGETS}");
 }
 
+Edits add_foreign_messages(const CmakeProject& project, const std::string& package) {
+  for (const CmakeListFile& file : project.files)
+    for (const CmakeCommand& command : file.commands)
+      if (command.name == "tzc_generate_messages" && file.values.expand(command).count(package)) return {};
+  const std::vector<CmakeCommandRef> commands = find_packages(project, "catkin");
+  if (commands.empty()) return {};
+  const CmakeCommandRef last = commands.back();
+  return {add_line(last.file->path, last.file->content, last.command->close,
+                   "tzc_generate_messages(" + package + ")")};
+}
+
 Edits add_catkin_depends(const CmakeProject& project) {
   Edits edits;
   each_command(project, "catkin_package", [&](const CmakeListFile& file, const CmakeCommand& command) {

@@ -26,6 +26,10 @@ Edits add_link(const CmakeProject& project, const std::string& target);
 Edits add_message_dependency(const CmakeProject& project, const std::string& target,
                              const std::string& package);
 
+/// tzc_generate_messages(PACKAGE) behind find_package(catkin): another package's twins are made by this one's
+/// build.
+Edits add_foreign_messages(const CmakeProject& project, const std::string& package);
+
 /// catkin_package(CATKIN_DEPENDS tzc), for packages whose exported headers include TZC's.
 Edits add_catkin_depends(const CmakeProject& project);
 

@@ -81,6 +81,8 @@ class Planner {
         note(codes::TZC4002, project->files.front().path,
              "no find_package(catkin ...) was found; add tzc to the catkin components where they are listed");
     }
+    for (const std::string& package : needs_.twinless)
+      append(plan_.edits, add_foreign_messages(*project, package));
     for (const std::string& target : targets_) plan_target(*project, target);
     if (exports_edited_header(*project)) append(plan_.edits, add_catkin_depends(*project));
     return {};
@@ -119,6 +121,11 @@ class Planner {
 };
 
 }  // namespace
+
+bool makes_own_twins(const std::string& package_dir) {
+  const Expected<CmakeProject> project = load_cmake_project(package_dir);
+  return project && catkin_use(*project) == CatkinUse::components && add_component(*project).empty();
+}
 
 Expected<BuildPlan> plan_build_files(const BuildNeeds& needs) {
   if (needs.main_files.empty()) return BuildPlan();

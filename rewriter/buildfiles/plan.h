@@ -17,6 +17,7 @@ struct BuildNeeds {
   std::set<std::string> main_files;    ///< whose targets need TZC; canonical
   std::set<std::string> edited_files;  ///< to see whether an exported header changed
   std::set<std::string> tzc_types;     ///< "pkg/Type": twins that the ported code includes
+  std::set<std::string> twinless;      ///< packages of tzc_types whose twins nobody else's build makes
 };
 
 struct BuildPlan {
@@ -27,5 +28,8 @@ struct BuildPlan {
 /// Edits of package.xml and CMakeLists.txt. Minimal and idempotent; what can't be edited safely becomes a
 /// note with an instruction, never a guess. An error when a file can't be read.
 Expected<BuildPlan> plan_build_files(const BuildNeeds& needs);
+
+/// Whether a message package has tzc among its catkin components, so that its own build makes its twins.
+bool makes_own_twins(const std::string& package_dir);
 
 }  // namespace tzc::rewriter

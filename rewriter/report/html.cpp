@@ -124,10 +124,11 @@ class PackagePage {
         html +=
             fmt::format(" <span class=\"none\">(suppressed: {})</span>", html_prose(site.suppression_reason));
     }
-    if (!site.chain.empty()) html += "<ol>";
-    for (const FlowStep& step : site.chain)
+    const std::vector<FlowStep> chain = shown_chain(site);
+    if (!chain.empty()) html += "<ol>";
+    for (const FlowStep& step : chain)
       html += fmt::format("<li>{} {}</li>", place(step.where), html_prose(step.what));
-    if (!site.chain.empty()) html += "</ol>";
+    if (!chain.empty()) html += "</ol>";
     if (!site.memory_note.empty())
       html += fmt::format("<div class=\"memory\">Memory: {}</div>", html_prose(site.memory_note));
     return html;

@@ -40,8 +40,11 @@ std::string to_sarif(const RunReport& run, const std::string& tool_version);
 /// One page that needs nothing else: summary, sites with their flow, side-by-side diff.
 std::string to_html(const RunReport& run);
 
-/// A site that stays on TCPROS and is not suppressed: work is left.
+/// A site that stays on TCPROS, though neither a comment nor an option of the run wants it so: work is left.
 bool is_refusal(const Site& site);
+
+/// The chain without a single step that only repeats the reason.
+std::vector<FlowStep> shown_chain(const Site& site);
 
 /// The site's file relative to the package.
 std::string relative_file(const Report& report, const std::string& file);

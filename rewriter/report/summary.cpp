@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <set>
 
 #include "edits/files.h"
+#include "report/codes.h"
 #include "report/output.h"
 
 namespace tzc::rewriter {
@@ -15,6 +17,11 @@ DiffStat PackageReport::stat() const {
 
 bool is_refusal(const Site& site) {
   return site.level == Level::plain && !site.suppressed;
+}
+
+std::vector<FlowStep> shown_chain(const Site& site) {
+  const bool repeats = site.chain.size() == 1 && site.chain[0].what == site.reason;
+  return repeats ? std::vector<FlowStep>() : site.chain;
 }
 
 std::string relative_file(const Report& report, const std::string& file) {

@@ -96,7 +96,7 @@ class TextReport {
                     !site.reason.empty() ? site.reason : std::string(info ? info->title : ""),
                     site.suppressed ? painted(dim, " (suppressed: " + site.suppression_reason + ")") : "");
     if (!style_.chains) return;
-    for (const FlowStep& step : site.chain)
+    for (const FlowStep& step : shown_chain(site))
       text_ += painted(dim, fmt::format("        {}: {}", place(step.where), step.what)) + "\n";
   }
 

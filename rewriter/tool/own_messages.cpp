@@ -71,6 +71,7 @@ Expected<OwnMessages> OwnMessages::generate(const std::string& package_dir) {
   std::string pattern = fs::temp_directory_path() / "tzc-rewrite-XXXXXX";
   if (!mkdtemp(pattern.data())) return Error{"no temporary folder can be made", pattern, ""};
   messages.folder_ = pattern;
+  for (const auto& [name, folder] : all) messages.packages_[name] = folder;
   for (const auto& [name, folder] : all) {
     const Expected<void> done = generate_one(name, folder, all, messages.folder_);
     // Another package's broken messages are its own business: what needs them will not compile and say so.

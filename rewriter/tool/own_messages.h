@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,15 +15,22 @@ class OwnMessages {
  public:
   static Expected<OwnMessages> generate(const std::string& package_dir);
 
-  OwnMessages(OwnMessages&& other) noexcept : folder_(std::move(other.folder_)) { other.folder_.clear(); }
+  OwnMessages(OwnMessages&& other) noexcept
+      : folder_(std::move(other.folder_)), packages_(std::move(other.packages_)) {
+    other.folder_.clear();
+  }
   OwnMessages& operator=(OwnMessages&&) = delete;
   ~OwnMessages();
 
   std::vector<std::string> include_dirs() const;
 
+  /// The workspace's message packages and their folders, the package itself among them.
+  const std::map<std::string, std::string>& packages() const { return packages_; }
+
  private:
   OwnMessages() = default;
   std::string folder_;
+  std::map<std::string, std::string> packages_;
 };
 
 }  // namespace tzc::rewriter

@@ -66,6 +66,7 @@ class Porter {
     engine.tzc_include = includes->front();
     engine.extra_include_dirs.assign(includes->begin() + 1, includes->end());
     for (const std::string& folder : messages->include_dirs()) engine.extra_include_dirs.push_back(folder);
+    workspace_messages_ = messages->packages();
     Expected<PortPlan> plan = inputs_.planner(engine);
     if (!plan) return plan.error();
     plan_ = std::move(*plan);
@@ -95,11 +96,26 @@ class Porter {
     needs.main_files = plan_.ported_targets_files;
     for (const Edit& edit : plan_.edits) needs.edited_files.insert(edit.file);
     needs.tzc_types = plan_.tzc_types;
+    needs.twinless = twinless();
     Expected<BuildPlan> build = plan_build_files(needs);
     if (!build) return build.error();
     plan_.edits.insert(plan_.edits.end(), build->edits.begin(), build->edits.end());
     plan_.report.notes.insert(plan_.report.notes.end(), build->notes.begin(), build->notes.end());
     return {};
+  }
+
+  /// Message packages of the workspace, other than this one, that the ported code needs twins of and that
+  /// make none.
+  std::set<std::string> twinless() const {
+    std::set<std::string> packages;
+    for (const std::string& type : plan_.tzc_types) {
+      const std::string package = type.substr(0, type.find('/'));
+      const auto found = workspace_messages_.find(package);
+      if (found != workspace_messages_.end() && found->second != port_.package_dir &&
+          !makes_own_twins(found->second))
+        packages.insert(package);
+    }
+    return packages;
   }
 
   Expected<void> apply() {
@@ -140,6 +156,7 @@ class Porter {
 
   const PortInputs& inputs_;
   std::string build_dir_;
+  std::map<std::string, std::string> workspace_messages_;
   PortPlan plan_;
   PackagePort port_;
 };
