@@ -58,7 +58,9 @@ std::optional<Error> Engine::collect() {
   std::optional<Error> failure;
   std::mutex mutex;
   unsigned done = 0;
-  const CollectOptions options{options_.package_dir, options_.build_dir, exported_dirs(options_.package_dir), &rules_};
+  CollectOptions options{options_.package_dir, options_.build_dir, exported_dirs(options_.package_dir), &rules_, {}};
+  options.include_dirs = options_.extra_include_dirs;
+  if (!options_.tzc_include.empty()) options.include_dirs.push_back(options_.tzc_include);
   in_parallel(options_.jobs, units_.size(), [&](std::size_t i) {
     std::vector<Diagnostic> errors = collect_unit(units_[i], options, facts[i]);
     const std::lock_guard<std::mutex> lock(mutex);

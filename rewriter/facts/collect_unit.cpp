@@ -44,6 +44,7 @@ void note_branches(const ParseResult& parsed, const CollectOptions& options, Fac
 
 std::vector<Diagnostic> collect_unit(const CompileUnit& unit, const CollectOptions& options, Facts& facts) {
   ParseOptions parse_options;
+  parse_options.include_dirs = options.include_dirs;
   parse_options.skip_bodies_outside = options.package_dir;
   const ParseResult parsed = parse(unit, parse_options, [&](clang::ASTContext& ast) {
     if (ast.getDiagnostics().hasErrorOccurred()) return;
