@@ -50,10 +50,9 @@ std::string excerpt(const Diagnostic& d) {
 }  // namespace
 
 std::string render(const Diagnostic& d) {
-  std::string where = d.file;
+  std::string where = d.file.empty() ? "tzc-msggen" : d.file;
   if (d.at.line) where += fmt::format(":{}:{}", d.at.line, d.at.column);
-  std::string text =
-      fmt::format("{}{}error: {}\n{}", where, where.empty() ? "" : ": ", d.message, excerpt(d));
+  std::string text = fmt::format("{}: error: {}\n{}", where, d.message, excerpt(d));
   if (!d.hint.empty()) text += fmt::format("  hint: {}\n", d.hint);
   return text;
 }

@@ -36,6 +36,7 @@ bool is_file(const fs::path& path) {
 struct Library::Entry {
   enum class State { fresh, resolving, good, bad };
   Message message;
+  bool broken = false;  // its own file has faults; what it uses is looked at nevertheless
   State state = State::fresh;
 };
 
@@ -66,7 +67,7 @@ void Library::add_message(Message message, bool broken, std::vector<std::string>
   auto& entry = entries_[name];
   if (!entry) {
     entry = std::make_unique<Entry>();
-    entry->state = broken ? Entry::State::bad : Entry::State::fresh;
+    entry->broken = broken;
     entry->message = std::move(message);
     return;
   }
@@ -141,7 +142,7 @@ bool Library::resolve(Entry& entry) {
   resolving_.push_back(entry.message.full_name());
   bool good = true;
   for (Field& field : entry.message.fields) good &= field.builtin || resolve_field(entry.message, field);
-  good = good && check_size(entry.message);
+  good = good && !entry.broken && check_size(entry.message);
   resolving_.pop_back();
   entry.state = good ? State::good : State::bad;
   return good;

@@ -104,7 +104,8 @@ const Package* PackageIndex::find(const std::string& name) const {
   return found == packages_.end() ? nullptr : &found->second;
 }
 
-// Some distributions put package.xml into another package than the definitions; genmsg's CMake file is with them.
+// Some distributions put package.xml into another package than the definitions; genmsg's CMake file is with
+// them.
 void PackageIndex::add_install_space(const std::string& share) {
   for (const fs::path& folder : entries(share)) {
     const fs::path genmsg_file = folder / "cmake" / (folder.filename().string() + "-msg-paths.cmake");

@@ -47,7 +47,11 @@ class LineParser {
   // Fields and constants share one scope, as they do in C++.
   bool declare(std::string_view name, const char* kind) {
     if (std::string fault = identifier_fault(name); !fault.empty()) {
-      report(name, fmt::format("the {}'s name '{}' {}", kind, name, fault));
+      const bool shifted = name.substr(0, 7) == "string ";
+      report(name, fmt::format("the {}'s name '{}' {}", kind, name, fault),
+             shifted
+                 ? "genmsg takes all after the line's first blank as the name: begin the line with 'string'"
+                 : "");
       return false;
     }
     auto [first, is_new] = names_.emplace(std::string(name), line_.number);
@@ -104,9 +108,14 @@ class LineParser {
     const std::string_view package = slash == std::string_view::npos ? base : base.substr(0, slash);
     const std::string_view name = slash == std::string_view::npos ? base : base.substr(slash + 1);
     if (slash == std::string_view::npos && find_builtin(base)) return true;
+    if (package.empty() || name.empty()) {
+      report(base, fmt::format("'{}' is not the name of a type", base),
+             "a type is written as Name or package/Name");
+      return false;
+    }
     for (std::string_view part : {package, name}) {
       if (std::string fault = identifier_fault(part); !fault.empty()) {
-        report(part.empty() ? base : part, fmt::format("the type's name '{}' {}", part, fault),
+        report(part, fmt::format("the type's name '{}' {}", part, fault),
                slash == std::string_view::npos ? "" : "a type is written as Name or package/Name");
         return false;
       }

@@ -28,9 +28,12 @@ Diagnostic fault_at(const std::string& file, std::string_view bytes, std::size_t
                     std::string hint) {
   Diagnostic d = fault_of_file(file, std::move(message), std::move(hint));
   const std::string before = with_unix_newlines(bytes.substr(0, offset));
-  const std::size_t newline = before.rfind('\n');
+  const std::size_t line_start = before.rfind('\n') + 1;
+  const std::string_view rest = bytes.substr(offset);
+  const std::string_view line_end = rest.substr(0, rest.find_first_of("\r\n"));
+  d.source_line = with_replacements(before.substr(line_start)) + with_replacements(line_end);
   d.at.line = 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-  d.at.column = 1 + character_count(newline == std::string::npos ? before : before.substr(newline + 1));
+  d.at.column = 1 + character_count(with_replacements(before.substr(line_start)));
   return d;
 }
 

@@ -123,6 +123,20 @@ std::size_t find_invalid_utf8(std::string_view text) {
   return std::string_view::npos;
 }
 
+std::string with_replacements(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = character_length(text.substr(0, 4));
+    if (length == 0 || text.front() == '\0') {
+      result += '?';
+    } else {
+      result.append(text.substr(0, length));
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
+}
+
 std::string with_unix_newlines(std::string_view text) {
   std::string result;
   result.reserve(text.size());

@@ -27,6 +27,9 @@ std::size_t character_count(std::string_view text);
 /// Offset of the first byte that is not UTF-8; npos when all is well.
 std::size_t find_invalid_utf8(std::string_view text);
 
+/// The text with every byte that is not UTF-8, and every NUL, replaced by '?'.
+std::string with_replacements(std::string_view text);
+
 /// Text mode as in Python: "\r\n" and "\r" become "\n".
 std::string with_unix_newlines(std::string_view text);
 

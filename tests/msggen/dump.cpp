@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints as JSON all that the generator knows of definition files, for comparison with genmsg (oracle_test.py).
+// Prints as JSON all that the generator knows of definition files, for comparison with genmsg
+// (oracle_test.py).
 //   tzc-msggen-dump                     every installed message package
-//   tzc-msggen-dump PACKAGE FILE...     these files; each with `accepted`, types looked up among the installed ones
+//   tzc-msggen-dump PACKAGE FILE...     these files; each with `accepted`, types looked up among the
+//   installed ones
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -20,12 +22,9 @@ json describe(const Message& message, Analysis& analysis) {
   for (const Field& f : message.fields) fields.push_back({f.type, f.name});
   for (const Constant& c : message.constants) constants.push_back({c.type, c.name, c.text, c.value});
   const Facts& facts = analysis.facts(message);
-  return {{"md5", facts.md5},
-          {"full_text", analysis.full_text(message)},
-          {"fields", fields},
-          {"constants", constants},
-          {"fixed_length", facts.fixed_length},
-          {"supported", facts.supported()}};
+  return {
+      {"md5", facts.md5},       {"full_text", analysis.full_text(message)}, {"fields", fields},
+      {"constants", constants}, {"fixed_length", facts.fixed_length},       {"supported", facts.supported()}};
 }
 
 json dump_installed() {
@@ -37,7 +36,8 @@ json dump_installed() {
     for (const std::string& file : package.definition_files()) {
       files.push_back(file);
       for (const std::string& type : library.add_file(file, name)) {
-        if (const Message* message = library.find(type)) messages[type] = describe(*message, library.analysis());
+        if (const Message* message = library.find(type))
+          messages[type] = describe(*message, library.analysis());
       }
     }
   }
@@ -60,7 +60,8 @@ json dump_files(const std::string& package, const std::vector<std::string>& file
     Library library({{}, [&] { return installed; }, true}, diagnostics);
     json messages = json::object();
     for (const std::string& type : library.add_file(file, package)) {
-      if (const Message* message = library.find(type)) messages[type] = describe(*message, library.analysis());
+      if (const Message* message = library.find(type))
+        messages[type] = describe(*message, library.analysis());
     }
     std::string faults;
     for (const Diagnostic& d : diagnostics.sorted()) faults += render(d);
@@ -73,8 +74,7 @@ json dump_files(const std::string& package, const std::vector<std::string>& file
 
 int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const json result = arguments.empty()
-                          ? dump_installed()
-                          : dump_files(arguments[0], {arguments.begin() + 1, arguments.end()});
+  const json result = arguments.empty() ? dump_installed()
+                                        : dump_files(arguments[0], {arguments.begin() + 1, arguments.end()});
   std::cout << result.dump(1, ' ', false, json::error_handler_t::replace) << '\n';
 }

@@ -45,7 +45,8 @@ std::string printed(const Stock& message) {
   return text.str();
 }
 
-/// Two stock messages are the same: by their bytes, which cover every field; roscpp's == does not compile for all.
+/// Two stock messages are the same: by their bytes, which cover every field; roscpp's == does not compile for
+/// all.
 template <class Stock>
 void expect_same(const Stock& actual, const Bytes& expected_bytes) {
   EXPECT_EQ(wire_bytes(actual), expected_bytes);
@@ -63,7 +64,8 @@ void check_traits() {
   static_assert(traits::HasHeader<const Twin>::value == traits::HasHeader<const Stock>::value, "same header");
 }
 
-/// stock -> twin -> wire is roscpp's own serialization; wire -> twin -> stock is what it was; so is the printed text.
+/// stock -> twin -> wire is roscpp's own serialization; wire -> twin -> stock is what it was; so is the
+/// printed text.
 template <class Twin, class Stock>
 void check_wire(const Stock& stock, Bytes bytes) {
   const Twin twin(stock);
@@ -93,15 +95,16 @@ struct Received {
   }
 };
 
-/// Reads a control part of exactly this size. Refused, or all of the message's arrays lie inside the blocks and every
-/// byte of it can be read.
+/// Reads a control part of exactly this size. Refused, or all of the message's arrays lie inside the blocks
+/// and every byte of it can be read.
 template <class Stock>
 void survive(const Received& received, const Bytes& control) {
   const std::unique_ptr<std::uint8_t[]> exact(new std::uint8_t[control.size()]);
   std::copy(control.begin(), control.end(), exact.get());
   const auto view = message::make_view<Stock>(exact.get(), control.size(), received.blocks, nullptr);
   if (!view) return;
-  visit_arrays(*view, [&](const void* data, std::size_t bytes) { EXPECT_TRUE(received.contains(data, bytes)); });
+  visit_arrays(*view,
+               [&](const void* data, std::size_t bytes) { EXPECT_TRUE(received.contains(data, bytes)); });
   if (ros::serialization::serializationLength(*view) < (1u << 20)) wire_bytes(*view);
 }
 
@@ -127,7 +130,8 @@ void check_partial(const M& message, const Bytes& bytes, unsigned seed) {
   message::Encoded encoded;
   ASSERT_TRUE(message::encode(message, memory, encoded));
   const auto blocks = blocks_of(encoded);
-  const auto view = message::make_view<Stock>(encoded.control.data(), encoded.control.size(), blocks, nullptr);
+  const auto view =
+      message::make_view<Stock>(encoded.control.data(), encoded.control.size(), blocks, nullptr);
   const auto copy = message::make_copy<Stock>(encoded.control.data(), encoded.control.size(), blocks);
   ASSERT_TRUE(view && copy);
   expect_same(*view, bytes);

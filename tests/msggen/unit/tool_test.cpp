@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tool/commands.h"
+#include "tool/output.h"
+
+namespace tzc::msggen::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+class Tool : public ::testing::Test {
+ protected:
+  Tool() {
+    std::string name = (fs::temp_directory_path() / "msggen_test_XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~Tool() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& text) {
+    fs::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name) << text;
+    return path(name);
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream in(folder_ / name);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  std::vector<std::string> files_below(const std::string& name) const {
+    std::vector<std::string> files;
+    if (!fs::exists(folder_ / name)) return files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / name)) {
+      if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), folder_ / name).string());
+    }
+    return files;
+  }
+
+  int generate_files(const std::vector<std::string>& files, bool if_changed = false) {
+    GenerateOptions options;
+    options.package = "demo";
+    options.output = path("out");
+    options.files = files;
+    options.if_changed = if_changed;
+    return generate(options, console_);
+  }
+  nlohmann::json census(const std::vector<std::string>& inputs, const std::string& package = "") {
+    ClassifyOptions options;
+    options.inputs = inputs;
+    options.package = package;
+    options.json = true;
+    EXPECT_EQ(classify(options, console_), exit_good) << err_.str();
+    return nlohmann::json::parse(out_.str());
+  }
+
+  fs::path folder_;
+  std::ostringstream out_, err_;
+  Console console_{out_, err_};
+};
+
+TEST_F(Tool, generates_services_and_messages) {
+  EXPECT_EQ(generate_files({write("msg/A.msg", "uint8[] x\n"), write("srv/B.srv", "A a\n---\n")}), exit_good)
+      << err_.str();
+  EXPECT_THAT(files_below("out"),
+              ::testing::UnorderedElementsAre("tzc/demo/A.h", "tzc/demo/B.h", "tzc/demo/BRequest.h",
+                                              "tzc/demo/BResponse.h"));
+}
+
+TEST_F(Tool, writes_nothing_when_one_file_of_many_is_bad) {
+  const auto good = write("msg/A.msg", "uint8[] x\n"), bad = write("msg/B.msg", "uint8[ x\n");
+  EXPECT_EQ(generate_files({good, bad}), exit_bad_input);
+  EXPECT_FALSE(fs::exists(path("out")));
+  EXPECT_THAT(err_.str(), HasSubstr("B.msg:1:6: error:"));
+}
+
+TEST_F(Tool, what_was_there_survives_a_bad_run) {
+  generate_files({write("msg/A.msg", "uint8[] x\n")});
+  const std::string before = read("out/tzc/demo/A.h");
+  generate_files({write("msg/A.msg", "uint16[] x\n"), write("msg/B.msg", "?")});
+  EXPECT_EQ(read("out/tzc/demo/A.h"), before);
+}
+
+TEST_F(Tool, an_output_that_cannot_be_written_leaves_nothing_behind) {
+  write("out/tzc", "a file where a folder should be");
+  EXPECT_EQ(generate_files({write("msg/A.msg", "uint8[] x\n")}), exit_bad_input);
+  EXPECT_THAT(err_.str(), HasSubstr("can't create"));
+  EXPECT_THAT(files_below("out"), ::testing::ElementsAre("tzc"));
+}
+
+TEST_F(Tool, a_failure_in_the_middle_of_writing_takes_everything_back) {
+  fs::create_directories(path("out/tzc/demo/B.h"));  // a folder where the second header should be
+  Diagnostics diagnostics;
+  write_headers({{"tzc/new/A.h", "a"}, {"tzc/demo/B.h/C.h/x", "b"}, {"tzc/demo/B.h", "c"}},
+                {path("out"), false}, diagnostics);
+  EXPECT_FALSE(diagnostics.empty());
+  for (const std::string& file : files_below("out")) EXPECT_THAT(file, Not(HasSubstr(".tmp")));
+}
+
+TEST_F(Tool, if_changed_leaves_files_alone_and_otherwise_their_time_is_new) {
+  const auto file = write("msg/A.msg", "uint8[] x\n");
+  generate_files({file});
+  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  fs::last_write_time(path("out/tzc/demo/A.h"), old);
+  generate_files({file}, true);
+  EXPECT_EQ(fs::last_write_time(path("out/tzc/demo/A.h")), old);
+  generate_files({file}, false);
+  EXPECT_NE(fs::last_write_time(path("out/tzc/demo/A.h")), old);
+}
+
+TEST_F(Tool, census_of_several_packages) {
+  write("src/stack/one/package.xml", "<package><name>one_msgs</name></package>");
+  write("src/stack/one/msg/A.msg", "uint8[] x\ntwo/B[] y\nstring[] z\n");
+  write("src/two/msg/B.msg", "float32 f\n");
+  write("src/two/srv/C.srv", "one_msgs/A a\n---\nstring[] s\n");
+  write("src/two/msg/D.msg", "missing_msgs/X x\n");
+  const auto json = census({path("src")});
+  EXPECT_EQ(json["types"]["one_msgs/A"]["data_fields"], nlohmann::json({"x", "y"}));
+  EXPECT_EQ(json["types"]["two/B"]["fixed_length"], true);
+  EXPECT_EQ(json["types"]["two/CRequest"]["data_fields"], nlohmann::json({"a.x", "a.y"}));
+  EXPECT_EQ(json["types"]["two/CResponse"]["needs_support"], true);
+  EXPECT_EQ(json["totals"],
+            nlohmann::json({{"types", 4}, {"needs_support", 3}, {"supported", 2}, {"unsupported", 1}}));
+  EXPECT_EQ(json["unresolved"], nlohmann::json({"two/D"}));
+  EXPECT_THAT(err_.str(), HasSubstr("unknown package 'missing_msgs'"));
+}
+
+TEST_F(Tool, census_of_one_package_and_of_single_files) {
+  const auto file = write("pkg/msg/A.msg", "B[] b\n");
+  write("pkg/msg/B.msg", "uint8 x\n");
+  EXPECT_EQ(census({path("pkg")})["totals"]["types"], 2);
+  out_.str("");
+  EXPECT_EQ(census({file})["types"]["pkg/A"]["data_fields"], nlohmann::json({"b"}));
+  out_.str("");
+  EXPECT_EQ(census({path("pkg/msg")})["types"].size(), 2u);
+}
+
+TEST_F(Tool, census_with_nothing_to_count_is_bad_usage) {
+  fs::create_directories(path("empty"));
+  ClassifyOptions options;
+  options.inputs = {path("empty"), path("nowhere")};
+  EXPECT_EQ(classify(options, console_), exit_usage);
+  EXPECT_THAT(err_.str(), HasSubstr("no message definitions"));
+  EXPECT_THAT(err_.str(), HasSubstr("no such file or folder"));
+}
+
+TEST_F(Tool, explain_marks_each_field) {
+  write("d/Cloud.msg", "Point[] points\nstring name\n");
+  write("d/Point.msg", "uint8 kind\nfloat32 x\n");
+  EXPECT_EQ(explain({{"demo:" + path("d")}, "demo/Cloud"}, console_), exit_good);
+  EXPECT_EQ(out_.str(),
+            "demo/Cloud  (md5 7a4f6d705f708ef46a77fe7e99ab3562)\n"
+            "  has a data part: points\n"
+            "  data     demo/Point[] points  8 bytes per element, 5 bytes on the wire\n"
+            "  data       uint8 kind         1 byte\n"
+            "  data       float32 x          4 bytes\n"
+            "  control  string name          at least 4 bytes\n");
+}
+
+TEST_F(Tool, explain_takes_services) {
+  write("srv/Ask.srv", "uint8[] q\n---\nbool a\n");
+  fs::create_directories(path("msg"));
+  EXPECT_EQ(explain({{"demo:" + path("msg")}, "demo/Ask"}, console_), exit_good) << err_.str();
+  EXPECT_THAT(out_.str(), HasSubstr("demo/Ask  (service, md5 "));
+  EXPECT_THAT(out_.str(), HasSubstr("demo/AskResponse  (md5 "));
+}
+
+}  // namespace
+}  // namespace tzc::msggen::test
