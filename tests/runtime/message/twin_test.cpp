@@ -153,6 +153,29 @@ TEST_F(Twin, AllocateAfterPublishTakesRoomButCopiesOnlyWhenWritten) {
   EXPECT_EQ(1, read.data[1]);
 }
 
+TEST_F(Twin, AllocateTakesRoomForWhatIsRebuiltByPushBack) {
+  Image message;
+  ASSERT_TRUE(allocate(message, memory_));
+  const auto build = [&] {
+    message.data.clear();
+    for (int i = 0; i < 900; ++i) message.data.push_back(static_cast<std::uint8_t>(i));
+    return encoded(message);
+  };
+  const Encoded first = build();
+  ASSERT_TRUE(allocate(message, memory_));
+  const int allocations = memory_->allocations;
+  const Encoded second = build();
+  EXPECT_EQ(allocations, memory_->allocations) << "allocate took the room";
+  EXPECT_EQ(0u, second.copied_bytes);
+  EXPECT_NE(first.buffers, second.buffers);
+}
+
+TEST_F(Twin, WithoutAMemoryNothingIsAllocated) {
+  Image message = image(10);
+  EXPECT_FALSE(allocate(message, std::shared_ptr<MemorySource>()));
+  EXPECT_EQ(image(10), message);
+}
+
 TEST_F(Twin, NoWriteAfterPublishReachesASubscriber) {
   Image message = image(1000);
   ASSERT_TRUE(allocate(message, memory_));

@@ -126,7 +126,7 @@ class ArrayStorage {
   /// Elements that allocate() must find memory for; 0 when they are writable in a segment already.
   std::size_t elements_to_place() const noexcept {
     if (block_.buffer && is_writable()) return 0;
-    return size_ != 0 ? size_ : capacity_;
+    return is_writable() && size_ != 0 ? size_ : capacity_;
   }
 
   /// Moves the elements to `at`, inside `buffer` with room for elements_to_place(). Shared elements are not

@@ -29,8 +29,9 @@ class Placement {
     size_ += aligned(array.storage().elements_to_place() * sizeof(T));
   }
 
-  /// False when there is no memory for what was measured.
+  /// False when there is no memory for what was measured, or none at all.
   bool acquire() {
+    if (!memory_) return false;
     if (size_ == 0) return true;
     buffer_ = memory_->allocate(size_);
     return static_cast<bool>(buffer_);
