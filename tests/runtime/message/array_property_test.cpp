@@ -28,9 +28,9 @@ class Pair {
 
   void run(int steps) {
     for (int step = 0; step < steps && !::testing::Test::HasFatalFailure(); ++step) {
-      const std::size_t operation = number(operations().size());
+      const std::size_t operation = number(operations.size());
       SCOPED_TRACE("step " + std::to_string(step) + ", operation " + std::to_string(operation));
-      operations()[operation](*this);
+      operations[operation](*this);
       check();
     }
   }
@@ -78,7 +78,7 @@ class Pair {
     ASSERT_EQ(vector_offset, array_offset);
   }
 
-  static const std::vector<Operation>& operations();
+  static const std::vector<Operation> operations;
 
   std::shared_ptr<test::TestMemory> memory_;
   std::mt19937 random_;
@@ -90,151 +90,148 @@ class Pair {
 };
 
 template <class T>
-const std::vector<typename Pair<T>::Operation>& Pair<T>::operations() {
-  static const std::vector<Operation> all = {
-      [](Pair& p) { p.publish(); },
-      [](Pair& p) { p.publish(); },
-      [](Pair& p) { p.array_.bind(p.memory_); },
-      [](Pair& p) { p.array_.bind(nullptr); },
-      [](Pair& p) { p.memory_->exhausted = p.number(4) == 0; },
-      [](Pair& p) {
-        const T v = p.value();
-        p.array_.push_back(v), p.vector_.push_back(v);
-      },
-      [](Pair& p) {
-        if (p.vector_.empty()) return;
-        p.array_.push_back(p.array_[0]), p.vector_.push_back(p.vector_[0]);
-      },
-      [](Pair& p) {
-        const int n = static_cast<int>(p.number(9));
-        p.array_.emplace_back(n) = T(n + 1);
-        p.vector_.emplace_back(n), p.vector_.back() = T(n + 1);
-      },
-      [](Pair& p) {
-        if (!p.vector_.empty()) p.array_.pop_back(), p.vector_.pop_back();
-      },
-      [](Pair& p) { p.array_.clear(), p.vector_.clear(); },
-      [](Pair& p) {
-        const std::size_t n = p.number(300);
-        p.array_.resize(n), p.vector_.resize(n);
-      },
-      [](Pair& p) {
-        const std::size_t n = p.number(100);
-        const T v = p.value();
-        p.array_.resize(n, v), p.vector_.resize(n, v);
-      },
-      [](Pair& p) {
-        const std::size_t n = p.number(100);
-        p.array_.resize(n, uninitialized), p.vector_.resize(n);
-        for (std::size_t i = 0; i < n; ++i) p.array_[i] = p.vector_[i] = p.value();
-      },
-      [](Pair& p) {
-        const std::size_t n = p.number(400);
-        p.array_.reserve(n), p.vector_.reserve(n);
-        ASSERT_GE(p.array_.capacity(), n);
-      },
-      [](Pair& p) { p.array_.shrink_to_fit(), p.vector_.shrink_to_fit(); },
-      [](Pair& p) {
-        const std::size_t n = p.number(100);
-        const T v = p.value();
-        p.array_.assign(n, v), p.vector_.assign(n, v);
-      },
-      [](Pair& p) {
-        const auto some = p.values();
-        p.array_.assign(some.begin(), some.end()), p.vector_.assign(some.begin(), some.end());
-      },
-      [](Pair& p) { p.array_ = {T(1), T(2), T(3)}, p.vector_ = {T(1), T(2), T(3)}; },
-      [](Pair& p) {
-        const auto some = p.values();
-        p.array_ = some, p.vector_ = some;
-      },
-      [](Pair& p) {
-        auto some = p.values();
-        p.vector_ = some, p.array_ = std::move(some);
-      },
-      [](Pair& p) {
-        const std::size_t at = p.position();
-        const T v = p.value();
-        const auto i = p.array_.insert(p.array_.cbegin() + at, v);
-        const auto j = p.vector_.insert(p.vector_.cbegin() + at, v);
-        p.same_offset(i - p.array_.begin(), j - p.vector_.begin());
-      },
-      [](Pair& p) {
-        const std::size_t at = p.position(), n = p.number(20);
-        const T v = p.value();
-        const auto i = p.array_.insert(p.array_.begin() + at, n, v);
-        const auto j = p.vector_.insert(p.vector_.begin() + at, n, v);
-        p.same_offset(i - p.array_.begin(), j - p.vector_.begin());
-      },
-      [](Pair& p) {
-        const std::size_t at = p.position();
-        const auto some = p.values();
-        const auto i = p.array_.insert(p.array_.cbegin() + at, some.begin(), some.end());
-        const auto j = p.vector_.insert(p.vector_.cbegin() + at, some.begin(), some.end());
-        p.same_offset(i - p.array_.begin(), j - p.vector_.begin());
-      },
-      [](Pair& p) {
-        const std::size_t at = p.position();
-        p.array_.insert(p.array_.cbegin() + at, {T(7), T(8)}),
-            p.vector_.insert(p.vector_.cbegin() + at, {T(7), T(8)});
-      },
-      [](Pair& p) {
-        const std::size_t at = p.position();
-        p.array_.emplace(p.array_.cbegin() + at, 5), p.vector_.emplace(p.vector_.cbegin() + at, 5);
-      },
-      [](Pair& p) {
-        if (p.vector_.empty()) return;
-        const std::size_t at = p.number(p.vector_.size());
-        const auto i = p.array_.erase(p.array_.cbegin() + at);
-        const auto j = p.vector_.erase(p.vector_.cbegin() + at);
-        p.same_offset(i - p.array_.begin(), j - p.vector_.begin());
-      },
-      [](Pair& p) {
-        const std::size_t to = p.position(), from = p.number(to + 1);
-        const auto i = p.array_.erase(p.array_.cbegin() + from, p.array_.cbegin() + to);
-        const auto j = p.vector_.erase(p.vector_.cbegin() + from, p.vector_.cbegin() + to);
-        p.same_offset(i - p.array_.begin(), j - p.vector_.begin());
-      },
-      [](Pair& p) {
-        for (T& element : p.array_) element = T(3);
-        for (T& element : p.vector_) element = T(3);
-      },
-      [](Pair& p) {
-        std::reverse(p.array_.begin(), p.array_.end()), std::reverse(p.vector_.begin(), p.vector_.end());
-      },
-      [](Pair& p) {
-        if (p.vector_.empty()) return;
-        const std::size_t at = p.number(p.vector_.size());
-        p.array_.at(at) = p.vector_.at(at) = p.value();
-        p.array_.front() = p.vector_.front() = p.value();
-        p.array_.back() = p.vector_.back() = p.value();
-        *p.array_.rbegin() = *p.vector_.rbegin() = p.value();
-        p.array_.data()[at] = p.vector_.data()[at] = p.value();
-      },
-      [](Pair& p) { p.array_.swap(p.other_array_), p.vector_.swap(p.other_vector_); },
-      [](Pair& p) { p.array_ = p.other_array_, p.vector_ = p.other_vector_; },
-      [](Pair& p) { p.other_array_ = p.array_, p.other_vector_ = p.vector_; },
-      [](Pair& p) {
-        p.array_ = std::move(p.other_array_), p.vector_ = std::move(p.other_vector_);
-        p.other_array_.clear(), p.other_vector_.clear();
-      },
-      [](Pair& p) {
-        Array<T> copy(p.array_);
-        for (T& element : copy) element = T(9);
-      },
-      [](Pair& p) { p.array_ = Array<T>(p.array_), p.array_ = Array<T>(std::move(p.array_)); },
-      [](Pair& p) {
-        auto some = p.values(), same = some;
-        p.array_.swap(some), p.vector_.swap(same);
-        ASSERT_EQ(same, some);
-      },
-      [](Pair& p) {
-        const std::vector<T> copy(p.array_);
-        ASSERT_EQ(p.vector_, copy);
-      },
-  };
-  return all;
-}
+const std::vector<typename Pair<T>::Operation> Pair<T>::operations = {
+    [](Pair& p) { p.publish(); },
+    [](Pair& p) { p.publish(); },
+    [](Pair& p) { p.array_.bind(p.memory_); },
+    [](Pair& p) { p.array_.bind(nullptr); },
+    [](Pair& p) { p.memory_->exhausted = p.number(4) == 0; },
+    [](Pair& p) {
+      const T v = p.value();
+      p.array_.push_back(v), p.vector_.push_back(v);
+    },
+    [](Pair& p) {
+      if (p.vector_.empty()) return;
+      p.array_.push_back(p.array_[0]), p.vector_.push_back(p.vector_[0]);
+    },
+    [](Pair& p) {
+      const int n = static_cast<int>(p.number(9));
+      p.array_.emplace_back(n) = T(n + 1);
+      p.vector_.emplace_back(n), p.vector_.back() = T(n + 1);
+    },
+    [](Pair& p) {
+      if (!p.vector_.empty()) p.array_.pop_back(), p.vector_.pop_back();
+    },
+    [](Pair& p) { p.array_.clear(), p.vector_.clear(); },
+    [](Pair& p) {
+      const std::size_t n = p.number(300);
+      p.array_.resize(n), p.vector_.resize(n);
+    },
+    [](Pair& p) {
+      const std::size_t n = p.number(100);
+      const T v = p.value();
+      p.array_.resize(n, v), p.vector_.resize(n, v);
+    },
+    [](Pair& p) {
+      const std::size_t n = p.number(100);
+      p.array_.resize(n, uninitialized), p.vector_.resize(n);
+      for (std::size_t i = 0; i < n; ++i) p.array_[i] = p.vector_[i] = p.value();
+    },
+    [](Pair& p) {
+      const std::size_t n = p.number(400);
+      p.array_.reserve(n), p.vector_.reserve(n);
+      ASSERT_GE(p.array_.capacity(), n);
+    },
+    [](Pair& p) { p.array_.shrink_to_fit(), p.vector_.shrink_to_fit(); },
+    [](Pair& p) {
+      const std::size_t n = p.number(100);
+      const T v = p.value();
+      p.array_.assign(n, v), p.vector_.assign(n, v);
+    },
+    [](Pair& p) {
+      const auto some = p.values();
+      p.array_.assign(some.begin(), some.end()), p.vector_.assign(some.begin(), some.end());
+    },
+    [](Pair& p) { p.array_ = {T(1), T(2), T(3)}, p.vector_ = {T(1), T(2), T(3)}; },
+    [](Pair& p) {
+      const auto some = p.values();
+      p.array_ = some, p.vector_ = some;
+    },
+    [](Pair& p) {
+      auto some = p.values();
+      p.vector_ = some, p.array_ = std::move(some);
+    },
+    [](Pair& p) {
+      const std::size_t at = p.position();
+      const T v = p.value();
+      const auto i = p.array_.insert(p.array_.cbegin() + at, v);
+      const auto j = p.vector_.insert(p.vector_.cbegin() + at, v);
+      p.same_offset(i - p.array_.begin(), j - p.vector_.begin());
+    },
+    [](Pair& p) {
+      const std::size_t at = p.position(), n = p.number(20);
+      const T v = p.value();
+      const auto i = p.array_.insert(p.array_.begin() + at, n, v);
+      const auto j = p.vector_.insert(p.vector_.begin() + at, n, v);
+      p.same_offset(i - p.array_.begin(), j - p.vector_.begin());
+    },
+    [](Pair& p) {
+      const std::size_t at = p.position();
+      const auto some = p.values();
+      const auto i = p.array_.insert(p.array_.cbegin() + at, some.begin(), some.end());
+      const auto j = p.vector_.insert(p.vector_.cbegin() + at, some.begin(), some.end());
+      p.same_offset(i - p.array_.begin(), j - p.vector_.begin());
+    },
+    [](Pair& p) {
+      const std::size_t at = p.position();
+      p.array_.insert(p.array_.cbegin() + at, {T(7), T(8)}),
+          p.vector_.insert(p.vector_.cbegin() + at, {T(7), T(8)});
+    },
+    [](Pair& p) {
+      const std::size_t at = p.position();
+      p.array_.emplace(p.array_.cbegin() + at, 5), p.vector_.emplace(p.vector_.cbegin() + at, 5);
+    },
+    [](Pair& p) {
+      if (p.vector_.empty()) return;
+      const std::size_t at = p.number(p.vector_.size());
+      const auto i = p.array_.erase(p.array_.cbegin() + at);
+      const auto j = p.vector_.erase(p.vector_.cbegin() + at);
+      p.same_offset(i - p.array_.begin(), j - p.vector_.begin());
+    },
+    [](Pair& p) {
+      const std::size_t to = p.position(), from = p.number(to + 1);
+      const auto i = p.array_.erase(p.array_.cbegin() + from, p.array_.cbegin() + to);
+      const auto j = p.vector_.erase(p.vector_.cbegin() + from, p.vector_.cbegin() + to);
+      p.same_offset(i - p.array_.begin(), j - p.vector_.begin());
+    },
+    [](Pair& p) {
+      for (T& element : p.array_) element = T(3);
+      for (T& element : p.vector_) element = T(3);
+    },
+    [](Pair& p) {
+      std::reverse(p.array_.begin(), p.array_.end()), std::reverse(p.vector_.begin(), p.vector_.end());
+    },
+    [](Pair& p) {
+      if (p.vector_.empty()) return;
+      const std::size_t at = p.number(p.vector_.size());
+      p.array_.at(at) = p.vector_.at(at) = p.value();
+      p.array_.front() = p.vector_.front() = p.value();
+      p.array_.back() = p.vector_.back() = p.value();
+      *p.array_.rbegin() = *p.vector_.rbegin() = p.value();
+      p.array_.data()[at] = p.vector_.data()[at] = p.value();
+    },
+    [](Pair& p) { p.array_.swap(p.other_array_), p.vector_.swap(p.other_vector_); },
+    [](Pair& p) { p.array_ = p.other_array_, p.vector_ = p.other_vector_; },
+    [](Pair& p) { p.other_array_ = p.array_, p.other_vector_ = p.vector_; },
+    [](Pair& p) {
+      p.array_ = std::move(p.other_array_), p.vector_ = std::move(p.other_vector_);
+      p.other_array_.clear(), p.other_vector_.clear();
+    },
+    [](Pair& p) {
+      Array<T> copy(p.array_);
+      for (T& element : copy) element = T(9);
+    },
+    [](Pair& p) { p.array_ = Array<T>(p.array_), p.array_ = Array<T>(std::move(p.array_)); },
+    [](Pair& p) {
+      auto some = p.values(), same = some;
+      p.array_.swap(some), p.vector_.swap(same);
+      ASSERT_EQ(same, some);
+    },
+    [](Pair& p) {
+      const std::vector<T> copy(p.array_);
+      ASSERT_EQ(p.vector_, copy);
+    },
+};
 
 template <class T>
 class ArrayProperty : public ::testing::Test {};
