@@ -24,10 +24,10 @@ std::uint64_t this_process() {
 
 Loan::Loan(std::shared_ptr<const void> hold) : hold_(std::move(hold)), process_(this_process()) {}
 
-/// A forked child leaves the hold alone for ever: it is the parent's, and letting go would end it for both.
+/// A forked child leaves the hold alone: it is the parent's, and letting go would end it for both.
 Loan::~Loan() {
   for (void* vector : borrowers_) tzc::detail::VectorWords::clear(vector);
-  if (process_ != this_process()) new std::shared_ptr<const void>(std::move(hold_));
+  if (process_ == this_process()) hold_.~shared_ptr();
 }
 
 }  // namespace detail

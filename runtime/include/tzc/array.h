@@ -241,7 +241,7 @@ class Array {
 
   T* replace(size_type n);
   T* grow_by(size_type n);
-  void make_room(size_type n) __attribute__((noinline));
+  T* make_room(size_type n) __attribute__((noinline));
   iterator make_gap(const_iterator position, size_type n);
 
   template <class It>

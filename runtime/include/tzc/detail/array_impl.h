@@ -59,17 +59,19 @@ T* Array<T>::replace(size_type n) {
 template <class T>
 T* Array<T>::grow_by(size_type n) {
   const size_type old = size();
-  if (__builtin_expect(!storage_.is_writable() || n > capacity() - old, 0)) make_room(n);
+  T* elements = storage_.writable_or_null();
+  if (__builtin_expect(elements == nullptr || n > capacity() - old, 0)) elements = make_room(n);
   storage_.set_size(old + n);
-  return data() + old;
+  return elements + old;
 }
 
 template <class T>
-void Array<T>::make_room(size_type n) {
+T* Array<T>::make_room(size_type n) {
   if (n > max_size() - size()) checked(max_size() + 1);
   const size_type needed = size() + n;
   const size_type doubled = size() <= max_size() / 2 ? size() * 2 : max_size();
   storage_.remake(needed <= capacity() ? capacity() : std::max(needed, doubled), size());
+  return data();
 }
 
 template <class T>

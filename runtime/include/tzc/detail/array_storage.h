@@ -55,6 +55,8 @@ class ArrayStorage {
     return make_writable();
   }
 
+  T* writable_or_null() noexcept { return writable_; }
+
   /// From now on the elements are read by others; the next write through this object gets fresh memory.
   void share() const noexcept {
     if (block_.buffer && is_writable())

@@ -24,10 +24,12 @@ bool read(PartialInput& input, S& message) {
     Codec<S>::read(input, message);
     return input.remaining() == 0;
   } catch (const ControlReader::Malformed&) {
+    return false;
   } catch (const std::bad_alloc&) {
+    return false;
   } catch (const std::length_error&) {
+    return false;
   }
-  return false;
 }
 
 /// The blocks of `encoded` as this process's subscribers see them, sealed, and what keeps them.

@@ -27,7 +27,9 @@ class Loan {
 
  private:
   std::vector<void*> borrowers_;
-  std::shared_ptr<const void> hold_;
+  union {
+    std::shared_ptr<const void> hold_;  // not destroyed in a forked child
+  };
   std::uint64_t process_;
 };
 
