@@ -3,11 +3,12 @@
 #include <iostream>
 
 #include "engine.h"
+#include "format/format.h"
 #include "tool/run.h"
 
 int main(int argc, char** argv) {
   try {
-    return tzc::rewriter::tool_main(argc, argv, tzc::rewriter::plan_port);
+    return tzc::rewriter::tool_main(argc, argv, {tzc::rewriter::plan_port, tzc::rewriter::format_changes});
   } catch (const std::exception& defect) {
     std::cerr << "tzc-rewrite: " << defect.what()
               << "\n  this is a defect of tzc-rewrite, please report it\n";

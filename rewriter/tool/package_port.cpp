@@ -16,6 +16,11 @@
 namespace tzc::rewriter {
 namespace {
 
+bool is_cpp(const std::string& file) {
+  static const std::set<std::string> build_files = {".txt", ".xml", ".cmake"};
+  return build_files.count(std::filesystem::path(file).extension()) == 0;
+}
+
 class Porter {
  public:
   Porter(const std::string& package_dir, const PortInputs& inputs) : inputs_(inputs) {
@@ -67,7 +72,7 @@ class Porter {
     engine.extra_include_dirs.assign(includes->begin() + 1, includes->end());
     for (const std::string& folder : messages->include_dirs()) engine.extra_include_dirs.push_back(folder);
     workspace_messages_ = messages->packages();
-    Expected<PortPlan> plan = inputs_.planner(engine);
+    Expected<PortPlan> plan = inputs_.engine.plan(engine);
     if (!plan) return plan.error();
     plan_ = std::move(*plan);
     return {};
@@ -135,8 +140,9 @@ class Porter {
     if (analysed == port_.before.end() || analysed->second != content_hash(*before))
       return Error{"changed while the package was being analysed; nothing was written", file,
                    "run tzc-rewrite again"};
-    const Expected<std::string> after = apply_edits(*before, edits);
+    Expected<std::string> after = apply_edits(*before, edits);
     if (!after) return after.error();
+    if (inputs_.engine.format && is_cpp(file)) *after = inputs_.engine.format(file, *before, *after);
     if (*after == *before) return {};
     port_.contents[file] = *after;
     port_.result.changes.push_back({file.substr(port_.package_dir.size() + 1), *before, *after});

@@ -12,8 +12,12 @@
 
 namespace tzc::rewriter {
 
-/// The engine, as the tool sees it; tests put another one in its place.
-using Planner = std::function<Expected<PortPlan>(const EngineOptions&)>;
+/// The parts that know Clang, as the tool sees them; tests put others in their place.
+struct Engine {
+  std::function<Expected<PortPlan>(const EngineOptions&)> plan;
+  /// Formats the changed lines of a source: (path, before, after) to text. May be empty.
+  std::function<std::string(const std::string&, const std::string&, const std::string&)> format;
+};
 
 /// One package, planned: what to write and what to report. Nothing is written yet.
 struct PackagePort {
@@ -25,7 +29,7 @@ struct PackagePort {
 
 struct PortInputs {
   const Options& options;
-  const Planner& planner;
+  const Engine& engine;
   const std::map<std::string, std::uint64_t>& measured_sizes;
   Progress* progress = nullptr;
 };

@@ -22,8 +22,8 @@ enum Status { nothing_left = 0, work_left = 1, failed = 2 };
 
 class Run {
  public:
-  Run(const Options& options, const Planner& planner)
-      : options_(options), planner_(planner), progress_(!options.quiet) {}
+  Run(const Options& options, const Engine& engine)
+      : options_(options), engine_(engine), progress_(!options.quiet) {}
 
   int run() {
     for (const auto step : {&Run::read_inputs, &Run::recover_packages, &Run::plan, &Run::write_out})
@@ -74,7 +74,7 @@ class Run {
   }
 
   Expected<void> plan() {
-    const PortInputs inputs{options_, planner_, measured_, &progress_};
+    const PortInputs inputs{options_, engine_, measured_, &progress_};
     for (const std::string& package : packages_) {
       Expected<PackagePort> port = port_package(package, inputs);
       if (!port) return port.error();
@@ -163,7 +163,7 @@ class Run {
   }
 
   const Options& options_;
-  const Planner& planner_;
+  const Engine& engine_;
   TerminalProgress progress_;
   std::vector<std::string> packages_;
   std::map<std::string, std::uint64_t> measured_;
@@ -173,13 +173,13 @@ class Run {
 
 }  // namespace
 
-int run(const Options& options, const Planner& planner) {
-  return Run(options, planner).run();
+int run(const Options& options, const Engine& engine) {
+  return Run(options, engine).run();
 }
 
-int tool_main(int argc, const char* const* argv, const Planner& planner) {
+int tool_main(int argc, const char* const* argv, const Engine& engine) {
   const auto parsed = parse_options(argc, argv);
-  if (const auto* options = std::get_if<Options>(&parsed)) return run(*options, planner);
+  if (const auto* options = std::get_if<Options>(&parsed)) return run(*options, engine);
   const Answer& answer = std::get<Answer>(parsed);
   fmt::print(answer.status == 0 ? stdout : stderr, "{}", answer.text);
   return answer.status;

@@ -7,9 +7,9 @@ namespace tzc::rewriter {
 
 /// A whole run of tzc-rewrite on checked options; writes to standard output and error. Returns the exit
 /// status.
-int run(const Options& options, const Planner& planner);
+int run(const Options& options, const Engine& engine);
 
 /// The program: arguments to exit status.
-int tool_main(int argc, const char* const* argv, const Planner& planner);
+int tool_main(int argc, const char* const* argv, const Engine& engine);
 
 }  // namespace tzc::rewriter

@@ -20,12 +20,13 @@ USES = {
     "msggen/parse": ["msggen/model"],
     "msggen/emit": ["msggen/model"],
     "msggen/tool": ["msggen/model", "msggen/parse", "msggen/emit"],
-    "rewriter/facts": [],
     "rewriter/edits": [],
     "rewriter/report": ["rewriter/edits"],
-    "rewriter/solve": ["rewriter/facts", "rewriter/report"],
-    "rewriter/rules": ["rewriter/facts", "rewriter/solve", "rewriter/edits", "rewriter/report"],
-    "rewriter/verify": ["rewriter/facts", "rewriter/edits", "rewriter/report"],
+    "rewriter/rules": ["rewriter/edits", "rewriter/report"],
+    "rewriter/facts": ["rewriter/edits", "rewriter/report", "rewriter/rules"],
+    "rewriter/solve": ["rewriter/edits", "rewriter/report", "rewriter/rules", "rewriter/facts"],
+    "rewriter/verify": ["rewriter/edits", "rewriter/report", "rewriter/facts", "rewriter/solve"],
+    "rewriter/format": ["rewriter/edits"],
     "rewriter/buildfiles": ["rewriter/edits", "rewriter/report"],
     "rewriter/tool": ["rewriter/*"],
 }
@@ -34,7 +35,8 @@ USES = {
 FOREIGN = {
     "ROS": (r"(ros|rosconsole|xmlrpcpp|cv_bridge|image_transport|message_filters|pcl_conversions|[a-z0-9_]+_msgs)/",
             ["runtime/message", "runtime/roscpp", "runtime/adapters", "runtime/preload"]),
-    "Clang": (r"(clang|llvm)/", ["rewriter/facts", "rewriter/solve", "rewriter/rules", "rewriter/verify", "rewriter"]),
+    "Clang": (r"(clang|llvm)/", ["rewriter/facts", "rewriter/solve", "rewriter/rules", "rewriter/verify", "rewriter/format",
+              "rewriter"]),
     "Boost": (r"boost/", ["runtime/message", "runtime/roscpp", "runtime/adapters"]),
 }
 # The message room knows how messages are serialized, and nothing of nodes and topics.

@@ -76,5 +76,5 @@ Expected<PortPlan> fake_plan(const EngineOptions& options) {
 }  // namespace tzc::rewriter
 
 int main(int argc, char** argv) {
-  return tzc::rewriter::tool_main(argc, argv, tzc::rewriter::fake_plan);
+  return tzc::rewriter::tool_main(argc, argv, {tzc::rewriter::fake_plan, {}});
 }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "format/format.h"
+
+#include <clang/Format/Format.h>
+#include <clang/Tooling/Core/Replacement.h>
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+#include "edits/diff.h"
+
+namespace tzc::rewriter {
+namespace {
+
+/// The byte ranges of `after` that hold lines which `before` has not.
+std::vector<clang::tooling::Range> changed_ranges(const std::string& before, const std::string& after) {
+  std::vector<clang::tooling::Range> ranges;
+  std::size_t offset = 0;
+  for (const DiffLine& line : diff_lines(before, after)) {
+    if (line.change == LineChange::removed) continue;
+    if (line.change == LineChange::added)
+      ranges.emplace_back(static_cast<unsigned>(offset), static_cast<unsigned>(line.text.size()));
+    offset += line.text.size();
+  }
+  return ranges;
+}
+
+std::string without_blanks(const std::string& text) {
+  std::string rest;
+  std::copy_if(text.begin(), text.end(), std::back_inserter(rest),
+               [](char c) { return !std::isspace(static_cast<unsigned char>(c)); });
+  return rest;
+}
+
+}  // namespace
+
+std::string format_changes(const std::string& path, const std::string& before, const std::string& after) {
+  llvm::Expected<clang::format::FormatStyle> style =
+      clang::format::getStyle("file", path, "none", after, nullptr, true);
+  if (!style) return llvm::consumeError(style.takeError()), after;
+  if (style->DisableFormat) return after;
+  style->MaxEmptyLinesToKeep = 1000;  // those in front of a changed line are not ours
+  style->SortIncludes = clang::format::FormatStyle::SI_Never;
+  const auto replacements = clang::format::reformat(*style, after, changed_ranges(before, after), path);
+  llvm::Expected<std::string> formatted = clang::tooling::applyAllReplacements(after, replacements);
+  if (!formatted) return llvm::consumeError(formatted.takeError()), after;
+  return without_blanks(*formatted) == without_blanks(after) ? *formatted : after;
+}
+
+}  // namespace tzc::rewriter
