@@ -10,6 +10,10 @@ using tzc::bench::Command;
 
 const Command commands[] = {
     {"core", "one-way latency of the core next to a bare socket and iceoryx", tzc::bench::run_core},
+#ifdef TZC_BENCH_ROSCPP
+    {"roscpp", "one-way latency between ROS nodes: TCPROS, TZC, intraprocess, next to a bare socket",
+     tzc::bench::run_roscpp},
+#endif
     {"sustained", "1 publisher, 8 subscribers, 4 MB at 200 Hz: losses and memory", tzc::bench::run_sustained},
 #ifdef TZC_BENCH_INSIDE
     {"inside", "what allocate and publish cost by themselves (Google Benchmark's options)",

@@ -39,7 +39,12 @@ bool wait_until_ready(const Board& board, std::size_t subscribers) {
   return board.ready >= subscribers;
 }
 
-void send_all(Contender& contender, const Setup& setup, const Board& board) {
+void send_all(Contender& contender, const Setup& setup, Board& board) {
+  std::vector<Recorder> here;
+  if (contender.in_one_process()) {
+    for (std::size_t who = 0; who < setup.subscribers; ++who) here.emplace_back(board, who);
+    contender.subscribe_here(setup, here);
+  }
   const auto publish = contender.publish(setup);
   if (!wait_until_ready(board, setup.subscribers)) {
     std::fprintf(stderr, "%s: only %u of %zu subscribers came\n", contender.name(), board.ready.load(),
@@ -105,7 +110,7 @@ Row measure(Contender& contender, const Setup& setup) {
   Board* board = create_board();
   contender.prepare(setup);
   std::vector<pid_t> subscribers;
-  for (std::size_t who = 0; who < setup.subscribers; ++who) {
+  for (std::size_t who = 0; who < setup.subscribers && !contender.in_one_process(); ++who) {
     subscribers.push_back(in_child([&] {
       Recorder recorder(*board, who);
       contender.subscribe(setup, who, recorder);

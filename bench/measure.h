@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "report.h"
 
@@ -63,6 +64,10 @@ class Contender {
   virtual void prepare(const Setup&) {}
   /// Subscribes, calls recorder.ready(), records until recorder.stop().
   virtual void subscribe(const Setup& setup, std::size_t who, Recorder& recorder) = 0;
+  /// Publisher and subscribers live in one process: subscribe_here replaces subscribe.
+  virtual bool in_one_process() const { return false; }
+  /// Subscribes once for each recorder, in the publisher's process, and returns.
+  virtual void subscribe_here(const Setup&, std::vector<Recorder>&) {}
   /// Opens the publisher; the result is called once for each message and fills in the time itself, right
   /// before it publishes.
   virtual std::function<void(std::uint64_t index)> publish(const Setup& setup) = 0;

@@ -50,6 +50,9 @@ void Attachment::shutdown() { observer_.shutdown(); }
 
 const std::shared_ptr<MemorySource>& Attachment::memory() const { return port_->memory(); }
 bool Attachment::wants_pointer(const std::type_info& type) const { return port_->wants_pointer(type); }
+bool Attachment::publish_directly(const std::type_info& type, message::Encoded& encoded) {
+  return port_->publish_directly(type, encoded);
+}
 bool Attachment::delivers_exhausted() const { return port_->on_exhausted() == OnExhausted::deliver; }
 void Attachment::count_dropped() { port_->records().count_dropped(); }
 PublisherStatistics Attachment::statistics() const { return port_->statistics(); }

@@ -128,6 +128,18 @@ std::uint32_t Port::take_sequence(const ros::SerializedMessage& message) {
   return sequence;
 }
 
+bool Port::publish_directly(const std::type_info& type, message::Encoded& encoded) {
+  const ros::PublicationPtr publication = publication_.lock();
+  if (!publication || publication->isLatched()) return false;
+  const Standstill standstill(*publication);
+  const ros::V_SubscriberLink& links = access::subscriber_links_(*publication);
+  if (links_ == 0 || links.size() != links_ || standstill.queued() != 0) return false;
+  const std::uint32_t sequence = publication->incrementSequence();
+  const Shipment shipment = records_.of_encoded(type, encoded, sequence);
+  for (const ros::SubscriberLinkPtr& link : links) static_cast<SharedLink&>(*link).deliver(shipment);
+  return true;
+}
+
 Shipment Port::pointer_record(const ros::SerializedMessage& message) {
   return records_.of_pointer(message, links_, [&] { return take_sequence(message); });
 }

@@ -41,6 +41,11 @@ class Port : public std::enable_shared_from_this<Port> {
   PublisherStatistics statistics() const;
   bool wants_pointer(const std::type_info& type) const;
 
+  /// Sends an encoded message of a known type to all subscribers, past roscpp's own publish: no view is built for
+  /// nobody to see. False, and nothing happened, unless every link of the publication is a SharedLink and nothing waits
+  /// in its queue.
+  bool publish_directly(const std::type_info& type, message::Encoded& encoded);
+
   /// roscpp's connect callback, on the worker: offers shared memory to the subscriber.
   void on_connect(const ros::SingleSubscriberPublisher& subscriber);
   /// A subscriber by that name says that it can take an offer. Any thread but roscpp's.

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kInlineLimit = 32 * 1024;
 
 thread_local const void* scoped_message = nullptr;
-thread_local const message::Encoded* scoped_encoded = nullptr;
+thread_local message::Encoded* scoped_encoded = nullptr;
 
 /// roscpp numbers a message in its first four bytes after serializing it; so do we.
 void write_sequence(std::uint8_t* bytes, std::size_t size, std::uint32_t sequence) {
@@ -26,7 +26,7 @@ void write_sequence(std::uint8_t* bytes, std::size_t size, std::uint32_t sequenc
 
 namespace detail {
 
-EncodedScope::EncodedScope(const void* message, const message::Encoded& encoded)
+EncodedScope::EncodedScope(const void* message, message::Encoded& encoded)
     : previous_message_(scoped_message), previous_encoded_(scoped_encoded) {
   scoped_message = message;
   scoped_encoded = &encoded;
@@ -61,9 +61,9 @@ Shipment RecordMaker::encode(const ros::SerializedMessage& message, std::uint32_
   return control_record(codec, encoded, sequence);
 }
 
-Shipment RecordMaker::control_record(const detail::MessageCodec& codec, const message::Encoded& encoded,
+Shipment RecordMaker::control_record(const detail::MessageCodec& codec, message::Encoded& encoded,
                                                std::uint32_t sequence) {
-  auto control = encoded.control;
+  std::vector<std::uint8_t>& control = encoded.control;
   if (codec.has_header) write_sequence(control.data(), control.size(), sequence);
   ++messages_;
   copied_bytes_ += encoded.copied_bytes;

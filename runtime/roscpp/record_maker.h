@@ -43,6 +43,10 @@ class RecordMaker {
     }
     return by_pointer_.take();
   }
+  /// The record of a message of a known type that is encoded already, with its sequence number written into it.
+  Shipment of_encoded(const std::type_info& type, message::Encoded& encoded, std::uint32_t sequence) {
+    return control_record(*find(type), encoded, sequence);
+  }
   /// The record of a message that roscpp has serialized and numbered.
   Shipment of_bytes(const ros::SerializedMessage& message, std::size_t links);
 
@@ -77,7 +81,7 @@ class RecordMaker {
 
   const detail::MessageCodec* find(const std::type_info& type) const;
   Shipment encode(const ros::SerializedMessage& message, std::uint32_t sequence);
-  Shipment control_record(const detail::MessageCodec& codec, const message::Encoded& encoded,
+  Shipment control_record(const detail::MessageCodec& codec, message::Encoded& encoded,
                                     std::uint32_t sequence);
   Shipment exhausted(const detail::MessageCodec& codec, const void* message, std::uint32_t sequence);
   Shipment whole_record(const std::uint8_t* bytes, std::size_t size);

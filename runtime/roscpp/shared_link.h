@@ -43,6 +43,9 @@ class SharedLink : public ros::SubscriberLink {
   void getPublishTypes(bool& ser, bool& nocopy, const std::type_info& type) override;
   /// @}
 
+  /// Sends, or keeps while draining. Under subscriber_links_mutex_; never blocks.
+  void deliver(const Shipment& shipment);
+
   /// Starts sending if everything that was given to TCPROS has left it. False: not yet, ask again. Worker thread.
   bool try_go_live();
 
@@ -55,7 +58,6 @@ class SharedLink : public ros::SubscriberLink {
  private:
   void publish_by_pointer(const ros::SerializedMessage& message);
   void publish_bytes(const ros::SerializedMessage& message);
-  void deliver(const Shipment& shipment);
   void wait_in_line(const channel::RecordPtr& record);
   bool tcpros_drained() const;
 

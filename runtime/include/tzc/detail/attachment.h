@@ -36,6 +36,9 @@ class Attachment {
   /// Somebody takes messages of this type by pointer (through shared memory or inside this process), so that building
   /// a view pays.
   bool wants_pointer(const std::type_info& type) const;
+  /// The short way of a message that is encoded: straight to its subscribers, when all of them take shared memory and
+  /// the topic is not latched. False: nothing was done, publish through roscpp.
+  bool publish_directly(const std::type_info& type, message::Encoded& encoded);
   bool delivers_exhausted() const;
   void count_dropped();
   PublisherStatistics statistics() const;
@@ -49,14 +52,14 @@ class Attachment {
 /// While it lives, this thread's publish of `message` sends `encoded` instead of encoding it once more.
 class EncodedScope {
  public:
-  EncodedScope(const void* message, const message::Encoded& encoded);
+  EncodedScope(const void* message, message::Encoded& encoded);
   ~EncodedScope();
   EncodedScope(const EncodedScope&) = delete;
   EncodedScope& operator=(const EncodedScope&) = delete;
 
  private:
   const void* previous_message_;
-  const message::Encoded* previous_encoded_;
+  message::Encoded* previous_encoded_;
 };
 
 }  // namespace detail

@@ -17,8 +17,9 @@ struct SharedMessage {
   typedef typename message::StockOf<M>::type Stock;
 
   /// False when no shared memory is left.
-  bool build(const M& message, MemorySource& memory) {
-    if (!message::encode(message, memory, encoded)) return false;
+  bool encode(const M& message, MemorySource& memory) { return message::encode(message, memory, encoded); }
+  /// After encode. False: the message can't be viewed, which valid messages always can.
+  bool look(const M& message) {
     view = message::stock_view(message, encoded);
     return view != nullptr;
   }
@@ -34,7 +35,7 @@ template <class M, class Publish>
 void publish_as_stock(Attachment* attachment, const M& message, Publish publish) {
   typedef typename message::StockOf<M>::type Stock;
   SharedMessage<M> shared;
-  if (attachment && shared.build(message, *attachment->memory())) {
+  if (attachment && shared.encode(message, *attachment->memory()) && shared.look(message)) {
     const EncodedScope scope(shared.view.get(), shared.encoded);
     publish(shared.view);
   } else if (!attachment || attachment->delivers_exhausted()) {

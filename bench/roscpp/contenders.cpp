@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/contenders.h"
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <tzc/ros.h>
+#include <tzc/sensor_msgs/Image.h>
+
+#include <unistd.h>
+
+#include <vector>
+
+namespace tzc {
+namespace bench {
+namespace {
+
+constexpr std::uint32_t queue_size = 10;
+
+void start_node(const Setup& setup, const std::string& role) {
+  ros::M_string remappings;
+  ros::init(remappings, "bench_" + role + std::to_string(::getpid()), ros::init_options::NoSigintHandler);
+  (void)setup;
+}
+
+std::string topic_of(const Setup& setup) {
+  std::string topic = "/" + setup.name;
+  for (char& c : topic)
+    if (c == '-') c = '_';
+  return topic;
+}
+
+/// The time of publishing travels in header.stamp (monotonic clock), the message's number in width.
+template <class Image>
+void write_stamp(Image& image, std::uint64_t index) {
+  image.width = static_cast<std::uint32_t>(index);
+  const std::int64_t now = now_ns();
+  image.header.stamp.sec = static_cast<std::uint32_t>(now / 1'000'000'000);
+  image.header.stamp.nsec = static_cast<std::uint32_t>(now % 1'000'000'000);
+}
+
+void record(const ::sensor_msgs::Image& image, Recorder& recorder) {
+  const std::int64_t sent = std::int64_t{image.header.stamp.sec} * 1'000'000'000 + image.header.stamp.nsec;
+  recorder.record(Stamp{sent, image.width});
+}
+
+using Callback = boost::function<void(const ::sensor_msgs::ImageConstPtr&)>;
+
+Callback recording(Recorder& recorder) {
+  return [&recorder](const ::sensor_msgs::ImageConstPtr& image) { record(*image, recorder); };
+}
+
+void wait_for(const std::function<bool()>& condition) {
+  while (!condition()) ::usleep(1000);
+}
+
+/// What the contenders of several processes have in common.
+class NodeContender : public Contender {
+ public:
+  void subscribe(const Setup& setup, std::size_t, Recorder& recorder) override {
+    start_node(setup, "subscriber");
+    ros::NodeHandle node;
+    const ros::Subscriber subscriber = subscribe_node(node, topic_of(setup), recording(recorder));
+    recorder.ready();
+    ros::spin();
+  }
+
+ protected:
+  virtual ros::Subscriber subscribe_node(ros::NodeHandle& node, const std::string& topic,
+                                         const Callback& callback) = 0;
+};
+
+class TcprosContender final : public NodeContender {
+ public:
+  const char* name() const override { return "tcpros"; }
+
+  std::function<void(std::uint64_t)> publish(const Setup& setup) override {
+    start_node(setup, "publisher");
+    const auto node = std::make_shared<ros::NodeHandle>();
+    ros::Publisher publisher = node->advertise<::sensor_msgs::Image>(topic_of(setup), queue_size);
+    wait_for([&] { return publisher.getNumSubscribers() >= setup.subscribers; });
+    const auto image = std::make_shared<::sensor_msgs::Image>();
+    image->data.resize(setup.size_bytes);
+    return [node, publisher, image](std::uint64_t index) {
+      write_stamp(*image, index);
+      publisher.publish(*image);
+    };
+  }
+
+ protected:
+  ros::Subscriber subscribe_node(ros::NodeHandle& node, const std::string& topic, const Callback& callback) override {
+    return node.subscribe<::sensor_msgs::Image>(topic, queue_size, callback, ros::VoidConstPtr(),
+                                                ros::TransportHints().tcpNoDelay());
+  }
+};
+
+class TzcNodeContender final : public NodeContender {
+ public:
+  explicit TzcNodeContender(bool direct) : direct_(direct) {}
+  const char* name() const override { return direct_ ? "tzc-direct" : "tzc-queue"; }
+
+  std::function<void(std::uint64_t)> publish(const Setup& setup) override {
+    start_node(setup, "publisher");
+    const auto node = std::make_shared<ros::NodeHandle>();
+    Publisher publisher = advertise<sensor_msgs::Image>(*node, topic_of(setup), queue_size, 0);
+    wait_for([&] { return publisher.statistics().shared_subscribers >= setup.subscribers; });
+    return [node, publisher, setup](std::uint64_t index) {
+      sensor_msgs::Image image;
+      publisher.allocate(image);
+      image.data.resize(setup.size_bytes, uninitialized);
+      write_stamp(image, index);
+      publisher.publish(image);
+    };
+  }
+
+ protected:
+  ros::Subscriber subscribe_node(ros::NodeHandle& node, const std::string& topic, const Callback& callback) override {
+    return direct_ ? subscribe_direct<::sensor_msgs::Image>(node, topic, queue_size, callback)
+                   : tzc::subscribe<::sensor_msgs::Image>(node, topic, queue_size, callback);
+  }
+
+ private:
+  const bool direct_;
+};
+
+class IntraprocessContender final : public Contender {
+ public:
+  const char* name() const override { return "intraprocess"; }
+  bool in_one_process() const override { return true; }
+
+  void subscribe_here(const Setup& setup, std::vector<Recorder>& recorders) override {
+    start_node(setup, "nodelets");
+    for (Recorder& recorder : recorders) {
+      auto inside = std::make_shared<Inside>();
+      inside->node.setCallbackQueue(&inside->queue);
+      inside->subscriber =
+          inside->node.subscribe<::sensor_msgs::Image>(topic_of(setup), queue_size, recording(recorder));
+      inside->spinner.start();
+      inside_.push_back(inside);
+      recorder.ready();
+    }
+  }
+
+  void subscribe(const Setup&, std::size_t, Recorder&) override {}
+
+  std::function<void(std::uint64_t)> publish(const Setup& setup) override {
+    const auto node = std::make_shared<ros::NodeHandle>();
+    ros::Publisher publisher = node->advertise<::sensor_msgs::Image>(topic_of(setup), queue_size);
+    wait_for([&] { return publisher.getNumSubscribers() >= 1; });  // one intraprocess link serves all of them
+    return [node, publisher, setup](std::uint64_t index) {
+      const auto image = boost::make_shared<::sensor_msgs::Image>();
+      image->data.resize(setup.size_bytes);
+      write_stamp(*image, index);
+      publisher.publish(image);
+    };
+  }
+
+ private:
+  /// A nodelet's worth of subscriber: its own queue and thread.
+  struct Inside {
+    ros::NodeHandle node;
+    ros::CallbackQueue queue;
+    ros::Subscriber subscriber;
+    ros::AsyncSpinner spinner{1, &queue};
+  };
+  std::vector<std::shared_ptr<Inside>> inside_;
+};
+
+}  // namespace
+
+std::unique_ptr<Contender> tcpros_contender() { return std::make_unique<TcprosContender>(); }
+std::unique_ptr<Contender> tzc_queue_contender() { return std::make_unique<TzcNodeContender>(false); }
+std::unique_ptr<Contender> tzc_direct_contender() { return std::make_unique<TzcNodeContender>(true); }
+std::unique_ptr<Contender> intraprocess_contender() { return std::make_unique<IntraprocessContender>(); }
+
+}  // namespace bench
+}  // namespace tzc

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "measure.h"
+
+namespace tzc {
+namespace bench {
+
+/// ros::Publisher to ros::Subscriber, with tcpNoDelay, called back by ros::spin.
+std::unique_ptr<Contender> tcpros_contender();
+/// The same code ported: callbacks through ros::spin's queue.
+std::unique_ptr<Contender> tzc_queue_contender();
+/// Ported, with direct dispatch.
+std::unique_ptr<Contender> tzc_direct_contender();
+/// Publisher and subscribers in one process, messages passed by pointer, as nodelets do.
+std::unique_ptr<Contender> intraprocess_contender();
+
+}  // namespace bench
+}  // namespace tzc

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sys/types.h>
+
+namespace tzc {
+namespace bench {
+
+/// A ROS master of the benchmark's own, on a free loopback port, for this process and the ones that it forks (it sets
+/// ROS_MASTER_URI and ROS_IP). Stopped by pid.
+class RosCore {
+ public:
+  RosCore();
+  ~RosCore();
+  bool running() const { return pid_ > 0; }
+
+ private:
+  pid_t pid_ = -1;
+};
+
+}  // namespace bench
+}  // namespace tzc

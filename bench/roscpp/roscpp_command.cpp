@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+
+#include "commands.h"
+#include "core/contenders.h"
+#include "options.h"
+#include "roscpp/contenders.h"
+#include "roscpp/roscore.h"
+#include "sweep.h"
+
+namespace tzc {
+namespace bench {
+
+int run_roscpp(int argc, char** argv) {
+  Options options;
+  options.sizes = {4096, 4 << 20};
+  options.rate = 30;
+  if (!parse_options(argc, argv, options)) return 2;
+  const RosCore core;
+  if (!core.running()) {
+    std::fprintf(stderr, "rosmaster does not start: is ROS's environment set up (source setup.bash)?\n");
+    return 1;
+  }
+  std::vector<std::unique_ptr<Contender>> contenders;
+  contenders.push_back(seqpacket_contender());
+  contenders.push_back(tzc_direct_contender());
+  contenders.push_back(tzc_queue_contender());
+  contenders.push_back(intraprocess_contender());
+  contenders.push_back(tcpros_contender());
+  return sweep(options, contenders);
+}
+
+}  // namespace bench
+}  // namespace tzc
