@@ -19,7 +19,9 @@ std::string canonical(const std::string& path) {
   return result;
 }
 
-bool lies_in(const std::string& file, const std::string& dir) { return file.rfind(dir + "/", 0) == 0; }
+bool lies_in(const std::string& file, const std::string& dir) {
+  return file.rfind(dir + "/", 0) == 0;
+}
 
 bool is_cxx(const std::string& file) {
   static const std::set<std::string> extensions = {".cpp", ".cc", ".cxx", ".c++", ".C", ".cp"};
@@ -28,16 +30,29 @@ bool is_cxx(const std::string& file) {
 
 /// `ccache g++ -c x.cpp` -> `g++ -c x.cpp`
 void drop_launcher(std::vector<std::string>& arguments) {
-  while (arguments.size() > 1 && arguments[1][0] != '-' && !is_cxx(arguments[1])) arguments.erase(arguments.begin());
+  while (arguments.size() > 1 && arguments[1][0] != '-' && !is_cxx(arguments[1]))
+    arguments.erase(arguments.begin());
+}
+
+/// TZC's headers are C++14 and the port raises what the build files ask for, so the package is read like
+/// that.
+void raise_to_cxx14(std::vector<std::string>& arguments) {
+  static const std::set<std::string> older = {"98", "03", "0x", "11"};
+  for (std::string& argument : arguments)
+    if (argument.rfind("-std=", 0) == 0 && argument.size() > 7 &&
+        older.count(argument.substr(argument.size() - 2)))
+      argument.replace(argument.size() - 2, 2, "14");
 }
 
 std::vector<std::string> adjusted(const clang::tooling::CompileCommand& command, const std::string& file) {
   using namespace clang::tooling;
-  const ArgumentsAdjuster adjust = combineAdjusters(
-      getClangStripOutputAdjuster(), combineAdjusters(getClangStripDependencyFileAdjuster(), getClangSyntaxOnlyAdjuster()));
+  const ArgumentsAdjuster adjust =
+      combineAdjusters(getClangStripOutputAdjuster(),
+                       combineAdjusters(getClangStripDependencyFileAdjuster(), getClangSyntaxOnlyAdjuster()));
   std::vector<std::string> arguments = command.CommandLine;
   if (arguments.empty()) return {};
   drop_launcher(arguments);
+  raise_to_cxx14(arguments);
   return adjust(arguments, file);
 }
 
@@ -49,8 +64,9 @@ Expected<std::vector<CompileUnit>> load_units(const std::string& package_dir, co
   const auto database = clang::tooling::JSONCompilationDatabase::loadFromFile(
       path, why, clang::tooling::JSONCommandLineSyntax::AutoDetect);
   if (!database)
-    return Error{"no compile commands: " + why, path,
-                 "Build the package once with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON and name its build folder with -p."};
+    return Error{
+        "no compile commands: " + why, path,
+        "Build the package once with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON and name its build folder with -p."};
   std::vector<CompileUnit> units;
   std::set<std::vector<std::string>> known;
   for (const clang::tooling::CompileCommand& command : database->getAllCompileCommands()) {

@@ -48,12 +48,27 @@ std::string generator() {
   return fs::exists(beside) ? beside.string() : "tzc-msggen";
 }
 
+/// -I PKG:DIR for the workspace's packages and for installed ones that these do not hide.
+std::vector<std::string> include_flags(const std::map<std::string, fs::path>& workspace,
+                                       const std::string& build_dir) {
+  std::map<std::string, fs::path> all;
+  for (const auto& [name, folder] : workspace) all[name] = folder / "msg";
+  for (const std::string& share : share_folders(build_dir)) {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(share, none))
+      if (fs::is_directory(entry.path() / "msg", none))
+        all.emplace(entry.path().filename(), entry.path() / "msg");
+  }
+  std::vector<std::string> flags;
+  for (const auto& [name, folder] : all)
+    if (fs::exists(folder)) flags.insert(flags.end(), {"-I", name + ":" + folder.string()});
+  return flags;
+}
+
 Expected<void> generate_one(const std::string& package, const fs::path& folder,
-                            const std::map<std::string, fs::path>& all, const std::string& output) {
+                            const std::vector<std::string>& flags, const std::string& output) {
   std::vector<std::string> command = {generator(), "generate", "-p", package, "-o", output};
-  for (const auto& [name, place] : all)
-    if (fs::exists(place / "msg"))
-      command.insert(command.end(), {"-I", name + ":" + (place / "msg").string()});
+  command.insert(command.end(), flags.begin(), flags.end());
   for (const std::string& file : definitions(folder)) command.push_back(file);
   const ProcessResult result = run_process(command);
   if (result.status == 0) return {};
@@ -64,16 +79,17 @@ Expected<void> generate_one(const std::string& package, const fs::path& folder,
 
 }  // namespace
 
-Expected<OwnMessages> OwnMessages::generate(const std::string& package_dir) {
+Expected<OwnMessages> OwnMessages::generate(const std::string& package_dir, const std::string& build_dir) {
   OwnMessages messages;
   const std::map<std::string, fs::path> all = message_packages(package_dir);
   if (all.empty()) return messages;
   std::string pattern = fs::temp_directory_path() / "tzc-rewrite-XXXXXX";
   if (!mkdtemp(pattern.data())) return Error{"no temporary folder can be made", pattern, ""};
   messages.folder_ = pattern;
-  for (const auto& [name, folder] : all) messages.packages_[name] = folder;
+  const std::vector<std::string> flags = include_flags(all, build_dir);
   for (const auto& [name, folder] : all) {
-    const Expected<void> done = generate_one(name, folder, all, messages.folder_);
+    messages.packages_[name] = folder;
+    const Expected<void> done = generate_one(name, folder, flags, messages.folder_);
     // Another package's broken messages are its own business: what needs them will not compile and say so.
     if (!done && folder == package_dir) return done.error();
   }

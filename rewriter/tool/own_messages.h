@@ -13,7 +13,7 @@ namespace tzc::rewriter {
 /// lives as long as the object. Empty where there are none.
 class OwnMessages {
  public:
-  static Expected<OwnMessages> generate(const std::string& package_dir);
+  static Expected<OwnMessages> generate(const std::string& package_dir, const std::string& build_dir);
 
   OwnMessages(OwnMessages&& other) noexcept
       : folder_(std::move(other.folder_)), packages_(std::move(other.packages_)) {

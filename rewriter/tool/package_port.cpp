@@ -65,7 +65,7 @@ class Porter {
   Expected<void> plan_sources() {
     const Expected<std::vector<std::string>> includes = find_tzc_includes(inputs_.options.tzc_includes);
     if (!includes) return includes.error();
-    const Expected<OwnMessages> messages = OwnMessages::generate(port_.package_dir);
+    const Expected<OwnMessages> messages = OwnMessages::generate(port_.package_dir, build_dir_);
     if (!messages) return messages.error();
     EngineOptions engine = engine_options();
     engine.tzc_include = includes->front();

@@ -2,7 +2,9 @@
 #include "tool/places.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 #include "buildfiles/compile_targets.h"
 #include "edits/files.h"
@@ -63,16 +65,32 @@ std::string cached(const std::string& cache, const std::string& name) {
   return cache.substr(at, cache.find('\n', at) - at);
 }
 
-/// The headers in TZC's own source and build tree, where this program may have been built.
-std::vector<fs::path> build_tree_includes(fs::path folder) {
-  for (; folder.has_relative_path(); folder = folder.parent_path()) {
-    const Expected<std::string> cache = read_file(folder / "CMakeCache.txt");
-    if (!cache) continue;
-    const std::string devel = cached(*cache, "CATKIN_DEVEL_PREFIX");
-    return {fs::path(cached(*cache, "tzc_SOURCE_DIR")) / "runtime/include",
-            (devel.empty() ? folder / "devel" : fs::path(devel)) / "include"};
-  }
+/// The CMakeCache.txt of a folder or of the nearest one above it.
+struct Cache {
+  fs::path folder;
+  std::string text;
+};
+Cache nearest_cache(fs::path folder) {
+  for (; folder.has_relative_path(); folder = folder.parent_path())
+    if (const Expected<std::string> text = read_file(folder / "CMakeCache.txt")) return {folder, *text};
   return {};
+}
+
+/// The headers in TZC's own source and build tree, where this program may have been built.
+std::vector<fs::path> build_tree_includes(const fs::path& bin) {
+  const Cache cache = nearest_cache(bin);
+  if (cache.text.empty()) return {};
+  const std::string devel = cached(cache.text, "CATKIN_DEVEL_PREFIX");
+  return {fs::path(cached(cache.text, "tzc_SOURCE_DIR")) / "runtime/include",
+          (devel.empty() ? cache.folder / "devel" : fs::path(devel)) / "include"};
+}
+
+std::vector<std::string> split_path(const char* list) {
+  std::vector<std::string> parts;
+  std::istringstream stream(list ? list : "");
+  for (std::string part; std::getline(stream, part, ':');)
+    if (!part.empty()) parts.push_back(part);
+  return parts;
 }
 
 std::vector<fs::path> own_include_folders() {
@@ -106,6 +124,17 @@ Expected<std::string> find_build_dir(const std::string& package_dir, const std::
       if (has_database(folder) && knows_package(folder, package_dir)) return folder.string();
   return Error{"no compile_commands.json with the package's files was found", package_dir,
                std::string(make_one) + "; or name its folder with -p"};
+}
+
+std::vector<std::string> share_folders(const std::string& build_dir) {
+  std::vector<std::string> folders;
+  const std::string catkin = cached(nearest_cache(build_dir).text, "catkin_DIR");
+  if (!catkin.empty()) folders.push_back((fs::path(catkin) / "../..").lexically_normal());
+  for (const std::string& folder : split_path(std::getenv("ROS_PACKAGE_PATH"))) folders.push_back(folder);
+  for (const std::string& prefix : split_path(std::getenv("CMAKE_PREFIX_PATH")))
+    folders.push_back(prefix + "/share");
+  folders.push_back("/usr/share");
+  return folders;
 }
 
 std::string own_folder() {

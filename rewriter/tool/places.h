@@ -18,6 +18,10 @@ Expected<std::vector<std::string>> find_packages_at(const std::string& argument)
 Expected<std::string> find_build_dir(const std::string& package_dir, const std::string& package,
                                      const std::string& given);
 
+/// Folders that hold installed ROS packages: of the catkin that the build folder was configured with, of the
+/// environment's ROS_PACKAGE_PATH and CMAKE_PREFIX_PATH, /usr/share last.
+std::vector<std::string> share_folders(const std::string& build_dir);
+
 /// Where this program lies.
 std::string own_folder();
 

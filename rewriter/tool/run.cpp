@@ -116,8 +116,8 @@ class Run {
   std::string closing_line() const {
     const auto changed =
         std::count_if(ports_.begin(), ports_.end(), [](auto& port) { return !port.contents.empty(); });
-    if (changed == 0)
-      return status() == work_left ? "no change; some sites stay on TCPROS\n" : "nothing to port\n";
+    const bool open = std::any_of(ports_.begin(), ports_.end(), has_refusal);
+    if (changed == 0) return open ? "no change; some sites stay on TCPROS\n" : "nothing to port\n";
     switch (options_.action) {
       case Action::apply:
         return "ported; build the workspace again\n";
@@ -152,10 +152,15 @@ class Run {
                : nothing_left;
   }
 
+  static bool has_refusal(const PackagePort& port) {
+    const std::vector<Site>& sites = port.result.report.sites;
+    return std::any_of(sites.begin(), sites.end(), is_refusal);
+  }
+
   bool has_work(const PackagePort& port) const {
     const Report& report = port.result.report;
     const bool edits = !port.contents.empty();
-    if (!baseline_) return edits || std::any_of(report.sites.begin(), report.sites.end(), is_refusal);
+    if (!baseline_) return edits || has_refusal(port);
     return std::any_of(report.sites.begin(), report.sites.end(), [&](const Site& site) {
       const bool open = is_refusal(site) || (edits && site.level != Level::not_needed && !site.suppressed);
       return open && !baseline_->accepts(report, site);
