@@ -13,6 +13,10 @@ namespace {
 using Point = ::pcl::PointXYZRGB;
 using Cloud = ::pcl::PointCloud<Point>;
 
+static_assert(message::HasPartialForm<Cloud>::value, "travels as PointCloud2's control part and data");
+static_assert(message::HasPartialForm<::pcl::PCLPointCloud2>::value,
+              "travels as PointCloud2's control part and data");
+
 Cloud cloud_of(std::uint32_t width, std::uint32_t height) {
   Cloud cloud(width, height);
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
