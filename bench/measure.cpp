@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 namespace tzc {
@@ -27,7 +28,7 @@ pid_t in_child(const std::function<void()>& body) {
   const pid_t child = ::fork();
   if (child != 0) return child;
   body();
-  ::_exit(0);
+  std::exit(0);  // iceoryx cleans its socket files up in a destructor
 }
 
 void sleep_ms(int milliseconds) {
@@ -64,7 +65,7 @@ void send_all(Contender& contender, const Setup& setup, Board& board) {
 }
 
 void kill_all(const std::vector<pid_t>& children) {
-  sleep_ms(50);
+  sleep_ms(500);
   for (const pid_t child : children) ::kill(child, SIGKILL);
   for (const pid_t child : children) ::waitpid(child, nullptr, 0);
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Portable: shm_open, unlinked before anyone else can learn the name.
+#include <dirent.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
+#include <memory>
 
 #include "posix/error.h"
 #include "posix/memory_file.h"
@@ -19,10 +23,32 @@ FileDescriptor open_shm(const std::string& name, int flags) {
   return FileDescriptor(::shm_open(name.c_str(), flags | O_CLOEXEC, S_IRUSR | S_IWUSR));
 }
 
+// A process killed between shm_open and shm_unlink leaves a name behind. It carries the process id, so that
+// the next start can remove the names of the dead. (Should the living one be in another container: it only
+// creates anew.)
+std::string fresh_name() {
+  return "/tzc-" + std::to_string(::getpid()) + "-" + nonce();
+}
+
+bool is_of_the_dead(const char* name) {
+  int pid = 0;
+  return std::sscanf(name, "tzc-%d-", &pid) == 1 && pid > 0 && ::kill(pid, 0) != 0 && errno == ESRCH;
+}
+
+bool remove_names_of_the_dead() {
+  const std::unique_ptr<DIR, int (*)(DIR*)> entries(::opendir("/dev/shm"), ::closedir);
+  while (const dirent* entry = entries ? ::readdir(entries.get()) : nullptr) {
+    if (is_of_the_dead(entry->d_name)) ::shm_unlink((std::string("/") + entry->d_name).c_str());
+  }
+  return true;
+}
+
 }  // namespace
 
 Expected<MemoryFile> create_memory_file(const char* name, std::size_t size, Sharing sharing) {
-  const std::string path = std::string("/tzc-") + nonce();
+  static const bool removed = remove_names_of_the_dead();
+  (void)removed;
+  const std::string path = fresh_name();
   MemoryFile file;
   file.descriptor = open_shm(path, O_RDWR | O_CREAT | O_EXCL);
   if (!file.descriptor) return system_error("create a shared memory file", name);

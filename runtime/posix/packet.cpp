@@ -83,9 +83,9 @@ ReceiveResult receive_packet(int socket, void* memory, std::size_t size, Waiting
   message.msg_controllen = with_descriptors ? control_space : 0;
   const int flags = MSG_CMSG_CLOEXEC | (waiting == Waiting::block ? 0 : MSG_DONTWAIT);
   ssize_t received = 0;
-  do {
+  do {  // a reset is reported once, before what the peer had sent until then
     received = ::recvmsg(socket, &message, flags);
-  } while (received < 0 && errno == EINTR);
+  } while (received < 0 && (errno == EINTR || errno == ECONNRESET));
   if (received < 0 && (errno == EAGAIN || errno == ENOBUFS || errno == ENOMEM)) return ReceiveResult::nothing;
   if (received <= 0) return ReceiveResult::closed;
   packet.size = static_cast<std::size_t>(received);

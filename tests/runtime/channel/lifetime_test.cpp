@@ -89,6 +89,7 @@ TEST(Lifetime, AKilledSubscriberFreesItsBlocksAtOnce) {
     ::pause();
     return 0;
   });
+  ::close(ready[1]);  // a child that dies early ends the read below
   ASSERT_TRUE(eventually([&] { return out->connections().size() == 1; }));
   out->publish(text_record("x", {filled(*out->memory(), mb, 8)}));
   char byte = 0;
@@ -98,7 +99,6 @@ TEST(Lifetime, AKilledSubscriberFreesItsBlocksAtOnce) {
   EXPECT_TRUE(eventually([&] { return has_room(*out, mb); }, 100));
   EXPECT_EQ(exit_status(child), -1);
   ::close(ready[0]);
-  ::close(ready[1]);
 }
 
 TEST(Lifetime, AKilledPublisherLeavesWhatWasTaken) {
@@ -113,6 +113,7 @@ TEST(Lifetime, AKilledPublisherLeavesWhatWasTaken) {
     }
     return 0;
   });
+  ::close(address_pipe[1]);
   char address[200] = {};
   ASSERT_GT(::read(address_pipe[0], address, sizeof address), 0);
   Inbox in(address);
@@ -122,13 +123,12 @@ TEST(Lifetime, AKilledPublisherLeavesWhatWasTaken) {
   EXPECT_TRUE(in.wait_for_end());
   for (const MessagePtr& message : in.messages()) EXPECT_TRUE(all_bytes_are(message->blocks()[0], 8));
   ::close(address_pipe[0]);
-  ::close(address_pipe[1]);
 }
 
 TEST(Lifetime, NothingIsLeftOpen) {
   {
     Inbox warm_up(publisher()->address());
-  }                                                            // starts the service
+  }  // starts the service
   std::this_thread::sleep_for(std::chrono::milliseconds(50));  // earlier connections end
   const int before = open_descriptors();
   for (int i = 0; i < 20; ++i) {
@@ -161,23 +161,26 @@ TEST(Lifetime, CallbacksComeOnceAndNeverAfterTheEnd) {
 }
 
 TEST(Lifetime, ASubscriberMayGoInsideItsCallback) {
+  struct Shared {
+    std::mutex mutex;
+    std::shared_ptr<Subscriber> subscriber;
+    std::atomic<int> calls{0};
+  };
   const auto out = publisher();
-  std::shared_ptr<Subscriber> subscriber;
-  std::mutex mutex;
-  std::atomic<int> calls{0};
+  const auto shared = std::make_shared<Shared>();  // the last callback may still run when the test is over
   SubscriberOptions options;
   options.address = out->address();
-  options.on_message = [&](const MessagePtr&) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    subscriber.reset();
-    ++calls;
+  options.on_message = [shared](const MessagePtr&) {
+    const std::lock_guard<std::mutex> lock(shared->mutex);
+    shared->subscriber.reset();
+    ++shared->calls;
   };
   {
-    const std::lock_guard<std::mutex> lock(mutex);
-    subscriber = *Subscriber::create(options);
+    const std::lock_guard<std::mutex> lock(shared->mutex);
+    shared->subscriber = *Subscriber::create(options);
   }
   for (int i = 0; i < 10; ++i) out->publish(text_record("x"));
-  EXPECT_TRUE(eventually([&] { return calls == 1 && out->connections().empty(); }));
+  EXPECT_TRUE(eventually([&] { return shared->calls == 1 && out->connections().empty(); }));
 }
 
 TEST(Lifetime, APublisherMayGoInsideItsCallbacks) {

@@ -76,6 +76,16 @@ TEST_F(PacketTest, WhatWasSentBeforeTheEndIsStillRead) {
   EXPECT_EQ(receive(), ReceiveResult::closed);
 }
 
+TEST_F(PacketTest, APeerThatLeavesOurWordsUnreadIsStillHeard) {
+  const iovec part{const_cast<char*>("unread"), 6};
+  send_packet(right_.get(), &part, 1);
+  send("last words");
+  left_.reset();
+  ASSERT_EQ(receive(), ReceiveResult::packet);
+  EXPECT_EQ(received(), "last words");
+  EXPECT_EQ(receive(), ReceiveResult::closed);
+}
+
 TEST_F(PacketTest, SaysWhenAPacketDidNotFit) {
   send(std::string(100, 'x'));
   ASSERT_EQ(receive(false, 10), ReceiveResult::packet);

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When the system has no more to give: an error that says so, nothing lost silently, and recovery afterwards.
+// Each test runs in a child process of its own, whose limits it may ruin.
+#include <fcntl.h>
+#include <sched.h>
+#include <signal.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+
+#include <cstdlib>
+
+#include "support.h"
+
+namespace tzc {
+namespace channel {
+namespace test {
+namespace {
+
+constexpr int skipped = 77;
+
+#define EXPECT_IN_CHILD(condition)                                                 \
+  if (!(condition)) {                                                              \
+    std::fprintf(stderr, "%s:%d: not true: %s\n", __FILE__, __LINE__, #condition); \
+    return 1;                                                                      \
+  }
+
+void limit(int resource, rlim_t value) {
+  rlimit both{};
+  ::getrlimit(static_cast<__rlimit_resource>(resource), &both);
+  both.rlim_cur = value;
+  ::setrlimit(static_cast<__rlimit_resource>(resource), &both);
+}
+
+bool mentions(const std::string& text, const char* what) {
+  return text.find(what) != std::string::npos;
+}
+
+int publisher_without_descriptors() {
+  const auto out = publisher();
+  std::vector<std::shared_ptr<Subscriber>> some;
+  some.push_back(idle_subscriber(out->address()));
+  SubscriberOptions late;
+  late.address = out->address();
+  late.own_thread = false;
+  limit(RLIMIT_NOFILE, 0);  // what is open stays open
+  const auto refused = Subscriber::create(late);
+  EXPECT_IN_CHILD(!refused && mentions(refused.error().text(), "too many open files"));
+  EXPECT_IN_CHILD(!Publisher::create({}));
+  EXPECT_IN_CHILD(!SegmentMemory::create(MemoryOptions{mb}));
+  EXPECT_IN_CHILD(out->publish(text_record("no memory needed")) == 1);
+  // The subscriber can't be offered a segment now: the caller learns it and may send the message without
+  // memory.
+  const ConnectionPtr connection = out->connections()[0];
+  EXPECT_IN_CHILD(!connection->send(text_record("x", {filled(*out->memory(), 1000, 1)})));
+  EXPECT_IN_CHILD(connection->alive() && mentions(connection->last_failure().text(), "too many open files"));
+  limit(RLIMIT_NOFILE, 1000);
+  EXPECT_IN_CHILD(connection->send(text_record("y", {filled(*out->memory(), 1000, 2)})));
+  EXPECT_IN_CHILD(Subscriber::create(late));
+  EXPECT_IN_CHILD(control_of(some[0]->read()) == "no memory needed");
+  EXPECT_IN_CHILD(control_of(some[0]->read()) == "y");
+  return 0;
+}
+
+int accepting_without_descriptors() {
+  PublisherOptions options;
+  options.address = "@tzc-exhaustion-" + std::to_string(::getpid());
+  int go[2];
+  if (::pipe(go) != 0) return 1;
+  const pid_t child = in_child([&] {
+    char byte = 0;
+    (void)!::read(go[0], &byte, 1);
+    SubscriberOptions in;
+    in.address = options.address;
+    in.own_thread = false;
+    return Subscriber::create(in) ? 0 : 1;  // waits in the backlog until there is room
+  });
+  const auto out = publish_with(options);
+  limit(RLIMIT_NOFILE, 0);
+  (void)!::write(go[1], "x", 1);
+  EXPECT_IN_CHILD(eventually([&] { return out->stats().accept_failures > 0; }));
+  limit(RLIMIT_NOFILE, 1000);
+  return exit_status(child);
+}
+
+int subscriber_that_can_not_map() {
+  const auto out = publisher(10, 64 * mb);
+  Inbox in(out->address());
+  limit(RLIMIT_AS, 1);  // no new mapping succeeds
+  const BufferPtr small = out->memory()->allocate(1000);
+  out->publish(text_record("x", {small}));
+  // Whichever side could not map it says so: the subscriber by leaving, the publisher by refusing to send.
+  const bool told = eventually(
+      [&] { return !in.reason().empty() || !out->connections()[0]->last_failure().text().empty(); });
+  limit(RLIMIT_AS, RLIM_INFINITY);
+  EXPECT_IN_CHILD(told);
+  Inbox again(out->address());
+  out->publish(text_record("y", {filled(*out->memory(), 1000, 1)}));
+  EXPECT_IN_CHILD(again.wait_for(1));
+  return 0;
+}
+
+int file_size_limit() {
+  ::signal(SIGXFSZ, SIG_IGN);
+  limit(RLIMIT_FSIZE, 8 * mb);
+  const auto memory = SegmentMemory::create(MemoryOptions{64 * mb});
+  EXPECT_IN_CHILD(!memory && mentions(memory.error().text(), "ulimit -f"));
+  EXPECT_IN_CHILD(SegmentMemory::create(MemoryOptions{mb}));
+  return 0;
+}
+
+#ifdef TZC_PORTABLE
+bool small_private_shm() {
+  return ::unshare(CLONE_NEWNS) == 0 && ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+         ::mount("tmpfs", "/dev/shm", "tmpfs", 0, "size=8m") == 0;
+}
+
+int full_tmpfs() {
+  if (!small_private_shm()) return skipped;
+  const auto out = publisher(10, 64 * mb);
+  Inbox in(out->address());
+  std::vector<BufferPtr> held;
+  while (BufferPtr buffer = filled(*out->memory(), mb, 1)) held.push_back(buffer);
+  EXPECT_IN_CHILD(held.size() >= 6 && held.size() < 8);
+  EXPECT_IN_CHILD(mentions(out->memory()->last_failure().text(), "shared memory is full"));
+  EXPECT_IN_CHILD(out->publish(text_record("without memory")) == 1 && in.wait_for(1));
+  ::mount("none", "/dev/shm", nullptr, MS_REMOUNT, "size=32m");
+  EXPECT_IN_CHILD(filled(*out->memory(), mb, 2));
+  return 0;
+}
+#endif
+
+void run(int (*test)()) {
+  const int status = exit_status(in_child(test));
+  if (status == skipped) GTEST_SKIP() << "not permitted here";
+  EXPECT_EQ(status, 0);
+}
+
+TEST(Exhaustion, TooManyDescriptorsInAChild) {
+  run(publisher_without_descriptors);
+}
+TEST(Exhaustion, AcceptingWithoutDescriptorsInAChild) {
+  run(accepting_without_descriptors);
+}
+TEST(Exhaustion, FileSizeLimitInAChild) {
+  run(file_size_limit);
+}
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(Exhaustion, NoAddressSpaceInAChild) {
+  run(subscriber_that_can_not_map);
+}
+#endif
+#ifdef TZC_PORTABLE
+TEST(Exhaustion, FullTmpfsInAChild) {
+  run(full_tmpfs);
+}
+#endif
+
+}  // namespace
+}  // namespace test
+}  // namespace channel
+}  // namespace tzc
