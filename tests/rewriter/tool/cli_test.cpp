@@ -194,6 +194,15 @@ TEST_F(Cli, a_site_twice_in_the_report_is_a_defect_that_stops_everything) {
   EXPECT_FALSE(is_ported());
 }
 
+TEST_F(Cli, no_headers_of_tzc) {
+  std::filesystem::remove_all(ws.folder() / "include/tzc/std_msgs");
+  EXPECT_THAT(ws.rewrite({}).errors, HasSubstr("TZC's headers of the installed messages were not found"));
+  std::filesystem::remove_all(ws.folder() / "include");
+  const auto result = ws.rewrite({});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.errors, HasSubstr("TZC's headers were not found"));
+}
+
 TEST_F(Cli, no_compile_commands) {
   std::filesystem::remove_all(ws.folder() / "ws/build");
   const auto result = ws.rewrite({});

@@ -16,6 +16,7 @@ class Workspace {
  public:
   Workspace() {
     folder_.write("include/tzc/ros.h", "");
+    folder_.write("include/tzc/std_msgs/Header.h", "");
     folder_.write(
         "ws/src/demo/package.xml",
         "<package format=\"2\">\n  <name>demo</name>\n  <buildtool_depend>catkin</buildtool_depend>\n"

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole tool, engine included, on the sample package: what the demo promises.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "support/temp_dir.h"
+#include "tool/process.h"
+
+namespace tzc::rewriter {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+class CameraPair : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(folder_ / "ws/src");
+    fs::copy(SAMPLE_DIR, package(), fs::copy_options::recursive);
+    json database = json::array();
+    for (const char* unit : {"camera_main", "camera_node", "viewer_node"}) {
+      const std::string file = package() + "/src/" + unit + ".cpp";
+      const std::string target = std::string(unit) == "viewer_node" ? "viewer_node" : "camera_node";
+      database.push_back(
+          {{"directory", folder_.path()},
+           {"file", file},
+           {"command", "/usr/bin/c++ " INCLUDE_FLAGS " -std=gnu++17 -o camera_pair/CMakeFiles/" + target +
+                           ".dir/src/" + unit + ".cpp.o -c " + file}});
+    }
+    folder_.write("ws/build/compile_commands.json", database.dump());
+  }
+
+  std::string package() const { return folder_ / "ws/src/camera_pair"; }
+
+  ProcessResult rewrite(std::vector<std::string> words) {
+    words.insert(words.begin(), TZC_REWRITE);
+    words.insert(words.end(), {"--report", folder_ / "report.json", package()});
+    return run_process(words);
+  }
+  json report() const { return json::parse(folder_.read("report.json")); }
+
+  /// "kind level" of each site, sorted.
+  std::string sites() const {
+    const json document = report();
+    std::set<std::string> all;
+    for (const json& site : document["sites"])
+      all.insert(site["kind"].get<std::string>() + " " + site["level"].get<std::string>());
+    std::ostringstream text;
+    for (const std::string& site : all) text << site << "\n";
+    return text.str();
+  }
+
+  test::TempDir folder_;
+};
+
+TEST_F(CameraPair, every_site_is_ported_as_far_as_possible) {
+  const ProcessResult result = rewrite({});
+  EXPECT_EQ(result.status, 1) << result.errors;
+  EXPECT_EQ(sites(), "advertise zero_copy\npublish zero_copy\nsubscribe shared\n");
+  EXPECT_EQ(report()["summary"]["files_changed"], 5);
+  EXPECT_THAT(result.output, HasSubstr("+  tzc::Publisher publisher_;\n"));
+}
+
+TEST_F(CameraPair, the_second_run_changes_nothing) {
+  ASSERT_EQ(rewrite({"--apply"}).status, 0);
+  const ProcessResult second = rewrite({});
+  EXPECT_EQ(second.status, 0) << second.errors;
+  EXPECT_EQ(second.output, "");
+  EXPECT_EQ(report()["summary"]["files_changed"], 0);
+}
+
+TEST_F(CameraPair, a_file_that_does_not_parse_is_named_and_nothing_is_written) {
+  const std::string broken =
+      folder_.read("ws/src/camera_pair/src/viewer_node.cpp") + "\nint missing = undeclared;\n";
+  folder_.write("ws/src/camera_pair/src/viewer_node.cpp", broken);
+  const ProcessResult result = rewrite({"--apply"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.errors, HasSubstr("viewer_node.cpp:"));
+  EXPECT_THAT(result.errors, HasSubstr("undeclared"));
+  EXPECT_EQ(folder_.read("ws/src/camera_pair/src/viewer_node.cpp"), broken);
+  EXPECT_THAT(folder_.read("ws/src/camera_pair/src/camera_node.h"), HasSubstr("ros::Publisher publisher_"));
+}
+
+}  // namespace
+}  // namespace tzc::rewriter
