@@ -52,6 +52,7 @@ struct Setup {
   double rate;
   std::size_t count;
   std::string name;  // unique for each measurement: for addresses and services
+  std::size_t queue_size = 10;
 };
 
 /// One way of carrying messages. Every function but prepare runs in a process of its own.

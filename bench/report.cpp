@@ -40,6 +40,7 @@ nlohmann::json to_json(const Row& row) {
 void print_header() {
   std::printf("%-20s %12s %12s %8s %10s %10s %10s\n", "contender", "size_bytes", "subscribers", "sent",
               "delivered", "median_us", "p99_us");
+  std::fflush(stdout);  // or every forked process prints it again
 }
 
 void print_row(const Row& row) {

@@ -17,10 +17,12 @@ namespace tzc {
 namespace bench {
 namespace {
 
-std::size_t resident_kb() {
+// "RssAnon": the process's own memory; "RssShmem": pages of its segments.
+std::size_t status_kb(const std::string& field) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
-    if (line.compare(0, 6, "VmRSS:") == 0) return std::strtoul(line.c_str() + 6, nullptr, 10);
+    if (line.compare(0, field.size(), field) == 0)
+      return std::strtoul(line.c_str() + field.size() + 1, nullptr, 10);
   }
   return 0;
 }
@@ -36,8 +38,8 @@ class Watched final : public Contender {
     return [inner = inner_->publish(setup), setup](std::uint64_t index) {
       inner(index);
       if (index == setup.count / 10 || index + 1 == setup.count)
-        std::printf("publisher after %llu messages: %zu KB resident\n",
-                    static_cast<unsigned long long>(index), resident_kb());
+        std::printf("publisher after %llu messages: %zu KB private, %zu KB of segments\n",
+                    static_cast<unsigned long long>(index), status_kb("RssAnon"), status_kb("RssShmem"));
       std::fflush(stdout);
     };
   }
@@ -56,8 +58,12 @@ int run_sustained(int argc, char** argv) {
   options.count = 200 * 60;
   if (!parse_options(argc, argv, options)) return 2;
   Watched contender;
-  const Setup setup{options.sizes[0], options.subscribers[0], options.rate, options.count,
-                    "tzcs" + std::to_string(::getpid())};
+  const Setup setup{options.sizes[0],
+                    options.subscribers[0],
+                    options.rate,
+                    options.count,
+                    "tzcs" + std::to_string(::getpid()),
+                    40};
   const Row row = measure(contender, setup);
   print_header();
   print_row(row);

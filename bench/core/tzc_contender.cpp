@@ -49,9 +49,9 @@ class TzcContender final : public Contender {
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
     channel::PublisherOptions options;
     options.address = "@" + setup.name;
-    options.queue_size = 10;
+    options.queue_size = setup.queue_size;
     MemoryOptions memory;
-    memory.size = setup.size_bytes * 8;
+    memory.size = setup.size_bytes * (setup.queue_size + 2);
     options.memory = *SegmentMemory::create(memory);
     const auto publisher = *channel::Publisher::create(options);
     return [publisher, setup](std::uint64_t index) {
