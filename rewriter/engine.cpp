@@ -93,11 +93,11 @@ PortPlan Engine::finish(Porter::Result result) const {
 
 Expected<PortPlan> Engine::run() {
   if (std::optional<Error> failure = collect()) return *failure;
-  const Components components(facts_);
+  const Components components(facts_, options_.without_rules.count("all-or-nothing") == 0);
   ParseOptions parse_options;
   if (!options_.tzc_include.empty()) parse_options.include_dirs.push_back(options_.tzc_include);
   for (const std::string& dir : options_.extra_include_dirs) parse_options.include_dirs.push_back(dir);
-  const Verifier verifier(units_, facts_, components, parse_options, options_.jobs, read_file);
+  const Verifier verifier(units_, facts_, components, parse_options, options_.package_dir, options_.jobs, read_file);
   Expected<Porter::Result> result = Porter(facts_, components, options_, verifier, read_file).run();
   if (!result) return result.error();
   return finish(std::move(*result));

@@ -29,7 +29,8 @@ struct EngineOptions {
   std::string tzc_include;                      ///< TZC's own headers and the twins of installed messages
   std::vector<std::string> extra_include_dirs;  ///< generated twins of the package's own messages
   SiteFilter wanted;                            ///< empty: every site
-  std::set<std::string> without_rules;          ///< rules that are not applied: shows in tests that each is needed
+  std::set<std::string> without_rules;          ///< not applied, to show in tests that each is needed; also
+                                                ///< "verification" and "all-or-nothing"
   Progress* progress = nullptr;
 };
 

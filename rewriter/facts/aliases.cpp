@@ -113,6 +113,10 @@ bool PointerFollower::into_call(const clang::CallExpr* call) {
   const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call);
   if (op && op->isAssignmentOp() && op->getOperator() == clang::OO_Equal)
     return into_assignment(op->getArg(0) == at_ ? at_ : op->getArg(0));
+  const bool element = op && at_ == op->getArg(0) &&
+                       (op->getOperator() == clang::OO_Subscript || op->getOperator() == clang::OO_Star ||
+                        op->getOperator() == clang::OO_Arrow);
+  if (element) return go_on(call);
   const bool may_return_it = call->getType()->isPointerType() || op || !call->isLValue();
   return may_return_it && may_point(call->getType()) ? go_on(call) : false;
 }

@@ -35,7 +35,11 @@ Birth birth_of(Unit& unit, const Key& key, const clang::FunctionDecl* function, 
 void place_behind(Unit& unit, const clang::Stmt* statement, Birth& birth) {
   if (!statement) return;
   birth.at = unit.source.behind(statement->getSourceRange());
-  if (birth.at) birth.indent = unit.source.indent(*birth.at);
+  if (!birth.at) return;
+  birth.indent = unit.source.indent(*birth.at);
+  const std::optional<Place> end = unit.source.line_end(*birth.at);
+  birth.own_line = end.has_value();
+  if (end) birth.at = end;
 }
 
 bool is_fresh(Unit& unit, const Sources& sources) {
@@ -133,7 +137,8 @@ void name_publishers(Unit& unit, SeenBirth& seen) {
   for (const SeenPublisher& publisher : unit.publishers)
     if (publisher.function == seen.function && !publisher.key.empty() && nameable_at(unit, publisher, at))
       seen.birth.publishers.push_back(
-          {publisher.key, unit.source.text(publisher.object->getSourceRange()), publisher.pointer});
+          {publisher.key, unit.source.text(publisher.object->getSourceRange()), publisher.pointer,
+           publisher.messages});
 }
 
 /// A local message before the publisher that is declared later in the same block.
@@ -145,12 +150,14 @@ void place_behind_publisher(Unit& unit, SeenBirth& seen) {
     const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
     if (!variable || !variable->isLocalVarDecl()) continue;
     const clang::Stmt* statement = statement_around(unit, clang::DynTypedNode::create(*variable));
-    const auto at = statement ? unit.source.behind(statement->getSourceRange()) : std::nullopt;
+    const auto behind = statement ? unit.source.behind(statement->getSourceRange()) : std::nullopt;
+    const auto at = behind ? unit.source.line_end(*behind) : std::nullopt;
     if (!at || at->begin < seen.birth.at->begin || at->begin > publisher.begin) continue;
     for (const DataUse& use : unit.facts.data_uses)
       if (use.entity == seen.birth.entity && use.where.line < at->line) return;
     seen.birth.at = at;
     seen.birth.indent = unit.source.indent(*at);
+    seen.birth.own_line = true;
     name_publishers(unit, seen);
     return;
   }
@@ -201,7 +208,10 @@ void add_member_birth(Unit& unit, const SeenMember& member) {
   birth.before = true;
   birth.object = unit.source.text(member.expr->getSourceRange());
   if (statement) birth.at = unit.source.before(statement->getBeginLoc());
-  if (birth.at) birth.indent = unit.source.indent(*birth.at);
+  if (birth.at) {
+    birth.indent = unit.source.indent(*birth.at);
+    birth.own_line = unit.source.starts_line(*birth.at);
+  }
   unit.births.push_back({birth, member.function});
 }
 

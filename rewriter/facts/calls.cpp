@@ -25,6 +25,12 @@ Place span(const Place& from, unsigned begin, unsigned end) {
   return place;
 }
 
+/// The parenthesis that opens the arguments, behind the function's name.
+unsigned first_paren(Unit& unit, const Place& call, unsigned from) {
+  const std::string text = unit.source.text(span(call, from, call.end));
+  return from + static_cast<unsigned>(text.find('('));
+}
+
 }  // namespace
 
 Receiver receiver_of(const clang::CXXMemberCallExpr* call) {
@@ -60,9 +66,13 @@ std::vector<Change> receiver_first(Unit& unit, const clang::CXXMemberCallExpr* c
   const std::optional<Place> first =
       count > 0 ? unit.source.place(call->getArg(0)->getSourceRange()) : unit.source.before(call->getRParenLoc());
   if (!first || first->begin < object->end || object->begin != whole->begin) return {};
-  const Place between = span(*whole, object->end, first->begin);
+  const std::optional<Place> name = unit.source.place(callee_of(call)->getSourceRange());
+  if (!name) return {};
+  const unsigned open_paren = first_paren(unit, *whole, name->end);
+  const Place between = span(*whole, object->end, open_paren + 1);
   std::string separator = (count > 0 || !last.empty() ? "," : "") + comments_in(unit.source.text(between));
-  if (!separator.empty() && count > 0) separator += " ";
+  const std::string behind = unit.source.text(span(*whole, open_paren + 1, open_paren + 2));
+  if (!separator.empty() && count > 0 && behind != " " && behind != "\n" && behind != "\r") separator += " ";
   const std::string open = to + "(" + (receiver.pointer ? "*" : "") + (implicit ? "this" : "");
   return {{span(*whole, object->begin, object->begin), open, rule, {header}},
           {between, separator + (last.empty() ? "" : (count > 0 ? "" : " ") + last), rule, {}}};

@@ -94,6 +94,7 @@ class Collector : public clang::RecursiveASTVisitor<Collector> {
   void member_call(clang::CXXMemberCallExpr* call);
   void made_object(clang::CallExpr* call);
   void note_publisher_arguments(clang::CallExpr* call);
+  std::vector<Key> messages_among(const clang::CallExpr* call);
   void adapter_birth(clang::CXXMemberCallExpr* call, const MethodCall& rule);
   void check_source_of(const clang::VarDecl* variable);
   void check_address_taken(const clang::FunctionDecl* function, const clang::DeclRefExpr* reference);
@@ -137,8 +138,22 @@ void Collector::made_object(clang::CallExpr* call) {
       if (argument.getTypeSourceInfo())
         retype(unit_, argument.getTypeSourceInfo()->getTypeLoc(), unit_.facts.entities[key]);
   const Sink sink = follow_use(unit_, call, key);
+  const clang::CXXRecordDecl* made = pointee_of(call->getType())->getAsCXXRecordDecl();
+  const ClassRename* rename = made ? unit_.rules.find_class(qualified_name_of(made)) : nullptr;
+  if (rename && rename->role == ClassRename::Role::filter) collect_made_filter(unit_, call, made, key);
   const auto message = message_of(pointee_of(call->getType()));
   if (message && message->has_data) collect_object_birth(unit_, call, key, sink);
+}
+
+std::vector<Key> Collector::messages_among(const clang::CallExpr* call) {
+  std::vector<Key> messages;
+  for (const clang::Expr* argument : call->arguments()) {
+    const auto carried = carried_by(argument->getType(), unit_.rules);
+    if (!carried || carried->carrier != Carrier::message) continue;
+    const Sources sources = sources_of(unit_, argument);
+    messages.insert(messages.end(), sources.keys.begin(), sources.keys.end());
+  }
+  return messages;
 }
 
 void Collector::note_publisher_arguments(clang::CallExpr* call) {
@@ -150,7 +165,7 @@ void Collector::note_publisher_arguments(clang::CallExpr* call) {
     const clang::Expr* written = argument->IgnoreImplicit();
     const bool pointer = !pointee_of(argument->getType()).isNull();
     if (!sources.keys.empty())
-      unit_.publishers.push_back({written, pointer, sources.keys[0], {}, function_around(unit_, *call),
+      unit_.publishers.push_back({written, pointer, sources.keys[0], messages_among(call), function_around(unit_, *call),
                                   unit_.source.where(call->getBeginLoc()).begin});
   }
 }

@@ -52,6 +52,7 @@ std::vector<Diagnostic> collect_unit(const CompileUnit& unit, const CollectOptio
     note_files(collected, unit, options);
     limit_to_package(collected);
     collect(collected);
+    facts.calls[unit.id()] = package_calls(ast, options.package_dir);
   });
   note_branches(parsed, options, facts);
   return parsed.errors;

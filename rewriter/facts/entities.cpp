@@ -54,6 +54,8 @@ Entity& entity_at(Unit& unit, const Key& key, const Carried& carried, Home home,
     entity.name = name;
     entity.where = location_of(unit.source.where(where));
   }
+  const bool accessor = carried.rename && carried.rename->role == ClassRename::Role::accessor;
+  if (is_new && accessor) unit.facts.data_uses.push_back({key, entity.where, true});
   if (entity.type.empty() && carried.message) entity.type = carried.message->name;
   return entity;
 }

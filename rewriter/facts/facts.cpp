@@ -54,6 +54,7 @@ void Facts::merge(Facts&& other) {
   append(data_uses, other.data_uses);
   append(notes, other.notes);
   append(skipped, other.skipped);
+  calls.merge(other.calls);
   advertises.merge(other.advertises);
   publishes.merge(other.publishes);
   subscribes.merge(other.subscribes);

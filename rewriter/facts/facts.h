@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "facts/callees.h"
 #include "report/model.h"
 
 namespace tzc::rewriter {
@@ -78,6 +79,7 @@ struct PublisherName {
   Key publisher;
   std::string text;  ///< "pub_", "pubs_[LEFT]"
   bool pointer = false;
+  std::vector<Key> messages;  ///< that it is named together with
 };
 
 /// Where a message comes into being, and where `allocate` can be said for it.
@@ -86,6 +88,7 @@ struct Birth {
   std::optional<Place> at;  ///< insertion point; none: nowhere
   std::string object;       ///< "image", "*image"
   std::string indent;       ///< of the inserted line
+  bool own_line = true;     ///< the inserted statement gets a line of its own
   bool before = false;      ///< the insertion stands before the statement at `at`, not behind it
   bool filled = false;      ///< it already has content there, which allocate would copy
   bool adapter = false;     ///< the message is built by a library call that is replaced (uses $PUB)
@@ -112,6 +115,7 @@ struct Advertise {
 
 struct Publish {
   Place where;
+  Place statement_end;
   Place statement;  ///< empty file: the call is part of a larger expression
   std::string function;
   std::string type;
@@ -122,7 +126,7 @@ struct Publish {
   bool in_void_function = false;
   bool in_block = false;  ///< the statement stands in a block of its own
   bool heavy = true;
-  bool pcl = false;       ///< a pcl::PointCloud is published as such
+  bool pcl = false;       ///< a pcl::PointCloud or a cv_bridge::CvImage is published as such
   bool nested_only = false;
   std::vector<Obstacle> obstacles;
 };
@@ -160,6 +164,7 @@ struct Facts {
   std::vector<DataUse> data_uses;
   std::map<std::string, std::set<std::string>> bases;  ///< record USR -> USRs of its base classes
   std::map<std::string, std::set<std::string>> units_of_file;  ///< package file -> main files that include it
+  std::map<std::string, std::vector<PackageCall>> calls;  ///< unit id -> what overload resolution picked
   std::vector<Note> notes;
   std::vector<Place> skipped;  ///< preprocessor branches that a unit does not compile
   std::set<std::string> writing_filter_scopes;  ///< functions or classes that register a callback that may write

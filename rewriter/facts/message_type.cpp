@@ -155,7 +155,10 @@ std::optional<Carried> carried_at(clang::QualType type, const RuleSet& rules, un
                                                                          : Carrier::message;
     return Carried{carrier, {}, rename};
   }
-  if (std::optional<MessageType> message = message_of(record)) return Carried{Carrier::message, message, nullptr};
+  if (std::optional<MessageType> message = message_of(record)) {
+    if (!message->has_data) return {};
+    return Carried{Carrier::message, message, nullptr};
+  }
   return carried_by_template(llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record), rules, depth);
 }
 
@@ -212,16 +215,26 @@ clang::QualType pointee_of(clang::QualType type) {
   return first_argument(templated);
 }
 
-bool is_pcl_cloud(clang::QualType type) {
+namespace {
+
+bool is_or_points_to(clang::QualType type, const char* name) {
   const clang::QualType pointee = pointee_of(type);
   const clang::CXXRecordDecl* record = record_of(pointee.isNull() ? type : pointee);
-  return record && qualified_name_of(record) == "pcl::PointCloud";
+  return record && qualified_name_of(record) == name;
 }
 
-std::string twin_name(const std::string& message) {
+}  // namespace
+
+bool is_pcl_cloud(clang::QualType type) { return is_or_points_to(type, "pcl::PointCloud"); }
+
+bool is_cv_image(clang::QualType type) { return is_or_points_to(type, "cv_bridge::CvImage"); }
+
+std::string stock_name(const std::string& message) {
   const std::size_t slash = message.find('/');
-  return "tzc::" + message.substr(0, slash) + "::" + message.substr(slash + 1);
+  return message.substr(0, slash) + "::" + message.substr(slash + 1);
 }
+
+std::string twin_name(const std::string& message) { return "tzc::" + stock_name(message); }
 
 std::string twin_header(const std::string& message) { return "tzc/" + message + ".h"; }
 

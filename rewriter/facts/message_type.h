@@ -44,11 +44,16 @@ std::optional<Carried> carried_by(clang::QualType type, const RuleSet& rules);
 /// pcl::PointCloud<T>, directly or by pointer.
 bool is_pcl_cloud(clang::QualType type);
 
+/// cv_bridge::CvImage, directly or by pointer.
+bool is_cv_image(clang::QualType type);
+
 /// The pointee of a raw, boost:: or std:: pointer; null for other types.
 clang::QualType pointee_of(clang::QualType type);
 
 /// "sensor_msgs/Image" -> "tzc::sensor_msgs::Image".
 std::string twin_name(const std::string& message);
+/// "sensor_msgs/Image" -> "sensor_msgs::Image".
+std::string stock_name(const std::string& message);
 /// "sensor_msgs/Image" -> "tzc/sensor_msgs/Image.h".
 std::string twin_header(const std::string& message);
 

@@ -28,6 +28,8 @@ void describe_statement(Unit& unit, const clang::Expr* call, Publish& site) {
     site.in_block = node.get<clang::CompoundStmt>() != nullptr;
     if (site.in_block || node.get<clang::IfStmt>() || node.get<clang::ForStmt>())
       site.statement = unit.source.before(call->getBeginLoc()).value_or(Place());
+    site.statement_end = unit.source.behind(call->getSourceRange()).value_or(Place());
+    if (site.statement_end.file.empty()) site.statement = Place();
     return;
   }
 }
@@ -55,6 +57,9 @@ void describe_message(Unit& unit, const clang::Expr* argument, Publish& site) {
     site.nested_only = message->has_data && !message->direct_data;
   } else if (is_pcl_cloud(type)) {
     site.type = "sensor_msgs/PointCloud2";
+    site.pcl = true;
+  } else if (is_cv_image(type)) {
+    site.type = "sensor_msgs/Image";
     site.pcl = true;
   } else {
     site.type = type.getAsString();
@@ -105,7 +110,11 @@ void describe_type(clang::QualType type, Advertise& site) {
   }
 }
 
-clang::QualType template_type(const clang::CXXMethodDecl* method) {
+/// What is advertised: advertise<M>(...), or the options' type.
+clang::QualType advertised_type(Unit& unit, const clang::CXXMemberCallExpr* call) {
+  const clang::CXXMethodDecl* method = call->getMethodDecl();
+  if (!method->getTemplateSpecializationArgs() && written_arguments(call) == 1)
+    return options_message(unit, call->getArg(0)).value_or(clang::QualType());
   const clang::TemplateArgumentList* arguments = method->getTemplateSpecializationArgs();
   if (!arguments || arguments->size() == 0 || (*arguments)[0].getKind() != clang::TemplateArgument::Type) return {};
   return (*arguments)[0].getAsType();
@@ -122,7 +131,8 @@ void change_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const Me
   std::string to = rule.to;
   if (rule.role == MethodCall::Role::advertise) {
     const std::string written = written_template_arguments(unit, call);
-    to += "<" + (site.no_twin ? written : twin_name(site.type)) + ">";
+    const std::string stock = written.empty() ? stock_name(site.type) : written;
+    to += "<" + (site.no_twin ? stock : twin_name(site.type)) + ">";
   }
   site.changes = receiver_first(unit, call, to, rule.rule, rule.header);
   if (site.changes.empty()) {
@@ -131,7 +141,8 @@ void change_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const Me
   }
   if (!site.no_twin && rule.role == MethodCall::Role::advertise)
     site.changes[0].headers.push_back(twin_header(site.type));
-  if (is_pcl_cloud(template_type(call->getMethodDecl()))) site.changes[0].headers.push_back("tzc/pcl.h");
+  const clang::QualType type = advertised_type(unit, call);
+  if (!type.isNull() && is_pcl_cloud(type)) site.changes[0].headers.push_back("tzc/pcl.h");
   if (rule.role != MethodCall::Role::advertise) return;
   const unsigned last = written_arguments(call) == 1 ? 0 : 1;
   if (const auto memory = behind_argument(unit, call, last))
@@ -172,7 +183,7 @@ void collect_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const M
   site.rule = rule.rule;
   site.type = "sensor_msgs/Image";
   if (rule.role == MethodCall::Role::advertise) {
-    const clang::QualType type = template_type(call->getMethodDecl());
+    const clang::QualType type = advertised_type(unit, call);
     if (!type.isNull())
       describe_type(type, site);
     else

@@ -127,7 +127,13 @@ void collect_subscribe(Unit& unit, const clang::CXXMemberCallExpr* call, const M
   site.where = unit.source.where(call->getExprLoc());
   site.function = function_name_around(unit, *call);
   site.rule = rule.rule;
-  const Parameter parameter = parameter_of_arguments(call);
+  Parameter parameter = parameter_of_arguments(call);
+  std::string written = written_template_arguments(unit, call);
+  if (!parameter.message && written_arguments(call) == 1)
+    if (const auto type = options_message(unit, call->getArg(0))) {
+      parameter.message = message_of(*type);
+      written = stock_name(parameter.message->name);
+    }
   if (is_image_callback(rule)) site.type = "sensor_msgs/Image";
   describe(parameter, site);
   note_callbacks(unit, call, site);
@@ -135,7 +141,6 @@ void collect_subscribe(Unit& unit, const clang::CXXMemberCallExpr* call, const M
   if (site.type.empty())
     site.obstacles.push_back({codes::TZC2006, "no message type is to be seen in this call", here});
   if (written_arguments(call) > 0) site.topic = constant_string(call->getArg(0));
-  const std::string written = written_template_arguments(unit, call);
   site.changes = receiver_first(unit, call, rule.to + (written.empty() ? "" : "<" + written + ">"), rule.rule,
                                 rule.header);
   if (site.changes.empty())
@@ -155,6 +160,11 @@ void collect_filter(Unit& unit, const clang::CXXConstructExpr* construct, const 
   if (construct->getNumArgs() < 2) return;
   const llvm::ArrayRef<const clang::Expr*> arguments(construct->getArgs(), construct->getNumArgs());
   add_filter_site(unit, construct, construct->getConstructor()->getParent(), arguments, filter);
+}
+
+void collect_made_filter(Unit& unit, const clang::CallExpr* call, const clang::CXXRecordDecl* record, const Key& filter) {
+  if (call->getNumArgs() < 2) return;
+  add_filter_site(unit, call, record, llvm::ArrayRef<const clang::Expr*>(call->getArgs(), call->getNumArgs()), filter);
 }
 
 void collect_registered_callback(Unit& unit, const clang::CXXMemberCallExpr* call) {

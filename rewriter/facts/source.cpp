@@ -103,6 +103,17 @@ std::optional<Place> Source::behind(clang::SourceRange tokens) const {
   return range;
 }
 
+std::optional<Place> Source::line_end(const Place& place) const {
+  const llvm::StringRef content = buffer(place);
+  const llvm::StringRef line = content.substr(place.end).take_until([](char c) { return c == '\n' || c == '\r'; });
+  const llvm::StringRef rest = line.trim();
+  const bool comment = rest.starts_with("//") || (rest.starts_with("/*") && rest.find("*/") == rest.size() - 2);
+  if (!rest.empty() && !comment) return {};
+  Place end = place;
+  end.begin = end.end = place.end + static_cast<unsigned>(line.rtrim(" \t").size());
+  return end;
+}
+
 std::string Source::indent(const Place& place) const {
   const llvm::StringRef head = buffer(place).take_front(place.begin);
   const std::size_t newline = head.rfind('\n');

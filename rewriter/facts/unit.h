@@ -110,6 +110,8 @@ std::vector<Change> receiver_first(Unit& unit, const clang::CXXMemberCallExpr* c
 /// As written between < and >; empty: none written.
 std::string written_template_arguments(Unit& unit, const clang::CXXMemberCallExpr* call);
 std::optional<std::string> constant_string(const clang::Expr* expr);
+/// The message that ros::AdvertiseOptions or SubscribeOptions were made for; none: not to be seen in this function.
+std::optional<clang::QualType> options_message(Unit& unit, const clang::Expr* options);
 std::string function_name_around(Unit& unit, const clang::Stmt& stmt);
 
 // Collectors -------------------------------------------------------------------------------------------------------
@@ -139,12 +141,16 @@ void collect_subscribe(Unit& unit, const clang::CXXMemberCallExpr* call, const M
 /// subscribe() of a filter object.
 void collect_filter(Unit& unit, const clang::CXXMemberCallExpr* call);
 void collect_filter(Unit& unit, const clang::CXXConstructExpr* construct, const Key& filter);
+/// make_shared<message_filters::Subscriber<M>>(nh, "topic", 1)
+void collect_made_filter(Unit& unit, const clang::CallExpr* call, const clang::CXXRecordDecl* record, const Key& filter);
 /// registerCallback() of a filter: whether the callback may write.
 void collect_registered_callback(Unit& unit, const clang::CXXMemberCallExpr* call);
 void note_writing_callback(Unit& unit, const clang::Stmt* stmt, const std::string& scope);
 void collect_declaration_birth(Unit& unit, const clang::VarDecl* variable);
 /// Pointers into data that live longer than the data stays where it is.
 void collect_aliases(Unit& unit, const clang::FunctionDecl* function);
+/// The zero-fill of a resize that is not needed, because what follows writes every element.
+void collect_overwrite(Unit& unit, const clang::CXXMemberCallExpr* resize, const std::vector<Key>& keys);
 /// At the end: which publishers can be named where messages are born.
 void connect_births(Unit& unit);
 

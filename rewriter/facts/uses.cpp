@@ -24,6 +24,8 @@ class Follower {
   bool into_expression(const clang::Expr* parent);
   bool into_member(const clang::MemberExpr* member);
   bool into_method(const clang::MemberExpr* member);
+  bool into_list(const clang::InitListExpr* list);
+  void note_resize(const clang::MemberExpr* array);
   bool into_operator(const clang::CXXOperatorCallExpr* call);
   bool into_binary(const clang::BinaryOperator* op);
   bool into_call(const clang::CallExpr* call);
@@ -110,6 +112,7 @@ bool Follower::into_return(const clang::ReturnStmt* statement) {
 }
 
 bool Follower::into_expression(const clang::Expr* parent) {
+  if (parent->isTypeDependent()) return done();  // the template's instances tell
   if (llvm::isa<clang::ParenExpr, clang::ImplicitCastExpr, clang::FullExpr, clang::MaterializeTemporaryExpr,
                 clang::CXXBindTemporaryExpr, clang::ArraySubscriptExpr>(parent))
     return go_on(parent);
@@ -123,16 +126,14 @@ bool Follower::into_expression(const clang::Expr* parent) {
   if (const auto* choice = llvm::dyn_cast<clang::ConditionalOperator>(parent))
     return choice->getCond() == at_ ? done() : go_on(choice);
   if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(parent))
-    return carried_by(list->getType(), unit_.rules)
-               ? go_on(list)
-               : refuse(codes::TZC1001, "it becomes part of an aggregate");
+    return into_list(list);
   if (llvm::isa<clang::CXXNewExpr>(parent)) {
     add_flow(unit_, key_, declare_temporary(unit_, parent), at_->getBeginLoc(), "copied into a new object");
     return done();
   }
   if (llvm::isa<clang::CXXStdInitializerListExpr>(parent)) return go_on(parent);
   if (llvm::isa<clang::LambdaExpr, clang::UnaryExprOrTypeTraitExpr, clang::CXXTypeidExpr, clang::CXXDeleteExpr,
-                clang::CXXDependentScopeMemberExpr>(parent))
+                clang::CXXDependentScopeMemberExpr, clang::UnresolvedMemberExpr>(parent))
     return done();
   return refuse(codes::TZC1001, "this use of it is not understood");
 }
@@ -154,9 +155,35 @@ bool Follower::into_member(const clang::MemberExpr* member) {
   if (!llvm::isa<clang::FieldDecl>(member->getMemberDecl())) return done();
   if (is_data_array(member->getType())) {
     unit_.facts.data_uses.push_back({key_, location_of(unit_.source.where(member->getMemberLoc())), true});
+    note_resize(member);
     return done();
   }
   return go_on(member);
+}
+
+/// {a, b}: elements of a container, or parts of an aggregate. A list as written has no type; its semantic form has.
+bool Follower::into_list(const clang::InitListExpr* list) {
+  const clang::InitListExpr* typed = list->isSemanticForm() ? list : list->getSemanticForm();
+  if (!typed) return done();
+  if (carried_by(typed->getType(), unit_.rules)) return go_on(typed);
+  const clang::CXXRecordDecl* record = typed->getType()->getAsCXXRecordDecl();
+  unsigned index = 0;
+  if (record)
+    for (const clang::FieldDecl* field : record->fields())
+      if (index < list->getNumInits() && list->getInit(index++) == at_) {
+        add_flow(unit_, key_, declare(unit_, field), at_->getBeginLoc(), "becomes a part of an aggregate");
+        return done();
+      }
+  return refuse(codes::TZC1001, "it becomes part of an aggregate");
+}
+
+void Follower::note_resize(const clang::MemberExpr* array) {
+  const auto parents = unit_.ast().getParents(*array);
+  const auto* method = parents.empty() ? nullptr : parents[0].get<clang::MemberExpr>();
+  if (!method || method->getMemberDecl()->getNameAsString() != "resize") return;
+  const auto calls = unit_.ast().getParents(*method);
+  const auto* resize = calls.empty() ? nullptr : calls[0].get<clang::CXXMemberCallExpr>();
+  if (resize) collect_overwrite(unit_, resize, {key_});
 }
 
 /// What is assigned must be understood too: else the value may be one that can not be ported.
@@ -206,7 +233,8 @@ bool Follower::into_call(const clang::CallExpr* call) {
     const clang::CXXRecordDecl* record = method->getRecordDecl();
     const bool published = record && is_publisher_class(qualified_name_of(record)) && method->getMethodDecl() &&
                            method->getMethodDecl()->getNameAsString() == "publish";
-    if (published) sink_.publish = method;
+    if (published && !llvm::StringRef(qualified_name_of(record)).ends_with("SingleSubscriberPublisher"))
+      sink_.publish = method;
     const clang::Expr* object = method->getImplicitObjectArgument();
     if (method->getMethodDecl() && method->getMethodDecl()->getNameAsString() == "reset") {
       sink_.target = object;

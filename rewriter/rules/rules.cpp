@@ -13,8 +13,8 @@ const ClassRename* const classes[] = {
 };
 
 const LibraryCall* const calls[] = {
-    &rules::pcl_to_ros_msg, &rules::pcl_from_pcl, &rules::pcl_move_from_pcl, &rules::pcl_image_meta_data,
-    &rules::fill_image,     &rules::clear_image,  &rules::pcl_cloud_meta_data,
+    &rules::pcl_to_ros_msg, &rules::pcl_from_pcl, &rules::pcl_move_from_pcl,
+    &rules::fill_image,     &rules::clear_image, 
 };
 
 const MethodCall* const methods[] = {

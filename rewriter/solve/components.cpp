@@ -57,10 +57,10 @@ Numbers number(const Facts& facts) {
 
 }  // namespace
 
-Components::Components(const Facts& facts) {
+Components::Components(const Facts& facts, bool all_or_nothing) {
   const Numbers numbers = number(facts);
   UnionFind sets(numbers.size());
-  unite_flows(facts, numbers, sets);
+  if (all_or_nothing) unite_flows(facts, numbers, sets);
   unite_spellings(facts, numbers, sets);
   std::map<std::size_t, std::size_t> component_of_root;
   for (const auto& [key, entity] : facts.entities) {
@@ -80,6 +80,28 @@ Components::Components(const Facts& facts) {
 const Component* Components::of(const Key& key) const {
   const auto found = index_.find(key);
   return found == index_.end() ? nullptr : &components_[found->second];
+}
+
+Neighbours flow_neighbours(const Facts& facts) {
+  Neighbours neighbours;
+  for (const Flow& flow : facts.flows) {
+    neighbours[flow.from].push_back(flow.to);
+    neighbours[flow.to].push_back(flow.from);
+  }
+  return neighbours;
+}
+
+std::set<Key> reachable(const Neighbours& neighbours, const Key& from) {
+  std::set<Key> seen{from};
+  std::deque<Key> queue{from};
+  while (!queue.empty()) {
+    const auto found = neighbours.find(queue.front());
+    queue.pop_front();
+    if (found == neighbours.end()) continue;
+    for (const Key& next : found->second)
+      if (seen.insert(next).second) queue.push_back(next);
+  }
+  return seen;
 }
 
 std::vector<FlowStep> chain_between(const Facts& facts, const Key& from, const Key& to) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct Component {
 /// The flow graph, partitioned.
 class Components {
  public:
-  explicit Components(const Facts& facts);
+  /// `all_or_nothing` false, for tests: every entity on its own.
+  explicit Components(const Facts& facts, bool all_or_nothing = true);
 
   /// Null: nothing is known under this key.
   const Component* of(const Key& key) const;
@@ -30,6 +32,11 @@ class Components {
   std::vector<Component> components_;
   std::map<Key, std::size_t> index_;
 };
+
+/// What flows into or out of each entity.
+using Neighbours = std::map<Key, std::vector<Key>>;
+Neighbours flow_neighbours(const Facts& facts);
+std::set<Key> reachable(const Neighbours& neighbours, const Key& from);
 
 /// The steps of flow between two entities, shortest way; empty: none.
 std::vector<FlowStep> chain_between(const Facts& facts, const Key& from, const Key& to);

@@ -93,7 +93,8 @@ void Planner::add_birth(const Solution::Bound& bound) {
   }
   if (birth.adapter || !birth.at) return;
   const std::string call = bound.call + "(" + birth.object + ");";
-  const std::string text = birth.before ? call + "\n" + birth.indent : "\n" + birth.indent + call;
+  const std::string space = birth.own_line ? "\n" + birth.indent : " ";
+  const std::string text = birth.before ? call + space : space + call;
   add({*birth.at, text, "allocate", {}}, component);
 }
 
@@ -117,9 +118,11 @@ void Planner::add_condition(const Publish& site) {
   const std::string allocate = site.publisher_text + "allocate(" + site.object + ")";
   const bool leave = options_.on_exhausted == OnExhausted::return_from_function && site.in_void_function;
   const std::string indent(site.statement.column > 0 ? site.statement.column - 1 : 0, ' ');
-  const std::string text =
-      leave && site.in_block ? "if (!" + allocate + ") return;\n" + indent : "if (" + allocate + ") ";
+  const std::string condition = site.in_block ? "if (" + allocate + ") " : "{ if (" + allocate + ") ";
+  const std::string text = leave && site.in_block ? "if (!" + allocate + ") return;\n" + indent : condition;
   add({site.statement, text, "on-exhausted", {}}, message->id);
+  // In braces, so that an else that follows keeps its if.
+  if (!site.in_block) add({site.statement_end, " }", "on-exhausted", {}}, message->id);
 }
 
 void Planner::add_includes() {

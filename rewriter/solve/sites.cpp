@@ -40,6 +40,7 @@ class Decider {
       : facts_(facts), components_(components), options_(options), demotions_(demotions), solution_(solution) {}
 
   std::vector<Site> run() {
+    neighbours_ = flow_neighbours(facts_);
     for (const auto& item : facts_.publishes) sites_.push_back(decide(item.second));
     for (const auto& item : facts_.advertises) sites_.push_back(decide(item.second));
     for (const auto& item : facts_.subscribes) sites_.push_back(decide(item.first, item.second));
@@ -63,6 +64,7 @@ class Decider {
   const Demotions& demotions_;
   Solution& solution_;
   std::vector<Site> sites_;
+  Neighbours neighbours_;
 };
 
 const Solution::Publisher* Decider::publisher_of(const Key& key) const {
@@ -74,10 +76,10 @@ const Solution::Publisher* Decider::publisher_of(const Key& key) const {
 
 /// The topic of a publisher that is advertised once.
 std::optional<std::string> Decider::topic_of(const Key& publisher) const {
-  const Component* component = components_.of(publisher);
+  const std::set<Key> connected = reachable(neighbours_, publisher);
   std::optional<std::string> topic;
   for (const auto& item : facts_.advertises) {
-    if (!component || components_.of(item.second.publisher) != component) continue;
+    if (connected.count(item.second.publisher) == 0) continue;
     if (topic || !item.second.topic) return {};
     topic = item.second.topic;
   }

@@ -38,6 +38,7 @@ class Solver {
   bool bind_births(const Component& component, Solution::Message& message);
   std::optional<Solution::Bound> bind(const Birth& birth, const std::set<int>& publishers) const;
   bool visible(const Birth& birth, const Entity& publisher) const;
+  bool all_local(const Component& component) const;
   bool inherits(const std::string& record, const std::string& base) const;
 
   const Facts& facts_;
@@ -160,12 +161,22 @@ void Solver::solve_message(const Component& component) {
   if (sites == publishes_of_.end()) return;
   Solution::Message& message = solution_.messages[component.id];
   const bool is_blocked = blocked(component, message.why_not, message.at);
-  if (!is_blocked && filled_.count(component.id) == 0 && births_.count(component.id) != 0) {
+  if (!is_blocked && filled_.count(component.id) == 0 && all_local(component)) {
     message.empty = true;
     return;
   }
   if (is_blocked || !shape_allows(component, message)) return;
   message.ported = bind_births(component, message);
+}
+
+/// Born here and nowhere else: what is not seen to be filled is empty.
+bool Solver::all_local(const Component& component) const {
+  const auto births = births_.find(component.id);
+  if (births == births_.end()) return false;
+  return std::none_of(births->second.begin(), births->second.end(), [](const Birth* b) { return b->filled; }) &&
+         std::all_of(component.entities.begin(), component.entities.end(), [](const Entity* entity) {
+           return entity->home == Home::local || entity->home == Home::temporary;
+         });
 }
 
 bool Solver::inherits(const std::string& record, const std::string& base) const {
@@ -186,10 +197,14 @@ std::optional<Solution::Bound> Solver::bind(const Birth& birth, const std::set<i
   const auto bound = [&](const std::string& text, bool pointer) {
     return Solution::Bound{&birth, pointer ? "*" + text : text, text + (pointer ? "->" : ".") + "allocate"};
   };
-  for (const PublisherName& name : birth.publishers) {
-    const Component* publisher = components_.of(name.publisher);
-    if (publisher && publishers.count(publisher->id)) return bound(name.text, name.pointer);
-  }
+  // First one that is named together with this very message.
+  for (const bool together : {true, false})
+    for (const PublisherName& name : birth.publishers) {
+      const Component* publisher = components_.of(name.publisher);
+      const bool with_it = std::count(name.messages.begin(), name.messages.end(), birth.entity) != 0;
+      if (publisher && publishers.count(publisher->id) && (with_it || !together))
+        return bound(name.text, name.pointer);
+    }
   for (const int id : publishers)
     for (const Entity* entity : components_.all()[static_cast<std::size_t>(id)].entities)
       if (visible(birth, *entity) && entity->plain) return bound(entity->name, false);

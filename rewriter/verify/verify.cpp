@@ -94,6 +94,30 @@ std::vector<int> Verifier::suspects_of(const Diagnostic& error, const std::map<s
   return suspects;
 }
 
+unsigned Verifier::original(const std::string& file, unsigned line, const std::map<std::string, Edits>& edits) const {
+  const auto of_file = edits.find(file);
+  const std::optional<std::string> content = of_file == edits.end() ? std::nullopt : read_(file);
+  return content ? original_line(*content, of_file->second, line) : line;
+}
+
+std::vector<Diagnostic> Verifier::changed_calls(const std::string& unit, const std::vector<PackageCall>& now,
+                                                const std::map<std::string, Edits>& edits) const {
+  std::vector<Diagnostic> changes;
+  const auto found = facts_.calls.find(unit);
+  if (found == facts_.calls.end()) return changes;
+  const std::vector<PackageCall>& before = found->second;
+  for (std::size_t i = 0; i < before.size() || i < now.size(); ++i) {
+    const bool same = i < before.size() && i < now.size() && before[i].callee == now[i].callee &&
+                      before[i].callee_file == now[i].callee_file &&
+                      before[i].callee_line == original(now[i].callee_file, now[i].callee_line, edits);
+    if (same) continue;
+    const PackageCall& call = i < now.size() ? now[i] : before[i];
+    changes.push_back({{call.file, call.line, 1}, "this call would choose another '" + call.callee + "' than before", {}});
+    break;
+  }
+  return changes;
+}
+
 Expected<Verification> Verifier::run(const Edits& edits, const std::function<void(unsigned, unsigned)>& progress) const {
   Verification result;
   Expected<FileContents> contents = edited(edits);
@@ -109,7 +133,10 @@ Expected<Verification> Verifier::run(const Edits& edits, const std::function<voi
   std::mutex mutex;
   unsigned done = 0;
   in_parallel(jobs_, units.size(), [&](std::size_t i) {
-    const ParseResult parsed = parse(*units[i], options, [](clang::ASTContext&) {});
+    std::vector<PackageCall> calls;
+    ParseResult parsed = parse(*units[i], options,
+                               [&](clang::ASTContext& ast) { calls = package_calls(ast, package_dir_); });
+    if (parsed.errors.empty()) parsed.errors = changed_calls(units[i]->id(), calls, edits_by_file);
     const std::lock_guard<std::mutex> lock(mutex);
     for (const Diagnostic& error : parsed.errors)
       result.failures.push_back({error, units[i]->file, suspects_of(error, edits_by_file)});

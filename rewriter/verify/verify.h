@@ -30,11 +30,12 @@ struct Verification {
 class Verifier {
  public:
   Verifier(const std::vector<CompileUnit>& units, const Facts& facts, const Components& components,
-           ParseOptions options, unsigned jobs, ReadFile read)
+           ParseOptions options, std::string package_dir, unsigned jobs, ReadFile read)
       : units_(units),
         facts_(facts),
         components_(components),
         options_(std::move(options)),
+        package_dir_(std::move(package_dir)),
         jobs_(jobs),
         read_(std::move(read)) {}
 
@@ -45,12 +46,17 @@ class Verifier {
   Expected<FileContents> edited(const Edits& edits) const;
   std::set<std::string> touched(const FileContents& contents) const;
   std::vector<int> suspects_of(const Diagnostic& error, const std::map<std::string, Edits>& edits) const;
+  /// Calls that would pick another function than before, as errors.
+  std::vector<Diagnostic> changed_calls(const std::string& unit, const std::vector<PackageCall>& now,
+                                        const std::map<std::string, Edits>& edits) const;
+  unsigned original(const std::string& file, unsigned line, const std::map<std::string, Edits>& edits) const;
   bool owns_line(int component, const std::string& file, unsigned line) const;
 
   const std::vector<CompileUnit>& units_;
   const Facts& facts_;
   const Components& components_;
   ParseOptions options_;
+  std::string package_dir_;
   unsigned jobs_;
   ReadFile read_;
 };

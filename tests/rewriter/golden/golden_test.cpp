@@ -35,7 +35,7 @@ TEST_P(Golden, is_ported_as_written) {
     write_expected(one, found);
   else
     EXPECT_EQ(found, one.expected) << GetParam();
-  if (!plan) return;
+  if (!plan || plan->edits.empty()) return;
 
   // The output compiles on its own, and a second run finds nothing to do.
   Case after = one;

@@ -12,4 +12,5 @@ struct PointCloud {
   void push_back(const T& t) { points.push_back(t); }
 };
 struct PCLPointCloud2 {};
+struct PCLImage {};
 }  // namespace pcl

@@ -27,6 +27,8 @@ template <class... A>
 ros::Subscriber subscribe(ros::NodeHandle nh, A&&... a) { return nh.subscribe(std::forward<A>(a)...); }
 template <class M, class... A>
 ros::Subscriber subscribe(ros::NodeHandle nh, A&&... a) { return nh.subscribe<M>(std::forward<A>(a)...); }
+template <class M>
+ros::Subscriber subscribe(ros::NodeHandle nh, ros::SubscribeOptions& options) { return nh.subscribe(options); }
 template <class M, class C, class... A>
 ros::Subscriber subscribe(ros::NodeHandle nh, const std::string& topic, uint32_t queue, A&&... a) {
   return nh.subscribe<M, C>(topic, queue, std::forward<A>(a)...);

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `image.data.resize(n)` fills with zeros, and keeps doing so, unless what follows provably writes all n elements:
+//   image.data.resize(n);
+//   memcpy(&image.data[0], pixels, n);      // or of image.data.size() bytes, or std::fill over begin() ... end()
+#include <clang/AST/ParentMapContext.h>
+
+#include "facts/unit.h"
+
+namespace tzc::rewriter {
+namespace {
+
+const clang::Expr* bare(const clang::Expr* expr) { return expr->IgnoreParenCasts(); }
+
+std::string text_of(Unit& unit, const clang::Expr* expr) { return unit.source.text(bare(expr)->getSourceRange()); }
+
+/// Without white space, to compare expressions.
+std::string squeezed(const std::string& text) {
+  std::string result;
+  for (const char c : text)
+    if (c != ' ' && c != '\t' && c != '\n' && c != '\r') result += c;
+  return result;
+}
+
+/// &x[0], x.data(), &x.front(): where the array begins.
+bool is_begin_of(Unit& unit, const clang::Expr* expr, const std::string& array) {
+  const std::string text = squeezed(text_of(unit, expr));
+  return text == "&" + array + "[0]" || text == array + ".data()" || text == "&" + array + ".front()" ||
+         text == "&(" + array + "[0])";
+}
+
+bool is_all_bytes(Unit& unit, const clang::Expr* count, const std::string& array, const std::string& size,
+                  bool bytes) {
+  const std::string text = squeezed(text_of(unit, count));
+  return bytes && (text == size || text == array + ".size()");
+}
+
+/// Only names and literals mean the same a few statements later.
+bool is_stable(const clang::Expr* size) {
+  const clang::Expr* expr = bare(size);
+  if (llvm::isa<clang::IntegerLiteral>(expr)) return true;
+  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr);
+  const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
+  return variable && variable->getType().isConstQualified();
+}
+
+bool overwrites(Unit& unit, const clang::Stmt* statement, const std::string& array, const std::string& size,
+                bool bytes, bool stable) {
+  if (const auto* full = llvm::dyn_cast<clang::ExprWithCleanups>(statement)) statement = full->getSubExpr();
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(statement);
+  const clang::FunctionDecl* function = call ? call->getDirectCallee() : nullptr;
+  if (!function || call->getNumArgs() < 3) return false;
+  const std::string name = qualified_name_of(function);
+  if (name == "memcpy" || name == "std::memcpy" || name == "memset" || name == "std::memset")
+    return is_begin_of(unit, call->getArg(0), array) &&
+           is_all_bytes(unit, call->getArg(2), array, stable ? size : "\n", bytes);
+  return name == "std::fill" && squeezed(text_of(unit, call->getArg(0))) == array + ".begin()" &&
+         squeezed(text_of(unit, call->getArg(1))) == array + ".end()";
+}
+
+/// A simple statement that can neither leave the function nor touch the array.
+bool is_harmless(Unit& unit, const clang::Stmt* statement, const std::string& array) {
+  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(statement))
+    return op->isAssignmentOp() && squeezed(unit.source.text(op->getSourceRange())).find(array) == std::string::npos;
+  return false;
+}
+
+}  // namespace
+
+void collect_overwrite(Unit& unit, const clang::CXXMemberCallExpr* resize, const std::vector<Key>& keys) {
+  const auto parents = unit.ast().getParents(*resize);
+  const auto* block = parents.empty() ? nullptr : parents[0].get<clang::CompoundStmt>();
+  const auto behind = unit.source.place(resize->getArg(0)->getSourceRange());
+  if (!block || !behind || written_arguments(resize) != 1) return;
+  const clang::Expr* object = resize->getImplicitObjectArgument();
+  const std::string array = squeezed(unit.source.text(object->getSourceRange()));
+  const std::string size = squeezed(text_of(unit, resize->getArg(0)));
+  const auto* vector = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
+      object->getType().getCanonicalType()->getAsCXXRecordDecl());
+  const bool bytes = vector && unit.ast().getTypeSize(vector->getTemplateArgs()[0].getAsType()) == 8;
+  bool behind_it = false;
+  for (const clang::Stmt* statement : block->body()) {
+    if (behind_it && overwrites(unit, statement, array, size, bytes, is_stable(resize->getArg(0)))) {
+      const Place at{behind->file, behind->end, behind->end, behind->line, behind->column};
+      for (const Key& key : keys) unit.facts.uses.push_back({key, {at, ", tzc::uninitialized", "uninitialized", {}}});
+      return;
+    }
+    if (behind_it && !is_harmless(unit, statement, array)) return;
+    if (statement == resize) behind_it = true;
+  }
+}
+
+}  // namespace tzc::rewriter

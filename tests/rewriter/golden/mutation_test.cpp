@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Takes away one rule, or one step of the engine, at a time: some golden case must notice. A rule that no case needs is
+// a rule that no test holds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "golden/case.h"
+#include "rules/rule.h"
+
+namespace tzc::rewriter::test {
+namespace {
+
+bool notices(const std::string& path, const std::string& without) {
+  const Case one = read_case(path);
+  const Package package(one.files);
+  EngineOptions options = package.options(one.settings);
+  options.without_rules.insert(without);
+  const Expected<PortPlan> plan = plan_port(options);
+  return !plan || describe(package, one, *plan) != one.expected;
+}
+
+std::string case_path(const std::string& name) { return std::string(TZC_CASES) + "/" + name + ".cpp"; }
+
+/// Rule -> the cases' names that are likely to need it, found by what stands in them.
+std::string case_for(const RuleSet& rules, const std::string& rule) {
+  std::string written;
+  for (const ClassRename* one : rules.classes)
+    if (rule == one->rule) written = one->to;
+  for (const LibraryCall* one : rules.calls)
+    if (rule == one->rule) written = std::string(one->to) + "(";
+  for (const MethodCall* one : rules.methods)
+    if (rule == one->rule) written = one->to;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(TZC_CASES)) {
+    if (entry.path().extension() != ".cpp") continue;
+    if (read_case(entry.path().string()).expected.find(written) == std::string::npos) continue;
+    if (notices(entry.path().string(), rule)) return entry.path().string();
+  }
+  return "";
+}
+
+std::vector<std::string> rule_names() {
+  const RuleSet rules = all_rules();
+  std::vector<std::string> names;
+  for (const ClassRename* one : rules.classes) names.push_back(one->rule);
+  for (const LibraryCall* one : rules.calls) names.push_back(one->rule);
+  for (const MethodCall* one : rules.methods) names.push_back(one->rule);
+  return names;
+}
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+class Rule : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Rule, is_needed_by_a_case) { EXPECT_NE(case_for(all_rules(), GetParam()), "") << "no case needs " << GetParam(); }
+
+INSTANTIATE_TEST_SUITE_P(Mutation, Rule, ::testing::ValuesIn(rule_names()), test_name);
+
+TEST(Mutation, verification_is_needed) {
+  EXPECT_TRUE(notices(case_path("refuse/library_takes_vector"), "verification"));
+  EXPECT_TRUE(notices(case_path("refuse/another_overload_pointer"), "verification"));
+}
+
+TEST(Mutation, all_or_nothing_is_needed) {
+  EXPECT_TRUE(notices(case_path("refuse/two_units_one_header"), "all-or-nothing"));
+  EXPECT_TRUE(notices(case_path("refuse/kept_received"), "all-or-nothing"));
+}
+
+}  // namespace
+}  // namespace tzc::rewriter::test
