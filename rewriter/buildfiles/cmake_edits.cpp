@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "buildfiles/insertion.h"
+#include "edits/dual.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -190,6 +191,22 @@ Edits add_foreign_messages(const CmakeProject& project, const std::string& packa
   const CmakeCommandRef last = commands.back();
   return {add_line(last.file->path, last.file->content, last.command->close,
                    "tzc_generate_messages(" + package + ")")};
+}
+
+Edits add_optional_tzc(const CmakeProject& project, const std::set<std::string>& foreign_messages) {
+  if (!find_packages(project, "tzc").empty()) return {};
+  std::vector<CmakeCommandRef> commands = find_packages(project, "catkin_simple");
+  if (commands.empty()) commands = find_packages(project, "catkin");
+  if (commands.empty()) return {};
+  const CmakeCommandRef last = commands.back();
+  const std::string& content = last.file->content;
+  const std::string line = line_ending(content) + indentation(content, last.command->close);
+  std::string block =
+      "find_package(tzc QUIET)" + line + "if(tzc_FOUND)" + line + "  add_definitions(-D" + dual_macro + ")";
+  block += line + "  include_directories(${tzc_INCLUDE_DIRS})" + line + "  link_libraries(${tzc_LIBRARIES})";
+  for (const std::string& package : foreign_messages)
+    block += line + "  tzc_generate_messages(" + package + ")";
+  return {add_line(last.file->path, content, last.command->close, block + line + "endif()")};
 }
 
 Edits add_catkin_depends(const CmakeProject& project) {

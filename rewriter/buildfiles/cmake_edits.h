@@ -30,6 +30,9 @@ Edits add_message_dependency(const CmakeProject& project, const std::string& tar
 /// build.
 Edits add_foreign_messages(const CmakeProject& project, const std::string& package);
 
+/// For --dual, behind find_package(catkin): a block that uses TZC where it is found.
+Edits add_optional_tzc(const CmakeProject& project, const std::set<std::string>& foreign_messages);
+
 /// catkin_package(CATKIN_DEPENDS tzc), for packages whose exported headers include TZC's.
 Edits add_catkin_depends(const CmakeProject& project);
 

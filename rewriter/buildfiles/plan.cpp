@@ -31,7 +31,8 @@ class Planner {
     if (!package) return package.error();
     package_ = *package;
     if (!package_.catkin) return by_hand(), plan_;
-    if (Expected<void> done = plan_package_xml(); !done) return done.error();
+    if (!needs_.dual)
+      if (Expected<void> done = plan_package_xml(); !done) return done.error();
     if (Expected<void> done = plan_cmake(); !done) return done.error();
     return plan_;
   }
@@ -71,21 +72,27 @@ class Planner {
     const Expected<CmakeProject> project = load_cmake_project(needs_.package_dir);
     if (!project) return project.error();
     for (const CmakeListFile& file : project->files) append(plan_.edits, raise_to_cxx14(file));
-    switch (catkin_use(*project)) {
-      case CatkinUse::components:
-        append(plan_.edits, add_component(*project));
-        break;
-      case CatkinUse::simple:
-        break;  // takes its components from package.xml
-      case CatkinUse::none:
-        note(codes::TZC4002, project->files.front().path,
-             "no find_package(catkin ...) was found; add tzc to the catkin components where they are listed");
-    }
-    for (const std::string& package : needs_.twinless)
-      append(plan_.edits, add_foreign_messages(*project, package));
-    for (const std::string& target : targets_) plan_target(*project, target);
-    if (exports_edited_header(*project)) append(plan_.edits, add_catkin_depends(*project));
+    const CatkinUse use = catkin_use(*project);
+    if (use == CatkinUse::none)
+      note(codes::TZC4002, project->files.front().path,
+           "no find_package(catkin ...) was found; add tzc to the catkin components where they are listed");
+    needs_.dual ? plan_optional(*project) : plan_required(*project, use);
     return {};
+  }
+
+  void plan_optional(const CmakeProject& project) {
+    append(plan_.edits, add_optional_tzc(project, needs_.twinless));
+    for (const std::string& target : targets_)
+      if (uses_own_messages()) append(plan_.edits, add_message_dependency(project, target, package_.name));
+  }
+
+  void plan_required(const CmakeProject& project, CatkinUse use) {
+    // catkin_simple takes its components from package.xml.
+    if (use == CatkinUse::components) append(plan_.edits, add_component(project));
+    for (const std::string& package : needs_.twinless)
+      append(plan_.edits, add_foreign_messages(project, package));
+    for (const std::string& target : targets_) plan_target(project, target);
+    if (exports_edited_header(project)) append(plan_.edits, add_catkin_depends(project));
   }
 
   void plan_target(const CmakeProject& project, const std::string& target) {

@@ -18,6 +18,7 @@ struct BuildNeeds {
   std::set<std::string> edited_files;  ///< to see whether an exported header changed
   std::set<std::string> tzc_types;     ///< "pkg/Type": twins that the ported code includes
   std::set<std::string> twinless;      ///< packages of tzc_types whose twins nobody else's build makes
+  bool dual = false;                   ///< the package must still build where TZC is not
 };
 
 struct BuildPlan {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "edits/dual.h"
 #include "facts/parse.h"
 
 namespace tzc::rewriter {
@@ -53,6 +54,7 @@ std::vector<std::string> adjusted(const clang::tooling::CompileCommand& command,
   if (arguments.empty()) return {};
   drop_launcher(arguments);
   raise_to_cxx14(arguments);
+  arguments.push_back(std::string("-D") + dual_macro);  // a package of --dual is read as it is with TZC
   return adjust(arguments, file);
 }
 

@@ -7,6 +7,7 @@
 
 #include "buildfiles/package_xml.h"
 #include "buildfiles/plan.h"
+#include "edits/dual.h"
 #include "tool/filter.h"
 #include "tool/invariant.h"
 #include "tool/own_messages.h"
@@ -102,6 +103,7 @@ class Porter {
     for (const Edit& edit : plan_.edits) needs.edited_files.insert(edit.file);
     needs.tzc_types = plan_.tzc_types;
     needs.twinless = twinless();
+    needs.dual = inputs_.options.dual;
     Expected<BuildPlan> build = plan_build_files(needs);
     if (!build) return build.error();
     plan_.edits.insert(plan_.edits.end(), build->edits.begin(), build->edits.end());
@@ -143,6 +145,8 @@ class Porter {
     Expected<std::string> after = apply_edits(*before, edits);
     if (!after) return after.error();
     if (inputs_.engine.format && is_cpp(file)) *after = inputs_.engine.format(file, *before, *after);
+    if (inputs_.options.dual && is_cpp(file)) after = dual_text(file, *before, *after);
+    if (!after) return after.error();
     if (*after == *before) return {};
     port_.contents[file] = *after;
     port_.result.changes.push_back({file.substr(port_.package_dir.size() + 1), *before, *after});

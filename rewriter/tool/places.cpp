@@ -153,10 +153,13 @@ Expected<std::vector<std::string>> find_tzc_includes(const std::vector<std::stri
   if (main == found.end())
     return Error{"TZC's headers were not found", given.empty() ? own_folder() : given.front(),
                  "name the folder that holds tzc/ros.h with --tzc-include"};
-  const auto has_twins = [](const std::string& folder) { return fs::exists(fs::path(folder) / "tzc/std_msgs"); };
+  const auto has_twins = [](const std::string& folder) {
+    return fs::exists(fs::path(folder) / "tzc/std_msgs");
+  };
   if (std::none_of(found.begin(), found.end(), has_twins))
     return Error{"TZC's headers of the installed messages were not found", found.front(),
-                 "build TZC with ROS in the environment, or name the folder that holds tzc/std_msgs with --tzc-include"};
+                 "build TZC with ROS in the environment, or name the folder that holds tzc/std_msgs with "
+                 "--tzc-include"};
   std::rotate(found.begin(), main, main + 1);
   return found;
 }

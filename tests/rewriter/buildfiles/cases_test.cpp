@@ -31,6 +31,7 @@ std::string with_crlf(const std::string& text) {
 ///   edited FILE        a header that the port changes
 ///   type PKG/TYPE      a twin that the ported code includes
 ///   twinless PKG       a package of such twins whose build makes none
+///   dual               the package must still build without TZC
 ///   crlf               the package's files have Windows line endings
 class BuildFilesCase : public ::testing::TestWithParam<std::string> {
  protected:
@@ -48,6 +49,7 @@ class BuildFilesCase : public ::testing::TestWithParam<std::string> {
       if (word == "edited" && uses >> file) needs_.edited_files.insert(package_ / file);
       if (word == "type" && uses >> name) needs_.tzc_types.insert(name);
       if (word == "twinless" && uses >> name) needs_.twinless.insert(name);
+      needs_.dual |= word == "dual";
       crlf_ |= word == "crlf";
     }
     package_.write("compile_commands.json", database_.dump());

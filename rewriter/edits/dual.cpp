@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edits/dual.h"
+
+#include <string_view>
+
+#include "edits/diff.h"
+
+namespace tzc::rewriter {
+namespace {
+
+using Lines = std::vector<DiffLine>;
+
+bool ends_with_backslash(std::string_view line) {
+  while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
+  return !line.empty() && line.back() == '\\';
+}
+
+/// Whether a block comment is open after the line. Comment marks in strings are rare enough to err on the
+/// safe side.
+bool comment_open_after(std::string_view line, bool open) {
+  for (std::size_t at = 0; at != std::string_view::npos && at < line.size();) {
+    const std::size_t mark = line.find(open ? "*/" : "/*", at);
+    if (mark == std::string_view::npos ||
+        (!open && line.substr(0, mark).find("//") != std::string_view::npos))
+      break;
+    open = !open;
+    at = mark + 2;
+  }
+  return open;
+}
+
+class Writer {
+ public:
+  explicit Writer(const Lines& lines) : lines_(lines) {}
+
+  /// The number of the line that can not be wrapped; 0: all is well.
+  unsigned run() {
+    for (std::size_t at = 0; at < lines_.size();) {
+      if (lines_[at].change == LineChange::same) {
+        pass(lines_[at++]);
+        continue;
+      }
+      if (continued_ || comment_) return lines_[at].old_number + lines_[at].new_number;
+      at = wrap(at);
+    }
+    return 0;
+  }
+
+  std::string text;
+
+ private:
+  void pass(const DiffLine& line) {
+    text += line.text;
+    continued_ = ends_with_backslash(line.text);
+    comment_ = comment_open_after(line.text, comment_);
+  }
+
+  std::string lines_of(std::size_t& at, LineChange change) const {
+    std::string all;
+    for (; at < lines_.size() && lines_[at].change == change; ++at) all += lines_[at].text;
+    if (!all.empty() && all.back() != '\n') all += "\n";
+    return all;
+  }
+
+  std::size_t wrap(std::size_t at) {
+    const std::string removed = lines_of(at, LineChange::removed), added = lines_of(at, LineChange::added);
+    const std::string& sample = added.empty() ? removed : added;
+    const std::string end = sample.size() > 1 && sample[sample.size() - 2] == '\r' ? "\r\n" : "\n";
+    text += (added.empty() ? "#ifndef " : "#ifdef ") + std::string(dual_macro) + end + added;
+    if (!removed.empty()) text += (added.empty() ? "" : "#else" + end) + removed;
+    text += "#endif" + end;
+    return at;
+  }
+
+  const Lines& lines_;
+  bool continued_ = false, comment_ = false;
+};
+
+}  // namespace
+
+Expected<std::string> dual_text(const std::string& path, const std::string& before,
+                                const std::string& after) {
+  const Lines lines = diff_lines(before, after);
+  Writer writer(lines);
+  if (const unsigned line = writer.run())
+    return Error{"the change lies in a directive or comment that spans lines, --dual can not wrap it",
+                 path + ":" + std::to_string(line),
+                 "port without --dual, or leave the file out with --except"};
+  return writer.text;
+}
+
+}  // namespace tzc::rewriter
