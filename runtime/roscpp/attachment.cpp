@@ -46,6 +46,8 @@ std::shared_ptr<Attachment> Attachment::create(ros::NodeHandle& node, const ros:
 
 Attachment::~Attachment() { shutdown(); }
 
+void Attachment::add_codec(const MessageCodec& codec) { port_->records().add_codec(codec); }
+
 void Attachment::shutdown() { observer_.shutdown(); }
 
 const std::shared_ptr<MemorySource>& Attachment::memory() const { return port_->memory(); }

@@ -8,6 +8,16 @@
 
 namespace tzc {
 
+namespace detail {
+/// Clouds and their like are published by pointer as they are, beside the stock type that they stand for.
+template <class M>
+void add_foreign_codec(Attachment& attachment, std::true_type) {
+  attachment.add_codec(make_codec<M>());
+}
+template <class M>
+void add_foreign_codec(Attachment&, std::false_type) {}
+}  // namespace detail
+
 /// Advertises `options` through roscpp and attaches shared memory to it. The forms below are shorthands for this one.
 /// M: the tzc:: message type, or the stock type where only stock messages are published.
 /// Errors are roscpp's own (exceptions for bad names, an empty publisher for a conflicting type).
@@ -19,6 +29,7 @@ Publisher advertise(ros::NodeHandle& node, ros::AdvertiseOptions& options,
   std::shared_ptr<detail::Attachment> attachment;
   if (publisher)
     attachment = detail::Attachment::create(node, options, detail::make_codec<Stock>(), publisher_options);
+  if (attachment) detail::add_foreign_codec<M>(*attachment, typename detail::IsForeign<M>::type());
   return Publisher(publisher, attachment);
 }
 

@@ -28,13 +28,13 @@ class Publisher {
   /// one copy into it. A tzc:: message's arrays are shared from here on: the next write to one gets fresh memory.
   template <class M>
   void publish(const M& message) const {
-    publish_value(message, IsTwin<M>());
+    publish_value(message);
   }
   /// The same by pointer. As with ros::Publisher the message must not be changed afterwards: subscribers in this
   /// process get this very object (a stock message) or a view of it (a tzc:: message).
   template <class M>
   void publish(const boost::shared_ptr<M>& message) const {
-    publish_pointer(message, IsTwin<typename std::remove_const<M>::type>());
+    publish_pointer(message, IsGenerated<typename std::remove_const<M>::type>());
   }
 
   /// Binds the message's arrays to this publisher's shared memory, now or as they grow. May be called before or after
@@ -82,15 +82,15 @@ class Publisher {
   template <class M>
   using Stock = typename message::StockOf<M>::type;
   template <class M>
-  using IsTwin = std::integral_constant<bool, message::IsTwin<M>::value>;
+  using IsGenerated = std::integral_constant<bool, message::IsTwin<M>::value && !detail::IsForeign<M>::value>;
 
   template <class M>
   bool wants_pointer() const {
     return attachment_ && attachment_->wants_pointer(typeid(Stock<M>));
   }
 
-  template <class M, class Twin>
-  void publish_value(const M& message, Twin) const {
+  template <class M>
+  void publish_value(const M& message) const {
     if (wants_pointer<M>())
       publish_shared(message);
     else
@@ -99,7 +99,7 @@ class Publisher {
 
   template <class M>
   void publish_pointer(const boost::shared_ptr<M>& message, std::true_type) const {
-    publish_value(*message, std::true_type());
+    publish_value(*message);
   }
   template <class M>
   void publish_pointer(const boost::shared_ptr<M>& message, std::false_type) const {

@@ -29,6 +29,9 @@ class Attachment {
   Attachment(const Attachment&) = delete;
   Attachment& operator=(const Attachment&) = delete;
 
+  /// Messages of this type are published by pointer, too.
+  void add_codec(const MessageCodec& codec);
+
   /// Ends the attachment: connections go back to plain TCPROS or end with the publisher. Idempotent.
   void shutdown();
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <typeinfo>
 #include <vector>
 
@@ -37,6 +38,17 @@ struct MessageCodec {
                                   const std::vector<ConstBlock>& blocks);
 };
 
+template <class>
+struct Void {
+  typedef void type;
+};
+/// Message types of another library that ROS knows by an adapter (pcl::PointCloud): neither stock nor generated. They
+/// go by pointer as they are, since subscribers of the same process may use the same type.
+template <class M, class = void>
+struct IsForeign : message::IsTwin<M> {};
+template <class M>
+struct IsForeign<M, typename Void<typename M::Stock>::type> : std::false_type {};
+
 template <class M>
 struct CodecFunctions {
   static bool encode(const void* message, MemorySource& memory, message::Encoded& encoded) {
@@ -47,16 +59,28 @@ struct CodecFunctions {
   }
   static boost::shared_ptr<void> view(const std::uint8_t* control, std::size_t size,
                                       const std::vector<ConstBlock>& blocks, std::shared_ptr<const void> hold) {
-    return message::make_view<M>(control, size, blocks, std::move(hold));
+    return look(control, size, blocks, std::move(hold), IsForeign<M>());
   }
   static boost::shared_ptr<void> copy(const std::uint8_t* control, std::size_t size,
                                       const std::vector<ConstBlock>& blocks) {
     return message::make_copy<M>(control, size, blocks);
   }
+
+ private:
+  static boost::shared_ptr<void> look(const std::uint8_t* control, std::size_t size,
+                                      const std::vector<ConstBlock>& blocks, std::shared_ptr<const void> hold,
+                                      std::false_type) {
+    return message::make_view<M>(control, size, blocks, std::move(hold));
+  }
+  /// A foreign type's memory has a layout of its own: one copy, as with the library's own conversion.
+  static boost::shared_ptr<void> look(const std::uint8_t* control, std::size_t size,
+                                      const std::vector<ConstBlock>& blocks, const std::shared_ptr<const void>&,
+                                      std::true_type) {
+    return copy(control, size, blocks);
+  }
 };
 
-/// The codec of message type M as roscpp knows it (a stock type, never a tzc:: one). Adapters specialise
-/// CodecFunctions for types whose arrays are not std::vectors (pcl::PointCloud).
+/// The codec of message type M as roscpp knows it: a stock type or a foreign one, never a tzc:: one.
 template <class M>
 MessageCodec make_codec() {
   namespace mt = ros::message_traits;
