@@ -26,6 +26,7 @@ class AnnouncedSegments {
   AnnouncedSegments& operator=(const AnnouncedSegments&) = delete;
   ~AnnouncedSegments() { clear(); }
 
+  std::size_t size() const { return entries_.size(); }
   /// Null: not announced yet.
   std::shared_ptr<segment::Ledger> ledger_of(std::uint64_t segment_id) const;
   Expected<Entry> add(segment::Segment& segment, const std::weak_ptr<segment::Revoker>& revoker);

@@ -63,24 +63,38 @@ bool ConnectionImpl::announce_segments(const Record& record) {
   for (const BufferPtr& buffer : record.buffers()) {
     segment::Segment& segment = segment::Segment::of(*buffer);
     if (segments_.ledger_of(segment.id())) continue;
-    for (const std::uint64_t id : segments_.remove_retired()) {
-      Outgoing retirement;
-      retirement.kind = PacketKind::retire_segment;
-      retirement.segment_id = id;
-      transmit(std::move(retirement));
-    }
-    const auto added = segments_.add(segment, weak_from_this());
-    if (!added) {
-      failure_ = added.error();
-      return false;
-    }
-    Outgoing announcement;
-    announcement.kind = PacketKind::segment;
-    announcement.segment = added->segment;
-    announcement.ledger = added->ledger;
-    transmit(std::move(announcement));
+    const Status announced = announce(segment);
+    if (announced) continue;
+    failure_ = announced.error();
+    return false;
   }
   return true;
+}
+
+Status ConnectionImpl::announce(segment::Segment& segment) {
+  retire_segments();
+  if (segments_.size() >= max_segments) {
+    Error error;
+    error.what = "offer another segment to a subscriber that already has " + std::to_string(max_segments);
+    return error;
+  }
+  const auto added = segments_.add(segment, weak_from_this());
+  if (!added) return added.error();
+  Outgoing announcement;
+  announcement.kind = PacketKind::segment;
+  announcement.segment = added->segment;
+  announcement.ledger = added->ledger;
+  transmit(std::move(announcement));
+  return Success{};
+}
+
+void ConnectionImpl::retire_segments() {
+  for (const std::uint64_t id : segments_.remove_retired()) {
+    Outgoing retirement;
+    retirement.kind = PacketKind::retire_segment;
+    retirement.segment_id = id;
+    transmit(std::move(retirement));
+  }
 }
 
 // The marks come before the write: once the subscriber can know of a block, the block is its own.

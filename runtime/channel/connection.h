@@ -59,6 +59,8 @@ class ConnectionImpl final : public Connection,
 
   bool accepts_records() const { return state_ == State::corked || state_ == State::open; }
   bool announce_segments(const Record& record);
+  Status announce(segment::Segment& segment);
+  void retire_segments();
   void claim(const Record& record);
   void transmit(Outgoing item);
   void flush();
