@@ -13,6 +13,8 @@ constexpr std::size_t control_bytes = 64;
 
 /// Nothing but a seqpacket socket that carries a record of the size that tzc's has: the floor.
 std::unique_ptr<Contender> seqpacket_contender();
+/// Nothing but a futex in shared memory: the floor of what iceoryx does.
+std::unique_ptr<Contender> futex_contender();
 /// Callback on tzc's reader thread.
 std::unique_ptr<Contender> tzc_reader_contender();
 /// poll() and read() in the application's own loop.

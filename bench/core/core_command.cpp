@@ -16,6 +16,7 @@ using Contenders = std::vector<std::unique_ptr<Contender>>;
 Contenders all_contenders(bool iceoryx) {
   Contenders contenders;
   contenders.push_back(seqpacket_contender());
+  contenders.push_back(futex_contender());
   contenders.push_back(tzc_reader_contender());
   contenders.push_back(tzc_own_loop_contender());
 #ifdef TZC_BENCH_ICEORYX

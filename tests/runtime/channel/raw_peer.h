@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "channel/wire.h"
+#include "posix/packet.h"
+#include "posix/socket.h"
+#include "support.h"
+
+namespace tzc {
+namespace channel {
+namespace test {
+
+using std::chrono::milliseconds;
+
+/// One end of a connection, spoken by hand.
+class RawPeer {
+ public:
+  explicit RawPeer(posix::FileDescriptor socket) : socket_(std::move(socket)), memory_(max_packet_bytes) {}
+  static RawPeer connect(const std::string& address) {
+    return RawPeer(*posix::connect_to(address, milliseconds(1000)));
+  }
+
+  void send(const void* data, std::size_t size, std::vector<int> descriptors = {}) const {
+    const iovec part{const_cast<void*>(data), size};
+    posix::send_packet(socket_.get(), &part, 1, descriptors.data(), descriptors.size());
+  }
+  template <class Packet>
+  void send(const Packet& packet, std::vector<int> descriptors = {}) const {
+    send(&packet, sizeof packet, std::move(descriptors));
+  }
+
+  posix::ReceiveResult receive() {
+    packet = posix::ReceivedPacket();
+    posix::wait_readable(socket_.get(), milliseconds(5000));
+    return posix::receive_packet(socket_.get(), memory_.data(), memory_.size(),
+                                 posix::Waiting::return_at_once, true, packet);
+  }
+  PacketKind kind() const { return *reinterpret_cast<const PacketKind*>(memory_.data()); }
+  std::string text(std::size_t after) const {
+    return std::string(reinterpret_cast<const char*>(memory_.data()) + after, packet.size - after);
+  }
+
+  posix::ReceivedPacket packet;
+
+ private:
+  posix::FileDescriptor socket_;
+  std::vector<std::uint8_t> memory_;
+};
+
+}  // namespace test
+}  // namespace channel
+}  // namespace tzc
