@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edits/dual.h"
 
+#include <regex>
+#include <sstream>
 #include <string_view>
+#include <vector>
 
 #include "edits/diff.h"
 
@@ -87,6 +90,22 @@ Expected<std::string> dual_text(const std::string& path, const std::string& befo
                  path + ":" + std::to_string(line),
                  "port without --dual, or leave the file out with --except"};
   return writer.text;
+}
+
+bool in_dual_branch(const std::string& content, unsigned line) {
+  static const std::regex directive("^\\s*#\\s*(if|ifdef|ifndef|endif)\\b\\s*(\\w*)");
+  std::vector<std::string> open;
+  std::istringstream stream(content);
+  std::string text;
+  for (unsigned number = 1; number <= line && std::getline(stream, text); ++number) {
+    std::smatch match;
+    if (!std::regex_search(text, match, directive)) continue;
+    if (match[1] != "endif")
+      open.push_back(match[2]);
+    else if (!open.empty() && number < line)
+      open.pop_back();
+  }
+  return !open.empty() && open.back() == dual_macro;
 }
 
 }  // namespace tzc::rewriter

@@ -15,4 +15,7 @@ constexpr const char* dual_macro = "TZC_ENABLED";
 /// that spans lines, which can not hold an #ifdef.
 Expected<std::string> dual_text(const std::string& path, const std::string& before, const std::string& after);
 
+/// Whether a line (from 1) lies in, or is, a branch that dual_text() made.
+bool in_dual_branch(const std::string& content, unsigned line);
+
 }  // namespace tzc::rewriter

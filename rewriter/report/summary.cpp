@@ -16,7 +16,8 @@ DiffStat PackageReport::stat() const {
 }
 
 bool is_refusal(const Site& site) {
-  return site.level == Level::plain && !site.suppressed;
+  static const std::set<std::string> asked_for = {codes::TZC1015, codes::TZC1016, codes::TZC2007};
+  return site.level == Level::plain && !site.suppressed && !asked_for.count(site.code);
 }
 
 std::vector<FlowStep> shown_chain(const Site& site) {

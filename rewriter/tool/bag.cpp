@@ -179,4 +179,20 @@ Expected<std::map<std::string, std::uint64_t>> measure_bag(const std::string& fi
   return Bag(file).run();
 }
 
+std::map<std::string, std::uint64_t> by_source_name(const std::map<std::string, std::uint64_t>& sizes) {
+  std::map<std::string, std::uint64_t> all;
+  const auto add = [&](const std::string& name, std::uint64_t size) {
+    all[name] = std::max(all[name], size);
+  };
+  for (const auto& [topic, size] : sizes) {
+    add(topic, size);
+    for (std::size_t slash = topic.find('/'); slash != std::string::npos;
+         slash = topic.find('/', slash + 1)) {
+      add(topic.substr(slash + 1), size);
+      add("~" + topic.substr(slash + 1), size);
+    }
+  }
+  return all;
+}
+
 }  // namespace tzc::rewriter

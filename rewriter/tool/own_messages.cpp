@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/own_messages.h"
 
+#include <signal.h>
 #include <stdlib.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <map>
 
@@ -77,15 +81,35 @@ Expected<void> generate_one(const std::string& package, const fs::path& folder,
       result.status < 0 ? "install tzc-msggen beside tzc-rewrite" : "repair the message definitions"};
 }
 
+constexpr const char* folder_prefix = "tzc-rewrite-";
+
+/// Folders that killed runs left behind: their names say which process they belonged to.
+void remove_left_folders() {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(), ignored)) {
+    const std::string name = entry.path().filename();
+    if (name.rfind(folder_prefix, 0) != 0) continue;
+    const int process = std::atoi(name.c_str() + std::string(folder_prefix).size());
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), ignored);
+  }
+}
+
+std::string make_folder() {
+  remove_left_folders();
+  std::string pattern = fs::temp_directory_path() / (folder_prefix + std::to_string(::getpid()) + "-XXXXXX");
+  return ::mkdtemp(pattern.data()) ? pattern : "";
+}
+
 }  // namespace
 
 Expected<OwnMessages> OwnMessages::generate(const std::string& package_dir, const std::string& build_dir) {
   OwnMessages messages;
   const std::map<std::string, fs::path> all = message_packages(package_dir);
   if (all.empty()) return messages;
-  std::string pattern = fs::temp_directory_path() / "tzc-rewrite-XXXXXX";
-  if (!mkdtemp(pattern.data())) return Error{"no temporary folder can be made", pattern, ""};
-  messages.folder_ = pattern;
+  messages.folder_ = make_folder();
+  if (messages.folder_.empty())
+    return Error{std::string("no folder can be made: ") + std::strerror(errno), fs::temp_directory_path(),
+                 ""};
   const std::vector<std::string> flags = include_flags(all, build_dir);
   for (const auto& [name, folder] : all) {
     messages.packages_[name] = folder;

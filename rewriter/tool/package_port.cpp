@@ -8,6 +8,7 @@
 #include "buildfiles/package_xml.h"
 #include "buildfiles/plan.h"
 #include "edits/dual.h"
+#include "report/codes.h"
 #include "tool/filter.h"
 #include "tool/invariant.h"
 #include "tool/own_messages.h"
@@ -20,6 +21,13 @@ namespace {
 bool is_cpp(const std::string& file) {
   static const std::set<std::string> build_files = {".txt", ".xml", ".cmake"};
   return build_files.count(std::filesystem::path(file).extension()) == 0;
+}
+
+/// The reading without TZC of a package of --dual is not compiled, and that is as it should be.
+bool is_about_dual_branch(const Note& note) {
+  if (note.code != codes::TZC3002 || !note.where) return false;
+  const Expected<std::string> content = read_file(note.where->file);
+  return content && in_dual_branch(*content, note.where->line);
 }
 
 class Porter {
@@ -156,7 +164,8 @@ class Porter {
   Expected<void> report() {
     Report& report = port_.result.report;
     report.sites = std::move(plan_.report.sites);
-    report.notes = std::move(plan_.report.notes);
+    for (const Note& note : plan_.report.notes)
+      if (!is_about_dual_branch(note)) report.notes.push_back(note);
     std::set<std::string> files;
     for (const std::string& file : plan_.parsed_files)
       if (is_below(file, port_.package_dir)) files.insert(file);

@@ -53,7 +53,8 @@ class Run {
     for (const std::string& bag : options_.bags) {
       const auto sizes = measure_bag(bag);
       if (!sizes) return sizes.error();
-      for (const auto& [topic, size] : *sizes) measured_[topic] = std::max(measured_[topic], size);
+      for (const auto& [topic, size] : by_source_name(*sizes))
+        measured_[topic] = std::max(measured_[topic], size);
     }
     if (options_.baseline.empty()) return {};
     Expected<Baseline> baseline = Baseline::read(options_.baseline);

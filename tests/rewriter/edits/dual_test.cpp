@@ -39,6 +39,13 @@ TEST(DualText, inside_a_comment_of_several_lines_is_refused) {
   EXPECT_EQ(dual("// /*\nx\n", "// /*\ny\n"), "// /*\n#ifdef TZC_ENABLED\ny\n#else\nx\n#endif\n");
 }
 
+TEST(InDualBranch, knows_its_own_branches) {
+  const std::string text = "a\n#ifdef TZC_ENABLED\nb\n#else\nc\n#endif\n#ifdef OTHER\nd\n#endif\n";
+  std::string inside;
+  for (unsigned line = 1; line <= 9; ++line) inside += in_dual_branch(text, line) ? "x" : "-";
+  EXPECT_EQ(inside, "-xxxxx---");
+}
+
 /// The preprocessor is the judge: what it leaves with and without the macro.
 TEST(DualText, reads_as_either_text) {
   const std::string before = "one\ntwo\nthree\nfour\n", after = "zero\none\nzwei\nthree\n";

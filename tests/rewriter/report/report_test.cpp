@@ -117,6 +117,28 @@ TEST(HtmlReport, every_element_is_closed) {
   }
 }
 
+TEST(IsRefusal, plain_unless_somebody_wants_it_so) {
+  Site site = test::site(SiteKind::publish, "a.cpp", 1, "sensor_msgs/Image", Level::plain);
+  site.code = codes::TZC1001;
+  EXPECT_TRUE(is_refusal(site));
+  site.code = codes::TZC1016;
+  EXPECT_FALSE(is_refusal(site));
+  site.code = codes::TZC1001;
+  site.suppressed = true;
+  EXPECT_FALSE(is_refusal(site));
+  site.level = Level::one_copy;
+  site.suppressed = false;
+  EXPECT_FALSE(is_refusal(site));
+}
+TEST(ShownChain, one_step_that_repeats_the_reason_is_not_shown) {
+  Site site = test::site(SiteKind::publish, "a.cpp", 1, "sensor_msgs/Image", Level::one_copy);
+  site.reason = "r";
+  site.chain = {{site.where, "r"}};
+  EXPECT_TRUE(shown_chain(site).empty());
+  site.chain.push_back({site.where, "s"});
+  EXPECT_EQ(shown_chain(site).size(), 2u);
+}
+
 TEST(Codes, ascending_and_unique) {
   std::string last;
   for (const CodeInfo& info : all_codes()) {

@@ -92,6 +92,14 @@ TEST(MeasureBag, any_byte_changed_never_crashes) {
   }
 }
 
+TEST(BySourceName, the_largest_of_all_topics_that_a_name_may_mean) {
+  const auto sizes = by_source_name({{"/left/image", 10}, {"/right/image", 20}});
+  EXPECT_EQ(sizes.at("/left/image"), 10u);
+  EXPECT_EQ(sizes.at("left/image"), 10u);
+  EXPECT_EQ(sizes.at("image"), 20u);
+  EXPECT_EQ(sizes.at("~image"), 20u);
+}
+
 TEST(ParseSize, units) {
   EXPECT_EQ(parse_size("4096"), 4096u);
   EXPECT_EQ(parse_size("64K"), 65536u);

@@ -52,6 +52,10 @@ void show(const EngineOptions& options) {
   fmt::print(stderr, "engine: level={} on_exhausted={} mem_size={} dual={} jobs={} measured={}\n",
              name_of(options.max_level), static_cast<int>(options.on_exhausted), options.mem_size.value_or(0),
              options.dual, options.jobs, options.measured_sizes.size());
+  for (const std::string& folder : options.extra_include_dirs)
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+      if (entry.is_regular_file())
+        fmt::print(stderr, "twin: {}\n", entry.path().string().substr(folder.size()));
 }
 
 Expected<PortPlan> fake_plan(const EngineOptions& options) {
