@@ -92,8 +92,9 @@ struct PublisherStats {
   std::size_t subscribers = 0;        ///< alive now
 };
 
-/// Listens for subscribers and sends them records. Thread-safe. After the last shared_ptr is gone no callback
-/// runs any more; what is queued for live subscribers is still tried for up to a second.
+/// Listens for subscribers and sends them records. Thread-safe. The end of the last shared_ptr waits for a callback
+/// that is running, unless it happens inside one: hold no lock then that a callback takes. Afterwards no callback runs
+/// any more; what is queued for live subscribers is still tried for up to a second.
 class Publisher {
  public:
   virtual ~Publisher() = default;
