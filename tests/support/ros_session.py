@@ -8,6 +8,7 @@
 Everything is stopped by pid; nothing else on the machine is touched.
 """
 import os
+import random
 import signal
 import socket
 import subprocess
@@ -16,9 +17,15 @@ import xmlrpc.client
 
 
 def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+    """Below the ports that the system gives to outgoing connections, which could take it before roscore does."""
+    while True:
+        with socket.socket() as probe:
+            port = random.randrange(15000, 32000)
+            try:
+                probe.bind(("127.0.0.1", port))
+                return port
+            except OSError:
+                continue
 
 
 class Process:
@@ -88,6 +95,12 @@ class RosSession:
         self.wait_until(self.master_answers, 30, "roscore to answer")
         return self
 
+    def restart_core(self):
+        """Another roscore takes the place of the one that is killed; it knows nobody."""
+        self.core.stop()
+        self.core = self.start(["roscore", "-p", str(self.port)], name="roscore")
+        self.wait_until(self.master_answers, 30, "roscore to answer again")
+
     def __exit__(self, *exc):
         for process in reversed(self._processes):
             process.stop()
@@ -101,6 +114,20 @@ class RosSession:
         process = Process(name, command, dict(self.env, **(env or {})), log_path)
         self._processes.append(process)
         return process
+
+    def mark(self):
+        """For stop_since: the processes that were started up to now."""
+        return len(self._processes)
+
+    def stop_since(self, mark):
+        """Stops what was started after the mark, all at once. They are signalled first, so that nobody waits in turn."""
+        started, self._processes[mark:] = self._processes[mark:], []
+        for process in started:
+            if process.alive():
+                process.popen.send_signal(signal.SIGCONT)
+                process.popen.send_signal(signal.SIGINT)
+        for process in reversed(started):
+            process.stop()
 
     def run(self, command, timeout=30, env=None):
         """Runs to the end; returns (status, output)."""
@@ -118,6 +145,11 @@ class RosSession:
         """Names of the nodes that subscribe to a topic, as the master knows them."""
         _, _, (_, subscribers, _) = self.master.getSystemState("/tzc_test")
         return dict(subscribers).get(topic, [])
+
+    def publishers(self, topic):
+        """Names of the nodes that advertise a topic, as the master knows them."""
+        _, _, (publishers, _, _) = self.master.getSystemState("/tzc_test")
+        return dict(publishers).get(topic, [])
 
     @staticmethod
     def wait_until(condition, timeout, what):

@@ -21,7 +21,7 @@ class Preload(TopicCase):
         listener = self.listen("plain", runner=TZC_RUN)
         talker = self.start_talker("plain", count=0, rate=50, runner=TZC_RUN)
         self.wait_for(listener, 50)
-        self.assertEqual(self.shared_transports("/talker"), ["/image"])
+        self.assertEqual(self.shared_transports(self.name("talker")), [self.name("image")])
         talker.stop()
         numbers = listener.numbers()
         self.assertEqual(numbers, list(range(len(numbers))))

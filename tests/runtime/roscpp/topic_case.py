@@ -10,6 +10,7 @@
 import json
 import os
 import shutil
+import stat
 import sys
 import tempfile
 import time
@@ -23,50 +24,82 @@ NODES = os.environ.get("TZC_TEST_NODES", ".")
 TZC_RUN = [os.environ.get("TZC_RUN", "tzc-run")]
 
 
-def shared_memory_files():
-    """What a runtime could have left behind for others to trip over."""
-    return sorted(f"{folder}/{name}" for folder in ("/dev/shm", tempfile.gettempdir())
-                  for name in os.listdir(folder) if "tzc" in name and "tzc_test" not in name)
+def left_behind():
+    """What a runtime could have left for others to trip over: shared memory files, sockets."""
+    files = {f"/dev/shm/{name}" for name in os.listdir("/dev/shm") if "tzc" in name}
+    sockets = {entry.path for entry in os.scandir(tempfile.gettempdir()) if "tzc" in entry.name and
+               stat.S_ISSOCK(entry.stat(follow_symlinks=False).st_mode)}
+    return files | sockets
 
 
 class Listener:
     def __init__(self, process):
         self.process = process
 
-    def messages(self):
+    def lines(self):
         return [json.loads(line) for line in self.process.log().splitlines()
                 if line.startswith("{") and line.endswith("}")]
 
-    def numbers(self):
-        return [message["number"] for message in self.messages()]
+    def messages(self, topic=None, callback=None):
+        """All, or those that came on a topic (its name as it was subscribed) or to one of several callbacks."""
+        return [line for line in self.lines() if "number" in line and topic in (None, line.get("topic"))
+                and callback in (None, line.get("callback"))]
+
+    def numbers(self, topic=None, callback=None):
+        return [message["number"] for message in self.messages(topic, callback)]
 
 
 class TopicCase(unittest.TestCase):
+    """One roscore for each class; each test has a namespace of its own, `self.ns`, with its topic `image` in it."""
     maxDiff = 2000
+    tests_so_far = 0
+    session_env = {}
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.mkdtemp(prefix="tzc_test_")
+        cls.ros = RosSession(cls.scratch, cls.session_env)
+        cls.addClassCleanup(shutil.rmtree, cls.scratch, ignore_errors=True)
+        cls.addClassCleanup(cls.ros.__exit__)
+        cls.ros.__enter__()
 
     def setUp(self):
-        self.scratch = tempfile.mkdtemp(prefix="tzc_test_")
-        self.left_before = shared_memory_files()
-        self.ros = RosSession(self.scratch)
-        self.ros.__enter__()
+        TopicCase.tests_so_far += 1
+        self.ns = f"/t{TopicCase.tests_so_far}"
+        self.left_before = left_behind()
+        self.before = self.ros.mark()
 
     def tearDown(self):
-        self.ros.__exit__()
-        self.assertEqual(shared_memory_files(), self.left_before, "something was left behind")
-        shutil.rmtree(self.scratch, ignore_errors=True)
+        self.ros.stop_since(self.before)
+        try:  # tests that run beside this one have such files for a moment
+            self.ros.wait_until(lambda: left_behind() <= self.left_before, 5, "nothing to be left behind")
+        except RuntimeError:
+            self.fail(f"left behind: {left_behind() - self.left_before}")
+
+    @staticmethod
+    def slowness():
+        """How much longer things may take than on an idle machine."""
+        return max(1.0, os.getloadavg()[0] / os.cpu_count())
+
+    def name(self, relative):
+        """A name in this test's namespace."""
+        return f"{self.ns}/{relative}"
 
     def node(self, program, name, parameters, remaps=(), env=None, runner=()):
         command = list(runner) + [os.path.join(NODES, program)]
         command += [f"__name:={name}"] if name else []
-        command += [f"_{key}:={value}" for key, value in parameters.items()] + list(remaps)
+        command += [f"_{key}:={value}" for key, value in parameters.items()] + [f"__ns:={self.ns}", *remaps]
         return self.ros.start(command, name=name or program, env=env)
 
-    def listen(self, mode="pointer", name=None, remaps=(), env=None, runner=(), **parameters):
-        before = len(self.ros.subscribers("/image"))
+    def listen(self, mode="pointer", name=None, remaps=(), env=None, runner=(), topic="image", **parameters):
+        """A listener that the master knows. `topic`: relative name of what it listens to in the end."""
+        before = len(self.ros.subscribers(self.name(topic)))
         process = self.node("listener", name, dict(parameters, mode=mode), remaps, env, runner)
-        if not remaps:
-            self.ros.wait_until(lambda: len(self.ros.subscribers("/image")) > before, 20, "the listener")
+        self.ros.wait_until(lambda: len(self.ros.subscribers(self.name(topic))) > before, 20, "the listener")
         return Listener(process)
+
+    def wait_for_subscribers(self, topic, count):
+        self.ros.wait_until(lambda: len(self.ros.subscribers(topic)) >= count, 20, f"{count} subscribers of {topic}")
 
     def start_talker(self, mode="twin", name="talker", remaps=(), env=None, runner=(), **parameters):
         # The upgrade takes a few ms; tests of it set settle to 0.
@@ -78,19 +111,18 @@ class TopicCase(unittest.TestCase):
         self.assertEqual(talker.wait(timeout), 0, talker.tail())
         return json.loads([line for line in talker.log().splitlines() if line.startswith("{")][-1])
 
-    def wait_for(self, listener, count, timeout=20):
-        self.ros.wait_until(lambda: len(listener.numbers()) >= count, timeout,
-                            f"{count} messages (there are {len(listener.numbers())})")
+    def wait_for(self, listener, count, timeout=20, topic=None, callback=None):
+        self.ros.wait_until(lambda: len(listener.numbers(topic, callback)) >= count, timeout, f"{count} messages")
 
-    def assert_got(self, listener, numbers, shared=None, timeout=10):
+    def assert_got(self, listener, numbers, shared=None, timeout=10, topic=None, callback=None):
         """Exactly these messages, in order, with the right bytes; shared: where they must have lain."""
         expected = list(numbers)
         try:
-            self.wait_for(listener, len(expected), timeout)
+            self.wait_for(listener, len(expected), timeout, topic, callback)
         except RuntimeError:
             pass  # the comparison says more
         time.sleep(0.1)  # room for a message too many
-        messages = listener.messages()
+        messages = listener.messages(topic, callback)
         self.assertEqual([message["number"] for message in messages], expected)
         self.assertTrue(all(message["right"] for message in messages), "some bytes are wrong")
         if shared is not None:

@@ -1,62 +1,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Prints one line of JSON for each image it gets: number, seq, whether the bytes are right, whether they lie in a
-/// shared segment.
+/// Prints a line for each image it gets (image_line.h).
 ///
 /// Private parameters: mode (pointer, reference, value, mutable, event, direct, filter, late_attach, plain),
-/// queue, threads (0: ros::spin).
+/// topics (several, separated by blanks), queue, spinner (spin, multi, async, own: a callback queue of its
+/// own).
 #include <message_filters/simple_filter.h>
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <tzc/message_filters.h>
 #include <tzc/ros.h>
 
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <vector>
 
-#include "pattern.h"
+#include "image_line.h"
 
 namespace {
 
-void print(const sensor_msgs::Image& image) {
-  const auto number = static_cast<std::uint32_t>(std::atoi(image.header.frame_id.c_str()));
-  const double latency = (ros::Time::now() - image.header.stamp).toSec() * 1e6;
-  std::printf("{\"number\": %u, \"seq\": %u, \"right\": %s, \"shared\": %s, \"latency_us\": %.1f}\n", number,
-              image.header.seq, tzc_test::has_pattern(image.data.data(), image.data.size(), number) ? "true" : "false",
-              tzc::in_segment(image.data.data()) ? "true" : "false", latency);
-  std::fflush(stdout);
-}
+using tzc_test::print_image;
 
 void spoil(sensor_msgs::Image& image) {
   if (!image.data.empty()) image.data[0] ^= 0xff;
 }
 
-void on_pointer(const sensor_msgs::ImageConstPtr& image) { print(*image); }
-void on_reference(const sensor_msgs::Image& image) { print(image); }
+void on_pointer(const sensor_msgs::ImageConstPtr& image) {
+  print_image(*image);
+}
+void on_reference(const sensor_msgs::Image& image) {
+  print_image(image);
+}
 void on_value(sensor_msgs::Image image) {
-  print(image);
+  print_image(image);
   spoil(image);
 }
 void on_mutable(const sensor_msgs::ImagePtr& image) {
-  print(*image);
+  print_image(*image);
   spoil(*image);
 }
 void on_event(const ros::MessageEvent<sensor_msgs::Image>& event) {
-  print(*event.getMessage());
+  print_image(*event.getMessage());
   spoil(*event.getMessage());
 }
 
-ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& mode, int queue) {
-  if (mode == "pointer") return tzc::subscribe(node, "image", queue, on_pointer);
-  if (mode == "reference") return tzc::subscribe(node, "image", queue, on_reference);
-  if (mode == "value") return tzc::subscribe(node, "image", queue, on_value);
-  if (mode == "mutable") return tzc::subscribe(node, "image", queue, on_mutable);
-  if (mode == "event") return tzc::subscribe(node, "image", queue, on_event);
-  if (mode == "direct") return tzc::subscribe_direct(node, "image", queue, on_pointer);
-  const ros::Subscriber subscriber = node.subscribe("image", queue, on_pointer);
-  if (mode == "late_attach") tzc::attach<sensor_msgs::Image>(node, "image");
+ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& mode, const std::string& topic,
+                          int queue) {
+  if (mode == "pointer") return tzc::subscribe(node, topic, queue, on_pointer);
+  if (mode == "reference") return tzc::subscribe(node, topic, queue, on_reference);
+  if (mode == "value") return tzc::subscribe(node, topic, queue, on_value);
+  if (mode == "mutable") return tzc::subscribe(node, topic, queue, on_mutable);
+  if (mode == "event") return tzc::subscribe(node, topic, queue, on_event);
+  if (mode == "direct") return tzc::subscribe_direct(node, topic, queue, on_pointer);
+  const ros::Subscriber subscriber = node.subscribe(topic, queue, on_pointer);
+  if (mode == "late_attach") tzc::attach<sensor_msgs::Image>(node, topic);
   return subscriber;
+}
+
+std::vector<ros::Subscriber> subscribe_named(ros::NodeHandle& node, std::istringstream topics, int queue) {
+  std::vector<ros::Subscriber> subscribers;
+  for (std::string topic; topics >> topic;) {
+    const boost::function<void(const sensor_msgs::ImageConstPtr&)> callback =
+        [topic](const sensor_msgs::ImageConstPtr& image) {
+          print_image(*image, "\"topic\": \"" + topic + "\", ");
+        };
+    subscribers.push_back(tzc::subscribe<sensor_msgs::Image>(node, topic, queue, callback));
+  }
+  return subscribers;
+}
+
+void spin(const std::string& spinner, ros::CallbackQueue& own) {
+  if (spinner == "own") {
+    while (ros::ok()) own.callAvailable(ros::WallDuration(0.05));
+  } else if (spinner == "multi") {
+    ros::MultiThreadedSpinner(3).spin();
+  } else if (spinner == "async") {
+    ros::AsyncSpinner threads(2);
+    threads.start();
+    ros::waitForShutdown();
+  } else {
+    ros::spin();
+  }
 }
 
 }  // namespace
@@ -65,21 +90,20 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "listener", ros::init_options::AnonymousName);
   ros::NodeHandle node, options("~");
   const std::string mode = options.param<std::string>("mode", "pointer");
+  const std::string spinner = options.param<std::string>("spinner", "spin");
+  const std::string topics = options.param<std::string>("topics", "");
   const int queue = options.param("queue", 100);
+  ros::CallbackQueue own;
+  if (spinner == "own") node.setCallbackQueue(&own);
   std::unique_ptr<tzc::message_filters::Subscriber<sensor_msgs::Image>> filter;
-  ros::Subscriber subscriber;
-  if (mode == "filter") {
+  std::vector<ros::Subscriber> subscribers;
+  if (!topics.empty()) {
+    subscribers = subscribe_named(node, std::istringstream(topics), queue);
+  } else if (mode == "filter") {
     filter.reset(new tzc::message_filters::Subscriber<sensor_msgs::Image>(node, "image", queue));
     filter->registerCallback(on_mutable);
   } else {
-    subscriber = subscribe(node, mode, queue);
+    subscribers.push_back(subscribe(node, mode, "image", queue));
   }
-  const int threads = options.param("threads", 0);
-  if (threads == 0) {
-    ros::spin();
-  } else {
-    ros::AsyncSpinner spinner(static_cast<std::uint32_t>(threads));
-    spinner.start();
-    ros::waitForShutdown();
-  }
+  spin(spinner, own);
 }
