@@ -14,9 +14,10 @@ void visit_strings(OfferType& offer, Visit visit) {
   visit(3, offer.publisher);
   visit(4, offer.address);
   visit(5, offer.identity);
-  visit(6, offer.token);
+  visit(6, offer.connection);
+  visit(7, offer.token);
 }
-constexpr int kFields = 7;
+constexpr int kFields = 8;
 
 bool has_offer_shape(XmlRpcValue& params) {
   if (params.getType() != XmlRpcValue::TypeArray || params.size() != kFields) return false;

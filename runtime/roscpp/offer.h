@@ -7,13 +7,13 @@
 
 namespace tzc {
 
-/// The two XMLRPC methods that a node with TZC answers beside roscpp's own. A node without TZC answers with a fault
-/// and stays on TCPROS.
-constexpr const char kOfferMethod[] = "tzcOffer";      ///< publisher -> subscriber: "come over to shared memory"
+/// The two XMLRPC methods that a node with TZC answers beside roscpp's own. A node without TZC answers with a
+/// fault and stays on TCPROS.
+constexpr const char kOfferMethod[] = "tzcOffer";  ///< publisher -> subscriber: "come over to shared memory"
 constexpr const char kRequestMethod[] = "tzcRequest";  ///< subscriber -> publisher: "I can take an offer now"
 
-/// Raised when the meaning of an offer, of a record's tag or of the control part changes; unequal versions stay on
-/// TCPROS.
+/// Raised when the meaning of an offer, of a record's tag or of the control part changes; unequal versions
+/// stay on TCPROS.
 constexpr int kProtocolVersion = 1;
 
 /// What a record's tag says about its bytes.
@@ -25,12 +25,13 @@ enum RecordTag : unsigned {
 
 /// An invitation to one subscriber for one topic.
 struct Offer {
-  std::string topic;         ///< resolved
+  std::string topic;  ///< resolved
   std::string md5sum;
-  std::string publisher;     ///< caller id of the publishing node
-  std::string address;       ///< of the channel
-  std::string identity;      ///< host_identity() of the publisher
-  std::string token;         ///< names the TCPROS connection that is to be replaced; the channel's hello
+  std::string publisher;   ///< caller id of the publishing node
+  std::string address;     ///< of the channel
+  std::string identity;    ///< host_identity() of the publisher
+  std::string connection;  ///< connection_name() of the TCPROS connection that is to be replaced
+  std::string token;       ///< the channel's hello, known to nobody else
 };
 
 XmlRpc::XmlRpcValue to_xmlrpc(const Offer& offer);

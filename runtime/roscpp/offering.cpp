@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// The port's half of the upgrade: inviting a TCPROS subscriber.
+#include <ros/connection.h>
 #include <ros/console.h>
 #include <ros/master.h>
 #include <ros/publication.h>
@@ -7,6 +8,7 @@
 
 #include <random>
 
+#include "roscpp/connection_name.h"
 #include "roscpp/host_identity.h"
 #include "roscpp/offer.h"
 #include "roscpp/port.h"
@@ -71,6 +73,8 @@ void Port::offer(const TcpLink& link) {
   offer.publisher = ros::this_node::getName();
   offer.address = channel_->address();
   offer.identity = host_identity();
+  offer.connection = connection_name(*link->getConnection(), End::publisher);
+  if (offer.connection.empty()) return;
   offer.token = expect(link);
   const XmlRpcReply reply = call_node(uri, kOfferMethod, to_xmlrpc(offer), kCallTimeout);
   if (reply.succeeded()) return;

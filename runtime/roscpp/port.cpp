@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "roscpp/link_swap.h"
 #include "roscpp/roscpp_access.h"
 #include "roscpp/statistics_file.h"
@@ -21,6 +23,10 @@ namespace {
 
 /// How often a link that waits for TCPROS to drain is looked at again.
 constexpr std::chrono::milliseconds kDrainPoll(1);
+
+/// In the row of messages that roscpp has yet to number: one that went out with its number, which roscpp's
+/// count has to skip when it gets there.
+constexpr const void* kNumberedAlready = nullptr;
 
 /// Ports by publication: two publishers of one topic share one.
 struct Ports {
@@ -57,8 +63,8 @@ std::shared_ptr<Port> Port::of(const ros::PublicationPtr& publication, const Pub
   return port;
 }
 
-Port::Port(const ros::PublicationPtr& publication, std::shared_ptr<SegmentMemory> memory, OnExhausted on_exhausted,
-           Worker& worker)
+Port::Port(const ros::PublicationPtr& publication, std::shared_ptr<SegmentMemory> memory,
+           OnExhausted on_exhausted, Worker& worker)
     : publication_(publication),
       topic_(publication->getName()),
       md5sum_(publication->getMD5Sum()),
@@ -123,8 +129,10 @@ std::uint32_t Port::take_sequence(const ros::SerializedMessage& message) {
   const auto sequence = static_cast<std::uint32_t>(publication->getSequence() + unnumbered_.size());
   if (message.buf)
     unnumbered_.push_back(message.buf.get());  // roscpp counts it when it works its queue off
-  else
+  else if (unnumbered_.empty())
     publication->incrementSequence();
+  else
+    unnumbered_.push_back(kNumberedAlready);
   return sequence;
 }
 
@@ -145,7 +153,22 @@ Shipment Port::pointer_record(const ros::SerializedMessage& message) {
 }
 
 void Port::saw_serialized(const ros::SerializedMessage& message) {
-  if (!unnumbered_.empty() && unnumbered_.front() == message.buf.get()) unnumbered_.pop_front();
+  if (unnumbered_.empty() || unnumbered_.front() != message.buf.get()) return;
+  unnumbered_.pop_front();
+  count_numbered();
+}
+
+void Port::forget_queue() {
+  unnumbered_.erase(std::remove_if(unnumbered_.begin(), unnumbered_.end(),
+                                   [](const void* message) { return message != kNumberedAlready; }),
+                    unnumbered_.end());
+  count_numbered();
+}
+
+void Port::count_numbered() {
+  const ros::PublicationPtr publication = publication_.lock();
+  for (; !unnumbered_.empty() && unnumbered_.front() == kNumberedAlready; unnumbered_.pop_front())
+    if (publication) publication->incrementSequence();
 }
 
 void Port::connected(const channel::ConnectionPtr& connection) {
@@ -157,7 +180,8 @@ void Port::connected(const channel::ConnectionPtr& connection) {
     by_connection_[connection] = link;
   }
   watch(link);
-  ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << tcp->getDestinationCallerID() << " goes through shared memory");
+  ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << tcp->getDestinationCallerID()
+                           << " goes through shared memory");
   go_live(link);
 }
 
@@ -179,7 +203,9 @@ SharedLinkPtr Port::park(const TcpLink& tcp, const channel::ConnectionPtr& conne
   const auto link =
       boost::make_shared<SharedLink>(weak_from_this(), publication, tcp, connection, standstill.queued());
   if (!swap_link_locked(*publication, tcp, link)) return SharedLinkPtr();
-  ++links_;
+  if (links_++ == 0)
+    for (const ros::SerializedMessage& message : access::publish_queue_(*publication))
+      unnumbered_.push_back(message.buf.get());
   ++shared_subscribers_;
   return link;
 }
@@ -189,7 +215,7 @@ void Port::put_back(const SharedLinkPtr& link) {
   if (!publication) return;
   const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(*publication));
   if (!swap_link_locked(*publication, link, link->parked())) return;
-  if (--links_ == 0) unnumbered_.clear();
+  if (--links_ == 0) forget_queue();
   --shared_subscribers_;
 }
 
@@ -210,7 +236,8 @@ void Port::disconnected(const channel::ConnectionPtr& connection) {
 void Port::ended(const SharedLinkPtr& link) {
   // With the TCPROS link in its old place, roscpp's own removal tells the user's disconnect callbacks.
   put_back(link);
-  if (const ros::PublicationPtr publication = publication_.lock()) publication->removeSubscriberLink(link->parked());
+  if (const ros::PublicationPtr publication = publication_.lock())
+    publication->removeSubscriberLink(link->parked());
   link->connection()->close();
 }
 

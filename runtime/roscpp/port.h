@@ -22,12 +22,14 @@ namespace detail {
 
 /// The shared-memory side of one publication of this process:
 ///
-///   connect callback -> offer (XMLRPC) -> the subscriber connects to the channel -> its TCPROS link is parked and a
-///   SharedLink stands in its place -> the channel breaks: the TCPROS link is put back
-///                                  -> the TCPROS link is dropped: the SharedLink goes, and the user's callbacks hear it
+///   connect callback -> offer (XMLRPC) -> the subscriber connects to the channel -> its TCPROS link is
+///   parked and a SharedLink stands in its place -> the channel breaks: the TCPROS link is put back
+///                                  -> the TCPROS link is dropped: the SharedLink goes, and the user's
+///                                  callbacks hear it
 ///
 /// Thread-safe. Locks, outermost first: roscpp's advertised_topics_mutex_, publish_queue_mutex_,
-/// subscriber_links_mutex_; the link's; the channel's. mutex_ is taken under none of them and holds none of them.
+/// subscriber_links_mutex_; the link's; the channel's. mutex_ is taken under none of them and holds none of
+/// them.
 class Port : public std::enable_shared_from_this<Port> {
  public:
   /// The port of a publication, made with the first attachment and shared by all of the process.
@@ -41,9 +43,9 @@ class Port : public std::enable_shared_from_this<Port> {
   PublisherStatistics statistics() const;
   bool wants_pointer(const std::type_info& type) const;
 
-  /// Sends an encoded message of a known type to all subscribers, past roscpp's own publish: no view is built for
-  /// nobody to see. False, and nothing happened, unless every link of the publication is a SharedLink and nothing waits
-  /// in its queue.
+  /// Sends an encoded message of a known type to all subscribers, past roscpp's own publish: no view is built
+  /// for nobody to see. False, and nothing happened, unless every link of the publication is a SharedLink and
+  /// nothing waits in its queue.
   bool publish_directly(const std::type_info& type, message::Encoded& encoded);
 
   /// roscpp's connect callback, on the worker: offers shared memory to the subscriber.
@@ -64,10 +66,12 @@ class Port : public std::enable_shared_from_this<Port> {
  private:
   using TcpLink = ros::TransportSubscriberLinkPtr;
 
-  Port(const ros::PublicationPtr& publication, std::shared_ptr<SegmentMemory> memory, OnExhausted on_exhausted,
-       Worker& worker);
+  Port(const ros::PublicationPtr& publication, std::shared_ptr<SegmentMemory> memory,
+       OnExhausted on_exhausted, Worker& worker);
   bool listen(std::size_t queue_size);
   std::uint32_t take_sequence(const ros::SerializedMessage& message);
+  void count_numbered();
+  void forget_queue();
 
   void offer(const TcpLink& link);
   std::string expect(const TcpLink& link);
@@ -91,8 +95,8 @@ class Port : public std::enable_shared_from_this<Port> {
   RecordMaker records_;
   std::shared_ptr<channel::Publisher> channel_;
 
-  std::size_t links_ = 0;                ///< SharedLinks in the publication; under subscriber_links_mutex_
-  std::deque<const void*> unnumbered_;   ///< serialized messages that roscpp has yet to number; likewise
+  std::size_t links_ = 0;               ///< SharedLinks in the publication; under subscriber_links_mutex_
+  std::deque<const void*> unnumbered_;  ///< messages in roscpp's queue, which it has yet to number; likewise
   std::atomic<std::size_t> shared_subscribers_{0};
 
   std::mutex mutex_;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "roscpp/connection_name.h"
 #include "roscpp/host_identity.h"
 #include "roscpp/inlet.h"
 #include "roscpp/roscpp_access.h"
@@ -40,9 +41,14 @@ std::vector<ros::TransportPublisherLinkPtr> tcp_links(ros::Subscription& subscri
   return links;
 }
 
-ros::TransportPublisherLinkPtr find_link(ros::Subscription& subscription, const std::string& publisher) {
-  for (const ros::TransportPublisherLinkPtr& link : tcp_links(subscription))
-    if (link->getCallerID() == publisher && !link->getConnection()->isDropped()) return link;
+/// The link that the offer is about, once its TCPROS header has come. Not just any of that publisher: the one
+/// of an earlier subscription may still be known there, and messages of both would come twice.
+ros::TransportPublisherLinkPtr find_link(ros::Subscription& subscription, const Offer& offer) {
+  for (const ros::TransportPublisherLinkPtr& link : tcp_links(subscription)) {
+    ros::Connection& connection = *link->getConnection();
+    const bool is_open = link->getCallerID() == offer.publisher && !connection.isDropped();
+    if (is_open && connection_name(connection, End::subscriber) == offer.connection) return link;
+  }
   return ros::TransportPublisherLinkPtr();
 }
 
@@ -66,16 +72,16 @@ std::string Receiver::reason_to_refuse(const Offer& offer) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = topics_.find(offer.topic);
   if (found == topics_.end()) return "this node has not attached " + offer.topic;
-  const bool fits = std::any_of(found->second.begin(), found->second.end(), [&](const detail::MessageCodec& codec) {
-    return codec.md5sum == offer.md5sum;
-  });
+  const bool fits =
+      std::any_of(found->second.begin(), found->second.end(),
+                  [&](const detail::MessageCodec& codec) { return codec.md5sum == offer.md5sum; });
   return fits ? std::string() : "this node expects another message type on " + offer.topic;
 }
 
 void Receiver::answer(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& result) {
   Offer offer;
-  const std::string refusal =
-      from_xmlrpc(params, offer) ? reason_to_refuse(offer) : std::string("not an offer of this version of TZC");
+  const std::string refusal = from_xmlrpc(params, offer) ? reason_to_refuse(offer)
+                                                         : std::string("not an offer of this version of TZC");
   if (!refusal.empty()) {
     result = response(0, refusal);
     return;
@@ -87,7 +93,7 @@ void Receiver::answer(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& result) 
 void Receiver::accept(const Offer& offer, int tries_left) {
   const ros::SubscriptionPtr subscription = find_subscription(offer.topic);
   if (!subscription) return;
-  const LinkPtr link = find_link(*subscription, offer.publisher);
+  const LinkPtr link = find_link(*subscription, offer);
   if (link)
     connect(offer, subscription, link);
   else if (tries_left > 0)
@@ -99,7 +105,8 @@ bool Receiver::connected(const LinkPtr& link) const {
   return channels_.count(link) != 0;
 }
 
-bool Receiver::codec_for(const Offer& offer, ros::Subscription& subscription, detail::MessageCodec& codec) const {
+bool Receiver::codec_for(const Offer& offer, ros::Subscription& subscription,
+                         detail::MessageCodec& codec) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   bool found = false;
   for (const detail::MessageCodec& candidate : topics_.at(offer.topic)) {

@@ -18,8 +18,8 @@
 
 namespace tzc {
 
-/// The subscribing side of this process: which topics may come through shared memory, and the channels through which
-/// they do. Thread-safe.
+/// The subscribing side of this process: which topics may come through shared memory, and the channels
+/// through which they do. Thread-safe.
 class Receiver {
  public:
   explicit Receiver(Worker& worker) : worker_(worker) {}

@@ -38,7 +38,9 @@ void SharedLink::on_end(std::function<void()> ended) {
       [ended = std::move(ended)](const ros::ConnectionPtr&, ros::Connection::DropReason) { ended(); });
 }
 
-void SharedLink::drop() { parked_->drop(); }
+void SharedLink::drop() {
+  parked_->drop();
+}
 
 std::string SharedLink::getTransportInfo() {
   return "TZC shared memory, beside a parked " + parked_->getTransportInfo();
@@ -65,6 +67,8 @@ void SharedLink::publish_by_pointer(const ros::SerializedMessage& message) {
 }
 
 void SharedLink::publish_bytes(const ros::SerializedMessage& message) {
+  const std::shared_ptr<detail::Port> port = port_.lock();
+  if (port) port->saw_serialized(message);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (queued_for_tcpros_ > 0) {
@@ -72,10 +76,8 @@ void SharedLink::publish_bytes(const ros::SerializedMessage& message) {
       return parked_->enqueueMessage(message, true, false);
     }
   }
-  const std::shared_ptr<detail::Port> port = port_.lock();
   if (!port) return;
   const bool went_by_pointer = message.type_info && port->records().knows(*message.type_info);
-  port->saw_serialized(message);
   if (!went_by_pointer) deliver(port->bytes_record(message));
 }
 

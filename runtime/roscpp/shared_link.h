@@ -17,15 +17,16 @@ namespace detail {
 class Port;
 }
 
-/// A subscriber that takes its messages through shared memory: stands in Publication::subscriber_links_ where its
-/// TCPROS link stood, which it keeps parked. roscpp takes it for an intraprocess link, because only those are given
-/// messages by pointer.
+/// A subscriber that takes its messages through shared memory: stands in Publication::subscriber_links_ where
+/// its TCPROS link stood, which it keeps parked. roscpp takes it for an intraprocess link, because only those
+/// are given messages by pointer.
 ///
-/// Life: draining (messages that were queued for TCPROS go there, newer ones wait here) -> live -> ended (the TCPROS
-/// link was dropped) or fallen back (the channel broke; the Port puts the TCPROS link back).
+/// Life: draining (messages that were queued for TCPROS go there, newer ones wait here) -> live -> ended (the
+/// TCPROS link was dropped) or fallen back (the channel broke; the Port puts the TCPROS link back).
 class SharedLink : public ros::SubscriberLink {
  public:
-  /// @param queued messages in Publication::publish_queue_ that belong to the TCPROS link; the caller holds the
+  /// @param queued messages in Publication::publish_queue_ that belong to the TCPROS link; the caller holds
+  /// the
   ///        publication's locks
   SharedLink(std::weak_ptr<detail::Port> port, const ros::PublicationPtr& publication,
              ros::TransportSubscriberLinkPtr parked, channel::ConnectionPtr connection, std::size_t queued);
@@ -33,8 +34,8 @@ class SharedLink : public ros::SubscriberLink {
 
   /// \name ros::SubscriberLink
   /// @{
-  /// roscpp's three ways: (ser, nocopy) = (0,1) publish by pointer; (1,0) the poll thread, with bytes; (1,1) bytes for
-  /// this subscriber alone (SingleSubscriberPublisher). Never blocks.
+  /// roscpp's three ways: (ser, nocopy) = (0,1) publish by pointer; (1,0) the poll thread, with bytes; (1,1)
+  /// bytes for this subscriber alone (SingleSubscriberPublisher). Never blocks.
   void enqueueMessage(const ros::SerializedMessage& message, bool ser, bool nocopy) override;
   void drop() override;
   std::string getTransportType() override { return "TZC"; }
@@ -46,10 +47,12 @@ class SharedLink : public ros::SubscriberLink {
   /// Sends, or keeps while draining. Under subscriber_links_mutex_; never blocks.
   void deliver(const Shipment& shipment);
 
-  /// Starts sending if everything that was given to TCPROS has left it. False: not yet, ask again. Worker thread.
+  /// Starts sending if everything that was given to TCPROS has left it. False: not yet, ask again. Worker
+  /// thread.
   bool try_go_live();
 
-  /// Calls `ended` once, when the TCPROS link is dropped (the subscriber or the publisher ended the connection).
+  /// Calls `ended` once, when the TCPROS link is dropped (the subscriber or the publisher ended the
+  /// connection).
   void on_end(std::function<void()> ended);
 
   const ros::TransportSubscriberLinkPtr& parked() const { return parked_; }

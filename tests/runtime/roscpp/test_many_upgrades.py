@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""100 upgrades under 2 kHz traffic: no message twice, none out of order, none lost that plain ROS would deliver."""
+import json
+
+from topic_case import TopicCase, main
+
+
+class ManyUpgrades(TopicCase):
+    HOPS = 100
+
+    def hop(self, talkers_mode, **parameters):
+        talker = self.start_talker(talkers_mode, count=0, rate=2000, bytes=2000, queue=10000, subscribers=0, settle=0,
+                                   memory=200000000)
+        hopper = self.node("hopper", "hopper", parameters)
+        self.assertEqual(hopper.wait(120), 0, hopper.tail())
+        self.assertTrue(talker.alive(), talker.tail())
+        lines = [line for line in hopper.log().splitlines() if line.startswith("{")]
+        return [json.loads(line) for line in lines]
+
+    def test_shared(self):
+        hops = self.hop("twin", hops=self.HOPS, shared=50, patience=10)
+        self.assertEqual(len(hops), self.HOPS)
+        self.assertEqual([hop["jumps"] for hop in hops if hop["jumps"]], [], "lost, doubled or out of order")
+        self.assertEqual([hop["misnumbered"] for hop in hops if hop["misnumbered"]], [], "[number, header.seq]")
+        self.assertTrue(all(hop["right"] for hop in hops))
+        self.assertEqual([hop for hop in hops if hop["shared"] < 50], [], "not upgraded")
+        before = sum(hop["count"] - hop["shared"] for hop in hops)
+        self.assertGreater(before, self.HOPS / 2, "the upgrades met no traffic on TCPROS")
+
+
+if __name__ == "__main__":
+    main()
