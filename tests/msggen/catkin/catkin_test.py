@@ -4,7 +4,7 @@
 
 usage: catkin_test.py {devel DEVEL_DIR | install BUILD_DIR}
 
-The node must run; a second build must generate nothing; a changed definition must be generated again; the headers of
+A plain CMake project must get headers, too. The node must run; a second build must generate nothing; a changed definition must be generated again; the headers of
 messages must be installed with the packages.
 """
 import os
@@ -69,6 +69,13 @@ def test_workspace(workspace, prefix):
         check(os.path.exists(f'{workspace}/install/include/tzc/{header}'), f'tzc/{header} is installed')
 
 
+def test_plain_project(build_folder, prefix):
+    variables = environment(prefix)
+    run(['cmake', '-S', f'{here}/plain_project', '-B', build_folder, '-DPYTHON_EXECUTABLE=/usr/bin/python3'], env=variables)
+    run(['cmake', '--build', build_folder], env=variables)
+    check(os.path.exists(f'{build_folder}/tzc_messages/tzc/own_msgs/Own.h'), 'a plain CMake project generates headers')
+
+
 def main():
     kind, folder = sys.argv[1:3]
     with tempfile.TemporaryDirectory() as scratch:
@@ -77,6 +84,7 @@ def main():
             prefix = f'{scratch}/prefix'
             run(['cmake', '--install', folder, '--prefix', prefix])
         os.mkdir(f'{scratch}/ws')
+        test_plain_project(f'{scratch}/plain', prefix)
         test_workspace(f'{scratch}/ws', prefix)
 
 

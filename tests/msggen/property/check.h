@@ -156,8 +156,11 @@ void check_twin(const Stock& stock, const Bytes& bytes, unsigned seed, std::fals
 template <class Stock, class Twin>
 void check_twin(const Stock&, const Bytes&, unsigned, std::true_type /* same type */) {}
 
+/// md5 and fixed_length are what our census says of the type; roscpp's header of it was made by gencpp.
 template <class Twin, class Stock>
-void check_type() {
+void check_type(const char* md5, bool fixed_length) {
+  EXPECT_STREQ(ros::message_traits::MD5Sum<Stock>::value(), md5);
+  EXPECT_EQ(bool(ros::message_traits::IsFixedSize<Stock>::value), fixed_length);
   check_traits<Twin, Stock>();
   for (unsigned seed = 0; seed < 4; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

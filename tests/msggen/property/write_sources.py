@@ -18,16 +18,18 @@ msggen, share, out, count = sys.argv[1], sys.argv[2], sys.argv[3], int(sys.argv[
 def all_types():
     folders = sorted({os.path.dirname(f) for k in ('msg', 'srv', 'action') for f in glob.glob(f'{share}/*/{k}/*.{k}')})
     census = json.loads(subprocess.run([msggen, 'classify', '--json'] + folders, check=True, stdout=subprocess.PIPE).stdout)
-    return sorted(census['types'])
+    return sorted(census['types'].items())
 
 
 def source(types):
     lines = ['// Written by write_sources.py.\n', '#include "check.h"\n']
-    lines += [f'#include <tzc/{t}.h>\n' for t in types]
-    for t in types:
+    lines += [f'#include <tzc/{t}.h>\n' for t, _ in types]
+    for t, facts in types:
         package, name = t.split('/')
+        fixed = 'true' if facts['fixed_length'] else 'false'
         lines.append(f'TEST(Properties, {package}_{name}) {{\n'
-                     f'  tzc::test::check_type<::tzc::{package}::{name}, ::{package}::{name}>();\n}}\n')
+                     f'  tzc::test::check_type<::tzc::{package}::{name}, ::{package}::{name}>("{facts["md5"]}", {fixed});\n'
+                     '}\n')
     return ''.join(lines)
 
 
