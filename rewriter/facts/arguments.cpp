@@ -102,7 +102,9 @@ Handed hand_to_call(Unit& unit, const Key& key, const clang::CallExpr* call, uns
     return Handed::done;
   }
   if (passes_through(function)) return Handed::result;
-  if (name == "boost::const_pointer_cast" || name == "std::const_pointer_cast")
+  const bool casts = name == "boost::const_pointer_cast" || name == "std::const_pointer_cast";
+  if (casts && serves_plain_field(unit, call)) return Handed::done;
+  if (casts)
     add_obstacle(unit, key, codes::TZC2002, "const is cast away from it", call->getBeginLoc());
   if (swaps(name)) return hand_to_swap(unit, key, call);
   if (const LibraryCall* rule = unit.rules.find_call(name, argument)) {

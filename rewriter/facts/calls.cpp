@@ -98,6 +98,25 @@ std::optional<std::string> constant_string(const clang::Expr* expr) {
   }
 }
 
+bool serves_plain_field(Unit& unit, const clang::Expr* cast) {
+  const clang::Expr* at = cast;
+  for (;;) {
+    const auto parents = unit.ast().getParents(*at);
+    const auto* parent = parents.empty() ? nullptr : parents[0].get<clang::Expr>();
+    if (!parent) return false;
+    if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(parent)) {
+      const bool field = llvm::isa<clang::FieldDecl>(member->getMemberDecl());
+      if (field) return !is_data_array(member->getType()) && !carried_by(member->getType(), unit.rules);
+    } else if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(parent)) {
+      if (op->getOperator() != clang::OO_Arrow && op->getOperator() != clang::OO_Star) return false;
+    } else if (!llvm::isa<clang::ParenExpr, clang::ImplicitCastExpr, clang::FullExpr, clang::MaterializeTemporaryExpr,
+                          clang::CXXBindTemporaryExpr, clang::UnaryOperator>(parent)) {
+      return false;
+    }
+    at = parent;
+  }
+}
+
 std::string function_name_around(Unit& unit, const clang::Stmt& stmt) {
   const clang::FunctionDecl* function = function_around(unit, stmt);
   while (function) {

@@ -279,6 +279,7 @@ void Collector::pin_parameters(const clang::FunctionDecl* function, const std::s
 void Collector::check_const_cast(const clang::ExplicitCastExpr* cast) {
   const clang::Expr* from = cast->getSubExpr();
   if (!llvm::isa<clang::CXXConstCastExpr>(cast) || !carried_by(from->getType(), unit_.rules)) return;
+  if (serves_plain_field(unit_, cast)) return;
   for (const Key& key : sources_of(unit_, from).keys)
     add_obstacle(unit_, key, codes::TZC2002, "const is cast away from it", cast->getBeginLoc());
 }

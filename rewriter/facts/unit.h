@@ -116,6 +116,9 @@ std::string function_name_around(Unit& unit, const clang::Stmt& stmt);
 
 // Collectors -------------------------------------------------------------------------------------------------------
 
+/// Whether a cast away from const only serves a field beside the arrays: that part of a view is private memory.
+bool serves_plain_field(Unit& unit, const clang::Expr* cast);
+
 /// Where a followed value ended up.
 struct Sink {
   const clang::VarDecl* variable = nullptr;  ///< initialised by it
