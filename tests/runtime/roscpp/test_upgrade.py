@@ -77,7 +77,7 @@ class Upgrade(TopicCase):
         self.assertTrue(all(message["shared"] for message in listener.messages()[10:]))
 
     def test_upgrade_under_traffic_loses_nothing(self):
-        for _ in range(5):
+        for _ in range(2):
             listener = self.listen(queue=5000)
             self.talk(count=1500, rate=1000, settle=0, bytes=5000, queue=5000)
             self.assert_got(listener, range(1500))

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Keeps the first messages that it gets, ends its subscription in the very callback that brings the last of
+/// them, and prints them `wait` seconds later, when the publisher may be gone.
+///
+/// Private parameters: keep (messages), wait (seconds), direct (dispatch), shutdown (end the whole node in
+/// the callback: ros::shutdown; prints at once).
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <tzc/ros.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "image_line.h"
+
+namespace {
+
+struct Keeper {
+  std::unique_ptr<ros::NodeHandle> node;
+  ros::Subscriber subscriber;
+  std::vector<sensor_msgs::ImageConstPtr> kept;
+  std::size_t wanted = 0;
+  bool shuts_down = false;
+
+  void take(const sensor_msgs::ImageConstPtr& image) {
+    kept.push_back(image);
+    if (kept.size() < wanted) return;
+    if (shuts_down) ros::shutdown();
+    subscriber.shutdown();
+  }
+  bool full() const { return kept.size() >= wanted; }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "keeper");
+  Keeper keeper;
+  ros::NodeHandle options("~");
+  keeper.wanted = static_cast<std::size_t>(options.param("keep", 5));
+  keeper.shuts_down = options.param("shutdown", false);
+  keeper.node.reset(new ros::NodeHandle);
+  if (options.param("direct", false))
+    keeper.subscriber = tzc::subscribe_direct(*keeper.node, "image", 100, &Keeper::take, &keeper);
+  else
+    keeper.subscriber = tzc::subscribe(*keeper.node, "image", 100, &Keeper::take, &keeper);
+  while (ros::ok() && !keeper.full()) ros::getGlobalCallbackQueue()->callOne(ros::WallDuration(0.05));
+  keeper.node.reset();
+  if (!keeper.shuts_down) ros::WallDuration(options.param("wait", 1.0)).sleep();
+  for (const sensor_msgs::ImageConstPtr& image : keeper.kept) tzc_test::print_image(*image);
+}

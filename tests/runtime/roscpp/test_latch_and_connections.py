@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Latched topics, connect callbacks, numbers of subscribers, header.seq, topic statistics: as with plain roscpp."""
+import time
+
+from topic_case import Listener, TopicCase, main
+
+
+class Latch(TopicCase):
+    def test_late_subscribers_get_the_last_message(self):
+        talker = self.start_talker(latch=True, count=5, rate=50, subscribers=0, settle=0, linger=60)
+        self.ros.wait_until(lambda: self.ros.publishers(self.name("image")), 20, "the talker")
+        time.sleep(1)
+        shared, plain = self.listen(), self.listen("plain")
+        self.assert_got(plain, [4], shared=False)
+        self.assert_got(shared, [4])
+        later = self.listen()  # now that others are on shared memory
+        self.assert_got(later, [4])
+        self.assertTrue(talker.alive())
+
+    def test_latched_and_flowing(self):
+        """Who is there gets all, who comes late starts with the last one; nobody gets any twice."""
+        early = self.listen()
+        talker = self.start_talker(latch=True, count=200, rate=100, linger=60)
+        self.wait_for(early, 50)
+        late, plain = self.listen(), self.listen("plain")
+        self.assert_got(early, range(200))
+        for listener in (late, plain):
+            self.wait_for(listener, 1)
+            start = listener.numbers()[0]
+            self.assert_got(listener, range(start, 200))
+        last = self.listen()
+        self.assert_got(last, [199])
+        self.assert_seq_as_tcpros(early)
+        talker.stop()
+
+    def test_a_callback_that_joins_a_process_later(self):
+        process = self.node("several", "several", {"callbacks": "pointer late_shape_shifter"})
+        self.wait_for_subscribers(self.name("image"), 1)
+        talker = self.start_talker(latch=True, count=1, settle=0, linger=60)
+        listener = Listener(process)
+        self.assert_got(listener, [0], callback="pointer")
+        self.assert_got(listener, [0], callback="shape_shifter")
+        talker.stop()
+
+
+class Connections(TopicCase):
+    def events_of(self, **parameters):
+        """What a publisher's callbacks hear when two subscribers come, one leaves and the other is killed."""
+        greeter = self.node("greeter", f"greeter{len(parameters)}", parameters, [f"image:=of{len(parameters)}"])
+        topic = f"of{len(parameters)}"
+        events = lambda: [line for line in Listener(greeter).lines() if "event" in line]  # noqa: E731
+        arrivals = []
+        for name, mode in (("first", "pointer"), ("second", "pointer"), ("third", "plain")):
+            arrivals.append(self.listen(mode, name + topic, [f"image:={topic}"], topic=topic))
+            self.ros.wait_until(lambda: len(events()) == len(arrivals), 10, f"the arrival of {name}")
+        time.sleep(0.5)
+        for count, (listener, end) in enumerate(zip(arrivals, ("stop", "kill", "stop"))):
+            getattr(listener.process, end)()
+            self.ros.wait_until(lambda: len(events()) == 4 + count, 10, "a leave")
+        time.sleep(0.3)
+        seen = [(line["event"], line["subscriber"].replace(topic, ""), line["count"]) for line in events()]
+        return seen, [listener.messages() for listener in arrivals]
+
+    def test_connect_callbacks_as_with_plain_roscpp(self):
+        plain, _ = self.events_of(plain=1)
+        shared, _ = self.events_of()
+        self.assertEqual(shared, plain)
+        flowing, _ = self.events_of(rate=100, before=3)
+        self.assertEqual(flowing, plain)
+
+    def test_greetings_for_one_subscriber_alone(self):
+        for parameters in ({}, {"rate": 200, "before": 3}):
+            _, messages = self.events_of(**parameters)
+            for index, mine in enumerate(messages):
+                greetings = [m["number"] for m in mine if m["number"] >= 1000]
+                self.assertEqual(greetings, [1000 + index])
+                rest = [m["number"] for m in mine if m["number"] < 1000]
+                self.assertEqual(rest, list(range(rest[0], rest[0] + len(rest))) if rest else [])
+                self.assertTrue(all(m["right"] for m in mine))
+
+
+class Numbering(TopicCase):
+    def test_seq_as_tcpros(self):
+        shared, plain = self.listen(queue=1000), self.listen("plain", queue=1000)
+        self.talk(count=300, rate=500, settle=0, queue=1000, subscribers=2)
+        for listener in (shared, plain):
+            self.assert_got(listener, range(300))
+            self.assert_seq_as_tcpros(listener)
+
+
+class Statistics(TopicCase):
+    def test_topic_statistics_are_published(self):
+        self.assertEqual(self.ros.run(["rosparam", "set", "/enable_statistics", "true"])[0], 0)
+        try:
+            echo = self.ros.start(["rostopic", "echo", "-n", "1", "/statistics"], name="echo")
+            listener = self.listen()
+            talker = self.start_talker(count=0, rate=100)
+            self.assertEqual(echo.wait(30), 0)
+            talker.stop()
+            self.assertIn(self.name("image"), echo.log())
+            self.assert_got(listener, range(len(listener.numbers())), shared=True)
+        finally:
+            self.ros.run(["rosparam", "delete", "/enable_statistics"])
+
+
+if __name__ == "__main__":
+    main()
