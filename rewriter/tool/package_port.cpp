@@ -64,8 +64,8 @@ class Porter {
   }
 
   Expected<void> prepare() {
-    const Expected<std::string> build_dir =
-        find_build_dir(port_.package_dir, port_.result.report.package, inputs_.options.build_dir);
+    const Expected<std::string> build_dir = find_build_dir(
+        port_.package_dir, port_.result.report.package, inputs_.options.build_dir, inputs_.options.packages);
     if (!build_dir) return build_dir.error();
     build_dir_ = *build_dir;
     return {};

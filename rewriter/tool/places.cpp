@@ -17,8 +17,10 @@ bool is_skipped(const fs::path& folder) {
   return folder.filename().string().front() == '.' || fs::exists(folder / "CATKIN_IGNORE");
 }
 
+/// A symbolic link may be a package, but what lies below one is not searched: links may form circles.
 void collect_packages(const fs::path& folder, std::vector<std::string>& packages) {
-  if (fs::exists(folder / "package.xml")) return packages.push_back(folder);
+  if (fs::exists(folder / "package.xml")) return packages.push_back(fs::canonical(folder));
+  if (fs::is_symlink(folder)) return;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.is_directory(ignored) && !is_skipped(entry.path())) collect_packages(entry.path(), packages);
@@ -113,15 +115,19 @@ Expected<std::vector<std::string>> find_packages_at(const std::string& argument)
   if (packages.empty())
     return Error{"no package.xml here or below", argument, "name the folder of a catkin package"};
   std::sort(packages.begin(), packages.end());
+  packages.erase(std::unique(packages.begin(), packages.end()), packages.end());
   return packages;
 }
 
 Expected<std::string> find_build_dir(const std::string& package_dir, const std::string& package,
-                                     const std::string& given) {
+                                     const std::string& given, const std::vector<std::string>& arguments) {
   if (!given.empty()) return checked_build_dir(given, package_dir);
-  for (fs::path root = package_dir; root.has_relative_path(); root = root.parent_path())
-    for (const fs::path& folder : candidates(root, package))
-      if (has_database(folder) && knows_package(folder, package_dir)) return folder.string();
+  std::vector<fs::path> starts = {package_dir};
+  for (const std::string& argument : arguments) starts.push_back(fs::absolute(argument).lexically_normal());
+  for (const fs::path& start : starts)
+    for (fs::path root = start; root.has_relative_path(); root = root.parent_path())
+      for (const fs::path& folder : candidates(root, package))
+        if (has_database(folder) && knows_package(folder, package_dir)) return folder.string();
   return Error{"no compile_commands.json with the package's files was found", package_dir,
                std::string(make_one) + "; or name its folder with -p"};
 }

@@ -14,9 +14,10 @@ Expected<std::vector<std::string>> find_packages_at(const std::string& argument)
 
 /// The folder of the compile_commands.json that knows the package's files. `given` is -p (a folder or the
 /// file itself); empty: the places where catkin_make, catkin build and catkin_make_isolated put it, walking
-/// up from the package.
+/// up from the package and then from `arguments`, the packages as the user named them (a workspace may hold a
+/// package as a symbolic link).
 Expected<std::string> find_build_dir(const std::string& package_dir, const std::string& package,
-                                     const std::string& given);
+                                     const std::string& given, const std::vector<std::string>& arguments);
 
 /// Folders that hold installed ROS packages: of the catkin that the build folder was configured with, of the
 /// environment's ROS_PACKAGE_PATH and CMAKE_PREFIX_PATH, /usr/share last.

@@ -2,6 +2,7 @@
 #include "tool/writing.h"
 
 #include <filesystem>
+#include <set>
 
 #include "edits/diff.h"
 #include "edits/swap.h"
@@ -86,6 +87,11 @@ Expected<void> write_in_place(const std::vector<PackagePort>& ports) {
 }
 
 Expected<void> write_copies(const std::vector<PackagePort>& ports, const std::string& out_dir) {
+  std::set<std::string> names;
+  for (const PackagePort& port : ports)
+    if (!names.insert(fs::path(port.package_dir).filename()).second)
+      return Error{"two packages lie in folders of this name; nothing was written", port.package_dir,
+                   "port them one after the other into different folders"};
   for (const PackagePort& port : ports)
     if (Expected<void> done = write_copy(port, out_dir); !done) return done;
   return {};

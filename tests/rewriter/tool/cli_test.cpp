@@ -229,6 +229,16 @@ TEST_F(Cli, usual_places_of_compile_commands) {
   }
 }
 
+TEST_F(Cli, a_package_that_the_workspace_holds_as_a_symbolic_link) {
+  ws.rewrite({});
+  std::filesystem::rename(ws.package(), ws.folder() / "elsewhere");
+  std::filesystem::create_directory_symlink(ws.folder() / "elsewhere", ws.package());
+  std::filesystem::create_directory_symlink(ws.folder() / "ws", ws.folder() / "ws/src/circle");
+  EXPECT_EQ(ws.run({"--apply", ws.folder() / "ws/src"}).status, 0);
+  EXPECT_TRUE(is_ported());
+  EXPECT_TRUE(std::filesystem::is_symlink(ws.package()));
+}
+
 TEST_F(Cli, every_package_below_a_folder) {
   ws.rewrite({});
   EXPECT_EQ(ws.run({"--apply", ws.folder() / "ws/src"}).status, 0);
