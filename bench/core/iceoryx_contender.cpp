@@ -83,7 +83,7 @@ class IceoryxContender final : public Contender {
                      iox::popo::createNotificationCallback(on_data, recorder))
         .or_else([](auto) { ::_exit(1); });
     recorder.ready();
-    while (!recorder.stop()) ::usleep(10'000);
+    while (!recorder.stop()) ::usleep(250'000);
   }
 
   static void wait(UntypedSubscriber& subscriber, Recorder& recorder) {

@@ -43,7 +43,7 @@ class TzcContender final : public Contender {
     options.on_message = [&recorder](const MessagePtr& message) { record(message, recorder); };
     const auto subscriber = connect(options);
     recorder.ready();
-    while (!recorder.stop()) own_loop_ ? poll_once(*subscriber, recorder) : void(::usleep(10'000));
+    while (!recorder.stop()) own_loop_ ? poll_once(*subscriber, recorder) : void(::usleep(250'000));
   }
 
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
