@@ -82,10 +82,10 @@ class RosSession:
         os.makedirs(scratch, exist_ok=True)
         self.port = free_port()
         self.uri = f"http://127.0.0.1:{self.port}"
-        self.env = dict(os.environ, **(env or {}))
-        self.env.update(ROS_MASTER_URI=self.uri, ROS_IP="127.0.0.1", ROS_HOME=scratch,
+        self.env = dict(os.environ, ROS_MASTER_URI=self.uri, ROS_IP="127.0.0.1", ROS_HOME=scratch,
                         ROS_LOG_DIR=os.path.join(scratch, "log"), PYTHONUNBUFFERED="1")
         self.env.pop("ROS_HOSTNAME", None)
+        self.env.update(env or {})
         self.master = xmlrpc.client.ServerProxy(self.uri)
         self._processes = []
         self._count = 0
@@ -109,7 +109,7 @@ class RosSession:
 
     def start(self, command, name=None, env=None):
         self._count += 1
-        name = name or os.path.basename(command[0])
+        name = os.path.basename(name or command[0])
         log_path = os.path.join(self.scratch, f"{self._count:02d}-{name}.log")
         process = Process(name, command, dict(self.env, **(env or {})), log_path)
         self._processes.append(process)

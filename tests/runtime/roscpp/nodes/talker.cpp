@@ -46,9 +46,11 @@ class Talker {
 
   void report() const {
     const tzc::PublisherStatistics s = shared_.statistics();
-    std::printf("{\"shared\": %llu, \"serialized\": %llu, \"copied_bytes\": %llu, \"exhausted\": %llu}\n",
-                (unsigned long long)s.shared, (unsigned long long)s.serialized,
-                (unsigned long long)s.copied_bytes, (unsigned long long)s.exhausted);
+    std::printf(
+        "{\"shared\": %llu, \"serialized\": %llu, \"copied_bytes\": %llu, \"exhausted\": %llu, \"dropped\": "
+        "%llu}\n",
+        (unsigned long long)s.shared, (unsigned long long)s.serialized, (unsigned long long)s.copied_bytes,
+        (unsigned long long)s.exhausted, (unsigned long long)s.dropped);
     std::fflush(stdout);
   }
 
