@@ -12,7 +12,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from ros_session import RosSession  # noqa: E402
 
 WARM_UP = 15  # messages of each viewer that are left out: discovery, upgrade, first touch of the pages
-TOOL_TIMEOUT = 30
+TOOL_TIMEOUT = 60
 
 
 @dataclasses.dataclass
@@ -41,6 +41,7 @@ class PairRun:
         with RosSession(self.scratch, dict(self.env, TZC_STATISTICS=counters)) as ros:
             viewers = self.start_viewers(ros)
             publisher = ros.start(self.publisher, name="publisher")
+            ros.wait_until(lambda: self.topic in published_topics(ros), TOOL_TIMEOUT, f"{self.topic} to be published")
             segments = [set() for _ in viewers]
             end = time.monotonic() + self.seconds + 2
             while publisher.alive() and time.monotonic() < end:
