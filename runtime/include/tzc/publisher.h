@@ -7,6 +7,7 @@
 #include <tzc/message.h>
 #include <tzc/options.h>
 
+#include <boost/make_shared.hpp>
 #include <boost/shared_ptr.hpp>
 #include <memory>
 #include <string>
@@ -118,8 +119,8 @@ class Publisher {
 
   template <class M>
   void publish_exhausted(const M& message) const {
-    if (attachment_->delivers_exhausted())
-      publisher_.publish(message);
+    if (attachment_->delivers_exhausted())  // by pointer, as its neighbours, so that it keeps its place among them
+      publisher_.publish(boost::make_shared<Stock<M>>(message::to_stock(message)));
     else
       attachment_->count_dropped();
   }

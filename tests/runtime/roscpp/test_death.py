@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Nodes that die, stop or are killed under load, and memory that is full: nobody else suffers."""
+import signal
+import time
+
+from topic_case import TopicCase, main
+
+
+class Killed(TopicCase):
+    def test_killed_publisher_among_others(self):
+        listener = self.listen(queue=1000)
+        victim = self.start_talker(name="victim", count=0, rate=200, subscribers=1)
+        self.wait_for(listener, 50)
+        other = self.start_talker(name="other", first=1000000, count=300, rate=200)
+        time.sleep(1)
+        victim.kill()
+        self.assertEqual(other.wait(30), 0)
+        messages = listener.messages()
+        self.assertTrue(all(m["right"] for m in messages))
+        for numbers, first in (([m["number"] for m in messages if m["number"] < 1000000], 0),
+                               ([m["number"] for m in messages if m["number"] >= 1000000], 1000000)):
+            self.assertEqual(numbers, list(range(first, first + len(numbers))))
+        self.assertEqual(messages[-1]["number"], 1000299)
+
+    def test_killed_subscribers_disturb_nobody(self):
+        victims, survivor = [self.listen() for _ in range(2)], self.listen(queue=1000)
+        talker = self.start_talker(count=500, rate=200, subscribers=3, queue=100)
+        for victim in victims:
+            self.wait_for(victim, 50)
+            victim.process.kill()
+        self.assertEqual(talker.wait(40), 0)
+        self.assert_got(survivor, range(500), shared=True)
+
+    def test_rosnode_kill(self):
+        victim, survivor = self.listen(name="victim"), self.listen()
+        talker = self.start_talker(count=0, rate=100, subscribers=2)
+        self.wait_for(victim, 30)
+        self.assertEqual(self.ros.run(["rosnode", "kill", self.name("victim")])[0], 0)
+        self.assertEqual(victim.process.wait(10), 0)
+        seen = len(survivor.numbers())
+        self.wait_for(survivor, seen + 50)
+        self.assertEqual(self.ros.run(["rosnode", "kill", self.name("talker")])[0], 0)
+        self.assertEqual(talker.wait(10), 0)
+        self.assert_got(survivor, range(len(survivor.numbers())), shared=True)
+
+    def test_killed_publisher_comes_back(self):
+        listener = self.listen()
+        for life in range(3):
+            talker = self.start_talker(first=1000 * life, count=0, rate=100, settle=1)
+            self.ros.wait_until(lambda: listener.numbers() and listener.numbers()[-1] >= 1000 * life + 20, 20, "a life")
+            talker.kill()
+        for life in range(3):
+            mine = [m for m in listener.messages() if m["number"] // 1000 == life]
+            self.assertEqual([m["number"] for m in mine], list(range(1000 * life, 1000 * life + len(mine))))
+            self.assertTrue(all(m["right"] for m in mine))
+        self.assertTrue(mine[-1]["shared"])
+
+
+class Stopped(TopicCase):
+    def test_subscriber_stopped_for_five_seconds(self):
+        sleeper, survivor, plain = self.listen(), self.listen(queue=1000), self.listen("plain", queue=1000)
+        talker = self.start_talker(count=1400, rate=200, subscribers=3, memory=30000000, queue=100)
+        self.wait_for(sleeper, 50)
+        sleeper.process.popen.send_signal(signal.SIGSTOP)
+        time.sleep(5)
+        sleeper.process.popen.send_signal(signal.SIGCONT)
+        self.assertEqual(talker.wait(60), 0)
+        self.assert_got(survivor, range(1400), shared=True)
+        self.assert_got(plain, range(1400), shared=False)
+        numbers = sleeper.numbers()
+        self.assertEqual(numbers, sorted(set(numbers)))
+        self.assertEqual(numbers[-1], 1399)
+        self.assertTrue(all(m["right"] for m in sleeper.messages()))
+
+    def test_stopped_publisher_goes_on(self):
+        listener = self.listen()
+        talker = self.start_talker(count=300, rate=100)
+        self.wait_for(listener, 50)
+        talker.popen.send_signal(signal.SIGSTOP)
+        time.sleep(2)
+        talker.popen.send_signal(signal.SIGCONT)
+        self.assertEqual(talker.wait(40), 0)
+        self.assert_got(listener, range(300), shared=True)
+
+
+class Full(TopicCase):
+    """Memory for three messages, and a subscriber that keeps all it gets."""
+    BYTES = 100000
+
+    def with_full_memory(self, policy, on_exhausted):
+        self.ros.stop_since(self.before)  # the policy before
+        keeper = self.node("keeper", "keeper", {"keep": 1000, "wait": 0})
+        self.wait_for_subscribers(self.name("image"), 1)
+        listener = self.listen(queue=1000)
+        env = {"TZC_POLICY": policy, "TZC_ON_EXHAUSTED": on_exhausted}
+        counters = self.talk(count=60, subscribers=2, env=env, memory=400000, bytes=self.BYTES, queue=100)
+        self.assertTrue(keeper.alive(), keeper.tail())
+        numbers = listener.numbers()
+        self.assertEqual(numbers, sorted(set(numbers)))
+        self.assertTrue(all(m["right"] for m in listener.messages()))
+        return listener, counters
+
+    def test_every_policy_delivers_serialized_and_in_order(self):
+        """No policy takes memory from somebody who holds it; what finds no room travels whole."""
+        for policy in ("best_effort", "medium_effort", "worst_effort"):
+            with self.subTest(policy):
+                listener, counters = self.with_full_memory(policy, "deliver")
+                self.assert_got(listener, range(60))
+                self.assertGreater(counters["exhausted"], 0)
+                self.assertTrue(any(m["shared"] for m in listener.messages()))
+
+    def test_every_policy_drops_when_told_to(self):
+        for policy in ("best_effort", "medium_effort", "worst_effort"):
+            with self.subTest(policy):
+                listener, counters = self.with_full_memory(policy, "drop")
+                self.assertGreater(counters["dropped"], 0)
+                numbers = listener.numbers()
+                self.assertTrue(0 < len(numbers) < 60, numbers)
+                self.assertTrue(all(m["shared"] for m in listener.messages()))
+
+
+if __name__ == "__main__":
+    main()
