@@ -55,7 +55,6 @@ class Decider {
   void decide_message(const Publish& fact, Site& site);
   bool refuse_subscribe(const std::string& id, const Subscribe& fact, Site& site);
   const Solution::Publisher* publisher_of(const Key& key) const;
-  std::optional<std::string> topic_of(const Key& publisher) const;
   void order();
 
   const Facts& facts_;
@@ -72,18 +71,6 @@ const Solution::Publisher* Decider::publisher_of(const Key& key) const {
   if (!component) return nullptr;
   const auto found = solution_.publishers.find(component->id);
   return found == solution_.publishers.end() ? nullptr : &found->second;
-}
-
-/// The topic of a publisher that is advertised once.
-std::optional<std::string> Decider::topic_of(const Key& publisher) const {
-  const std::set<Key> connected = reachable(neighbours_, publisher);
-  std::optional<std::string> topic;
-  for (const auto& item : facts_.advertises) {
-    if (connected.count(item.second.publisher) == 0) continue;
-    if (topic || !item.second.topic) return {};
-    topic = item.second.topic;
-  }
-  return topic;
 }
 
 void Decider::decide_message(const Publish& fact, Site& site) {
@@ -120,7 +107,7 @@ void Decider::decide_message(const Publish& fact, Site& site) {
 
 Site Decider::decide(const Publish& fact) {
   Site site = described(fact, SiteKind::publish, options_.package_dir);
-  site.topic = topic_of(fact.publisher);
+  site.topic = topic_of(facts_, neighbours_, fact.publisher);
   if (!fact.heavy && !fact.pcl) {
     site.level = Level::not_needed;
     return site;
@@ -252,6 +239,17 @@ Site described(const Subscribe& fact, SiteKind kind, const std::string& package_
   Site site = describe(fact, kind, package_dir);
   site.topic = fact.topic;
   return site;
+}
+
+std::optional<std::string> topic_of(const Facts& facts, const Neighbours& neighbours, const Key& publisher) {
+  const std::set<Key> connected = reachable(neighbours, publisher);
+  std::optional<std::string> topic;
+  for (const auto& item : facts.advertises) {
+    if (connected.count(item.second.publisher) == 0) continue;
+    if (topic || !item.second.topic) return {};
+    topic = item.second.topic;
+  }
+  return topic;
 }
 
 MemorySize memory_size(const Advertise& fact, const EngineOptions& options) {

@@ -10,6 +10,9 @@ Site described(const Advertise& site, SiteKind kind, const std::string& package_
 Site described(const Publish& site, SiteKind kind, const std::string& package_dir);
 Site described(const Subscribe& site, SiteKind kind, const std::string& package_dir);
 
+/// The topic of a publisher that is advertised once.
+std::optional<std::string> topic_of(const Facts& facts, const Neighbours& neighbours, const Key& publisher);
+
 /// Every site of the package, each exactly once, with its level. Notes in `solution` which subscriptions are ported.
 std::vector<Site> decided_sites(const Facts& facts, const Components& components, const EngineOptions& options,
                                 const Demotions& demotions, Solution& solution);

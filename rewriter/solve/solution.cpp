@@ -15,6 +15,7 @@ class Solver {
       : facts_(facts), components_(components), options_(options), demotions_(demotions) {}
 
   Solution run() {
+    neighbours_ = flow_neighbours(facts_);
     index_sites();
     for (const Component& component : components_.all()) {
       if (component.carrier == Carrier::publisher) solve_publisher(component);
@@ -50,6 +51,7 @@ class Solver {
   std::map<int, std::vector<const Advertise*>> advertised_;
   std::map<int, std::vector<const Birth*>> births_;
   std::set<int> filled_;
+  Neighbours neighbours_;
 };
 
 void Solver::index_sites() {
@@ -87,18 +89,23 @@ bool Solver::blocked(const Component& component, Obstacle& why, Key& at) const {
 
 bool Solver::unwanted(const Component& component, Obstacle& why) const {
   if (!options_.wanted) return false;
-  const auto find = [&](const auto& sites, SiteKind kind) {
-    for (const auto* site : sites)
-      if (!options_.wanted(described(*site, kind, options_.package_dir))) {
-        why = {codes::TZC1016, "left out by --only or --except", location_of(site->where)};
-        return true;
-      }
-    return false;
+  const auto leave = [&](const Site& site) {
+    if (options_.wanted(site)) return false;
+    why = {codes::TZC1016, "left out by --only or --except", site.where};
+    return true;
   };
   const auto publishes = published_by_.find(component.id);
+  if (publishes != published_by_.end())
+    for (const Publish* fact : publishes->second) {
+      Site site = described(*fact, SiteKind::publish, options_.package_dir);
+      site.topic = topic_of(facts_, neighbours_, fact->publisher);
+      if (leave(site)) return true;
+    }
   const auto advertises = advertised_.find(component.id);
-  return (publishes != published_by_.end() && find(publishes->second, SiteKind::publish)) ||
-         (advertises != advertised_.end() && find(advertises->second, SiteKind::advertise));
+  if (advertises == advertised_.end()) return false;
+  return std::any_of(advertises->second.begin(), advertises->second.end(), [&](const Advertise* fact) {
+    return leave(described(*fact, SiteKind::advertise, options_.package_dir));
+  });
 }
 
 void Solver::solve_publisher(const Component& component) {

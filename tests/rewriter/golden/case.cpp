@@ -153,6 +153,8 @@ EngineOptions Package::options(const std::map<std::string, std::string>& setting
   if (settings.count("mem-size")) options.mem_size = std::stoull(settings.at("mem-size"));
   if (settings.count("measured")) options.measured_sizes["image"] = std::stoull(settings.at("measured"));
   if (settings.count("without")) options.without_rules.insert(settings.at("without"));
+  if (settings.count("only"))
+    options.wanted = [topic = settings.at("only")](const Site& site) { return site.topic == topic; };
   if (settings.count("except"))
     options.wanted = [topic = settings.at("except")](const Site& site) { return site.topic != topic; };
   return options;
