@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ported and unported nodelets in one manager: loaded, unloaded, loaded again; intraprocess pointers as ever."""
+import os
+
+from topic_case import NODES, Listener, TopicCase, main
+
+NODELETS = os.path.join(os.path.dirname(NODES.rstrip("/")), "nodelets")
+
+
+class Nodelets(TopicCase):
+    session_env = {"ROS_PACKAGE_PATH": os.pathsep.join(filter(None, [
+        NODELETS, os.environ.get("ROS_PACKAGE_PATH", "/usr/share")]))}
+
+    def manage(self):
+        manager = self.ros.start(["/usr/lib/nodelet/nodelet", "manager", "__name:=manager", f"__ns:={self.ns}"],
+                                 name="manager")
+        return Listener(manager)
+
+    def load(self, kind, name, **parameters):
+        loader = self.ros.start(["/usr/lib/nodelet/nodelet", "load", f"tzc_test_nodelets/{kind}", "manager",
+                                 f"__name:={name}", f"__ns:={self.ns}"] +
+                                [f"_{key}:={value}" for key, value in parameters.items()], name=name)
+        side = self.ros.publishers if kind == "Talker" else self.ros.subscribers
+        self.ros.wait_until(lambda: side(self.name("image")), 20, f"{name} to be loaded")
+        return loader
+
+    def assert_followed(self, numbers, at_least):
+        self.assertGreaterEqual(len(numbers), at_least)
+        self.assertEqual(numbers, list(range(numbers[0], numbers[0] + len(numbers))))
+
+    def test_intraprocess_pointers_between_ported_and_unported(self):
+        for mode in ("stock_pointer", "plain"):
+            manager = self.manage()
+            self.load("Listener", "ported")
+            self.load("Listener", "unported", ported="false")
+            self.load("Talker", "talker", mode=mode)
+            for who in ("ported", "unported"):
+                self.wait_for(manager, 30, topic=self.name(who))
+            published = {m["number"]: m["address"] for m in manager.messages("published")}
+            for who in ("ported", "unported"):
+                seen = manager.messages(self.name(who))
+                self.assert_followed([m["number"] for m in seen], 30)
+                self.assertTrue(all(m["right"] for m in seen))
+                self.assertEqual([m for m in seen if m["address"] != published[m["number"]]], [], "copied")
+            self.ros.stop_since(self.before)
+
+    def test_twin_inside_and_outside_of_the_manager(self):
+        manager = self.manage()
+        outside, plain = self.listen(), self.listen("plain")
+        self.load("Listener", "ported")
+        self.load("Listener", "unported", ported="false")
+        self.load("Talker", "talker")
+        for who in ("ported", "unported"):
+            self.wait_for(manager, 50, topic=self.name(who))
+        for listener, topic in ((manager, self.name("ported")), (manager, self.name("unported")), (outside, None)):
+            seen = listener.messages(topic)
+            self.assert_followed([m["number"] for m in seen], 30)
+            self.assertTrue(all(m["right"] for m in seen))
+            self.assertTrue(all(m["shared"] for m in seen[20:]))
+        self.assert_followed(plain.numbers(), 20)
+        self.assertTrue(not any(m["shared"] for m in plain.messages()))
+
+    def test_loaded_unloaded_loaded_again(self):
+        manager = self.manage()
+        outside = self.listen()
+        for life in range(3):
+            talker = self.load("Talker", "talker")
+            seen = len(outside.numbers())
+            self.wait_for(outside, seen + 40)
+            self.assertTrue(outside.messages()[-1]["shared"], f"life {life}")
+            talker.stop()
+            self.ros.wait_until(lambda: not self.ros.publishers(self.name("image")), 20, "talker to be unloaded")
+        self.assertTrue(manager.process.alive(), manager.process.tail())
+        lives = [m["number"] for m in outside.messages()]
+        restarts = [i for i in range(1, len(lives)) if lives[i] != lives[i - 1] + 1]
+        self.assertEqual(len(restarts), 2, "each life counts from the start, without a gap")
+
+    def test_listener_loaded_again(self):
+        manager = self.manage()
+        talker = self.start_talker(count=0, rate=100, subscribers=0)
+        for life in range(3):
+            listener = self.load("Listener", f"listener{life}")
+            self.wait_for(manager, 60, topic=self.name(f"listener{life}"))
+            mine = manager.messages(self.name(f"listener{life}"))
+            self.assert_followed([m["number"] for m in mine], 60)
+            self.assertTrue(mine[-1]["shared"])
+            listener.stop()
+            self.ros.wait_until(lambda: not self.ros.subscribers(self.name("image")), 20, "listener to be unloaded")
+        self.assertTrue(manager.process.alive() and talker.alive())
+
+
+if __name__ == "__main__":
+    main()
