@@ -42,6 +42,7 @@ class Census {
   int run(Console console) {
     SearchPath path = parse_includes(options_.includes, usage_);
     for (const std::string& input : options_.inputs) collect(input, path);
+    if (inputs_.empty()) report_empty_folders();
     if (!usage_.empty()) {
       finish(usage_, console);
       return exit_usage;
@@ -89,8 +90,14 @@ class Census {
         files.insert(entry.path().string());
     }
     for (const std::string& file : files) collect(file, path);
-    if (files.empty())
+    if (files.empty()) empty_folders_.push_back(folder);
+  }
+
+  // One among others counts as none; if there is nothing else it was not what was meant.
+  void report_empty_folders() {
+    for (const std::string& folder : empty_folders_) {
       report_usage(folder + ": no message definitions", "packages have a msg/ folder", usage_);
+    }
   }
 
   void count(const std::string& name, Library& library) {
@@ -141,6 +148,7 @@ class Census {
   const ClassifyOptions& options_;
   Diagnostics usage_, diagnostics_;
   std::vector<Input> inputs_;
+  std::vector<std::string> empty_folders_;
   nlohmann::json types_ = nlohmann::json::object();
   Totals totals_;
   std::vector<std::string> unresolved_;

@@ -138,7 +138,8 @@ TEST_F(Tool, census_of_several_packages) {
 TEST_F(Tool, census_of_one_package_and_of_single_files) {
   const auto file = write("pkg/msg/A.msg", "B[] b\n");
   write("pkg/msg/B.msg", "uint8 x\n");
-  EXPECT_EQ(census({path("pkg")})["totals"]["types"], 2);
+  fs::create_directories(path("empty"));
+  EXPECT_EQ(census({path("pkg"), path("empty")})["totals"]["types"], 2);
   out_.str("");
   EXPECT_EQ(census({file})["types"]["pkg/A"]["data_fields"], nlohmann::json({"b"}));
   out_.str("");
