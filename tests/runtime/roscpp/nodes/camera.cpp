@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// A camera or its viewer, both through the image_transport and message_filters wrappers.
+///
+/// Private parameters: role (camera, viewer). Camera: count, subscribers (of each topic, waited for), stock
+/// (messages), pointer (publish by pointer). Viewer: transport (raw, compressed); its lines tell which of its
+/// callbacks saw an image: "camera" (CameraSubscriber), "image" (Subscriber), "both" (two topics synchronized
+/// by message_filters).
+#include <message_filters/sync_policies/exact_time.h>
+#include <message_filters/synchronizer.h>
+#include <ros/ros.h>
+#include <tzc/image_transport.h>
+#include <tzc/message_filters.h>
+#include <tzc/ros.h>
+#include <tzc/sensor_msgs/CameraInfo.h>
+#include <tzc/sensor_msgs/Image.h>
+
+#include <algorithm>
+#include <boost/bind/bind.hpp>
+#include <string>
+
+#include "image_line.h"
+
+namespace {
+
+using sensor_msgs::CameraInfoConstPtr;
+using sensor_msgs::ImageConstPtr;
+
+void print(const char* callback, const sensor_msgs::Image& image) {
+  tzc_test::print_image(image, std::string("\"callback\": \"") + callback + "\", ");
+}
+
+void print_both(const ImageConstPtr& one, const ImageConstPtr&) {
+  print("both", *one);
+}
+
+template <class Image>
+class Camera {
+ public:
+  Camera(ros::NodeHandle& node, bool by_pointer)
+      : transport_(node),
+        camera_(tzc::image_transport::advertiseCamera(transport_, "image", 100)),
+        second_(tzc::image_transport::advertise(transport_, "second", 100)),
+        by_pointer_(by_pointer) {}
+
+  std::uint32_t subscribers() const {
+    return std::min(camera_.getNumSubscribers(), second_.getNumSubscribers());
+  }
+
+  void publish(std::uint32_t number) {
+    const auto image = make(number);
+    const auto info = boost::make_shared<sensor_msgs::CameraInfo>();
+    info->header = image->header;
+    if (by_pointer_)
+      camera_.publish(image, info);
+    else
+      camera_.publish(*image, *info);
+    if (by_pointer_)
+      second_.publish(image);
+    else
+      second_.publish(*image);
+  }
+
+  void report() const {
+    std::printf("{\"copied_bytes\": %llu}\n",
+                (unsigned long long)(camera_.statistics().copied_bytes + second_.statistics().copied_bytes));
+    std::fflush(stdout);
+  }
+
+ private:
+  boost::shared_ptr<tzc::sensor_msgs::Image> allocated(tzc::sensor_msgs::Image*) const {
+    const auto image = boost::make_shared<tzc::sensor_msgs::Image>();
+    camera_.allocate(*image);
+    return image;
+  }
+  boost::shared_ptr<sensor_msgs::Image> allocated(sensor_msgs::Image*) const {
+    return boost::make_shared<sensor_msgs::Image>();
+  }
+  boost::shared_ptr<Image> make(std::uint32_t number) const {
+    const boost::shared_ptr<Image> image = allocated(static_cast<Image*>(nullptr));
+    tzc_test::fill_image(*image, number, 64 * 64);
+    image->height = image->width = image->step = 64;
+    return image;
+  }
+
+  image_transport::ImageTransport transport_;
+  tzc::image_transport::CameraPublisher camera_;
+  tzc::image_transport::Publisher second_;
+  const bool by_pointer_;
+};
+
+template <class Image>
+void run_camera(ros::NodeHandle& node, const ros::NodeHandle& options) {
+  Camera<Image> camera(node, options.param("pointer", false));
+  const auto wanted = static_cast<std::uint32_t>(options.param("subscribers", 1));
+  while (ros::ok() && camera.subscribers() < wanted) ros::WallDuration(0.01).sleep();
+  ros::WallDuration(1.0).sleep();
+  for (int number = 0; ros::ok() && number < options.param("count", 50); ++number) {
+    camera.publish(static_cast<std::uint32_t>(number));
+    ros::WallDuration(0.01).sleep();
+  }
+  ros::WallDuration(0.5).sleep();
+  camera.report();
+}
+
+void run_viewer(ros::NodeHandle& node, const ros::NodeHandle& options) {
+  image_transport::ImageTransport transport(node);
+  const image_transport::TransportHints hints(options.param<std::string>("transport", "raw"));
+  const auto camera = tzc::image_transport::subscribeCamera(
+      transport, "image", 100,
+      [](const ImageConstPtr& image, const CameraInfoConstPtr&) { print("camera", *image); }, ros::VoidPtr(),
+      hints);
+  const auto second = tzc::image_transport::subscribe(
+      transport, "second", 100, [](const ImageConstPtr& image) { print("image", *image); }, ros::VoidPtr(),
+      hints);
+  tzc::image_transport::SubscriberFilter first_filter(transport, "image", 100, hints);
+  tzc::message_filters::Subscriber<sensor_msgs::Image> second_filter(node, "second", 100);
+  typedef message_filters::sync_policies::ExactTime<sensor_msgs::Image, sensor_msgs::Image> Policy;
+  message_filters::Synchronizer<Policy> synchronizer(Policy(100), first_filter, second_filter);
+  synchronizer.registerCallback(boost::bind(&print_both, boost::placeholders::_1, boost::placeholders::_2));
+  ros::spin();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "camera");
+  ros::NodeHandle node, options("~");
+  if (options.param<std::string>("role", "camera") == "viewer")
+    run_viewer(node, options);
+  else if (options.param("stock", false))
+    run_camera<sensor_msgs::Image>(node, options);
+  else
+    run_camera<tzc::sensor_msgs::Image>(node, options);
+}

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The wrappers of image_transport and message_filters, raw and through a compressed transport."""
+import json
+import os
+
+from topic_case import NODES, Listener, TopicCase, main
+
+JPEG_TRANSPORT = os.path.join(os.path.dirname(NODES.rstrip("/")), "jpeg_transport")
+
+
+class ImageTransport(TopicCase):
+    session_env = {"ROS_PACKAGE_PATH": os.pathsep.join(filter(None, [
+        JPEG_TRANSPORT, os.environ.get("ROS_PACKAGE_PATH", "/usr/share")]))}
+
+    def view(self, transport="raw"):
+        suffix = "" if transport == "raw" else f"/{transport}"
+        viewer = self.node("camera", "viewer_" + transport, {"role": "viewer", "transport": transport})
+        self.wait_for_subscribers(self.name("second" + suffix), 1)
+        return Listener(viewer)
+
+    def film(self, **parameters):
+        camera = self.node("camera", "camera", dict({"count": 50}, **parameters))
+        self.assertEqual(camera.wait(40), 0, camera.tail())
+        return json.loads([line for line in camera.log().splitlines() if line.startswith("{")][-1])
+
+    def test_every_way_to_publish(self):
+        """A message for two topics goes out on both without a copy; a stock one is copied once for each."""
+        viewer = self.view()
+        for stock in ("false", "true"):
+            for pointer in ("false", "true"):
+                with self.subTest(stock=stock, pointer=pointer):
+                    before = len(viewer.messages())
+                    counters = self.film(stock=stock, pointer=pointer)
+                    self.assertEqual(counters["copied_bytes"], 0 if stock == "false" else 2 * 50 * 64 * 64)
+                    self.ros.wait_until(lambda: len(viewer.messages()) >= before + 150, 10, "three callbacks' images")
+                    for callback in ("camera", "image", "both"):
+                        mine = [m for m in viewer.messages()[before:] if m["callback"] == callback]
+                        self.assertEqual([m["number"] for m in mine], list(range(50)), callback)
+                        self.assertTrue(all(m["right"] for m in mine))
+                        self.assertTrue(all(m["shared"] for m in mine) or callback == "both", callback)
+
+    def test_compressed_beside_raw(self):
+        raw, compressed = self.view(), self.view("compressed")
+        self.film(subscribers=2)
+        for callback in ("camera", "image"):
+            self.assert_got(raw, range(50), shared=True, callback=callback)
+            self.ros.wait_until(lambda: len(compressed.numbers(callback=callback)) >= 50, 10, "compressed images")
+            self.assertEqual(compressed.numbers(callback=callback), list(range(50)))
+            self.assertFalse(any(m["shared"] for m in compressed.messages(callback=callback)))
+
+
+if __name__ == "__main__":
+    main()
