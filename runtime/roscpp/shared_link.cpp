@@ -3,6 +3,7 @@
 
 #include <linux/sockios.h>
 #include <ros/connection.h>
+#include <ros/console.h>
 #include <ros/publication.h>
 #include <sys/ioctl.h>
 
@@ -86,7 +87,7 @@ void SharedLink::deliver(const Shipment& shipment) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (live_)
-      connection_->send(shipment.record);  // a dead connection is taken away by the channel's own thread
+      send(shipment.record);
     else
       wait_in_line(shipment.record);
   }
@@ -94,6 +95,13 @@ void SharedLink::deliver(const Shipment& shipment) {
   stats_.bytes_sent_ += shipment.bytes;
   stats_.message_data_sent_ += shipment.bytes;
   if (const std::shared_ptr<detail::Port> port = port_.lock()) port->records().count_sent(shipment);
+}
+
+void SharedLink::send(const channel::RecordPtr& record) {
+  if (connection_->send(record) || !connection_->alive()) return;  // the channel's own thread takes a dead one away
+  ROS_WARN_STREAM_THROTTLE(10, "TZC: " << topic_ << " to " << destination_caller_id_ << " goes back to TCPROS: "
+                                       << connection_->last_failure().text());
+  connection_->close();
 }
 
 void SharedLink::wait_in_line(const channel::RecordPtr& record) {
@@ -117,7 +125,7 @@ bool SharedLink::try_go_live() {
   if (live_) return true;
   if (queued_for_tcpros_ > 0 || !tcpros_drained()) return false;
   connection_->send(channel::make_record(kSwitch, nullptr, 0, {}));
-  for (const channel::RecordPtr& record : waiting_) connection_->send(record);
+  for (const channel::RecordPtr& record : waiting_) send(record);
   waiting_.clear();
   live_ = true;
   return true;

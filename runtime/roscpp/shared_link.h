@@ -61,6 +61,8 @@ class SharedLink : public ros::SubscriberLink {
  private:
   void publish_by_pointer(const ros::SerializedMessage& message);
   void publish_bytes(const ros::SerializedMessage& message);
+  /// Under mutex_. A subscriber that can't be given the record's memory goes back to TCPROS.
+  void send(const channel::RecordPtr& record);
   void wait_in_line(const channel::RecordPtr& record);
   bool tcpros_drained() const;
 

@@ -119,5 +119,25 @@ class Full(TopicCase):
                 self.assertTrue(all(m["shared"] for m in listener.messages()))
 
 
+class TooManySegments(TopicCase):
+    def test_a_subscriber_that_cannot_take_another_segment_goes_back_to_tcpros(self):
+        """What is published in the meantime may be lost, as when a connection breaks; what follows is not."""
+        listener = self.listen(queue=1000)
+        hoarder = self.node("hoarder", "hoarder", {"segments": 300, "then": 100})
+        self.assertEqual(hoarder.wait(60), 0, hoarder.tail())
+        messages = listener.messages()
+        numbers = [m["number"] for m in messages]
+        self.assertEqual(numbers, sorted(set(numbers)))
+        self.assertTrue(all(m["right"] for m in messages))
+        self.assertEqual(numbers[:200], list(range(200)))
+        self.assertEqual(numbers[-100:], list(range(300, 400)))
+        self.assertEqual(self.shared(messages[:200]), 200)
+        self.assertEqual(self.shared(messages[-100:]), 0)
+
+    @staticmethod
+    def shared(messages):
+        return sum(m["shared"] for m in messages)
+
+
 if __name__ == "__main__":
     main()

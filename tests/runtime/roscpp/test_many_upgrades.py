@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """100 upgrades under 2 kHz traffic: no message twice, none out of order, none lost that plain ROS would deliver."""
 import json
+import os
 
 from topic_case import TopicCase, main
 
 
 class ManyUpgrades(TopicCase):
-    HOPS = 100
+    HOPS = int(os.environ.get("TZC_HOPS", 100))
 
     def hop(self, talkers_mode, **parameters):
         talker = self.start_talker(talkers_mode, count=0, rate=2000, bytes=2000, queue=10000, subscribers=0, settle=0,
