@@ -62,9 +62,12 @@ def make_recording(path):
 
 
 def environment(workspace):
+    """What a shell has after setup.bash, without what the session decides."""
     text = subprocess.run(["bash", "-c", f". {workspace}/devel/setup.bash && env -0"], check=True,
                           stdout=subprocess.PIPE).stdout.decode()
-    return dict(entry.split("=", 1) for entry in text.split("\0") if "=" in entry)
+    entries = dict(entry.split("=", 1) for entry in text.split("\0") if "=" in entry)
+    of_session = ("ROS_MASTER_URI", "ROS_IP", "ROS_HOSTNAME", "ROS_HOME", "ROS_LOG_DIR")
+    return {name: value for name, value in entries.items() if name not in of_session}
 
 
 def run(scratch, workspace, recording):
