@@ -6,22 +6,24 @@
 
 #include "roscpp/configuration.h"
 #include "roscpp/port.h"
+#include "roscpp/roscpp_access.h"
 #include "roscpp/runtime.h"
 
 namespace tzc {
 namespace detail {
 namespace {
 
-/// Advertises the topic once more, for our connect callback alone, on the worker's queue. It is told about subscribers
-/// that are there already, and ends with `tracked`.
+/// Advertises the topic once more, for our connect callback alone, on the worker's queue. It is told about
+/// subscribers that are there already, and ends with `tracked`.
 ros::Publisher observe(ros::NodeHandle& node, const ros::AdvertiseOptions& options,
                        const std::shared_ptr<Port>& port) {
   const std::weak_ptr<Port> weak = port;
-  ros::AdvertiseOptions observer(
-      options.topic, options.queue_size, options.md5sum, options.datatype, options.message_definition,
-      [weak](const ros::SingleSubscriberPublisher& subscriber) {
-        if (const std::shared_ptr<Port> alive = weak.lock()) alive->on_connect(subscriber);
-      });
+  ros::AdvertiseOptions observer(options.topic, options.queue_size, options.md5sum, options.datatype,
+                                 options.message_definition,
+                                 [weak](const ros::SingleSubscriberPublisher& subscriber) {
+                                   if (const std::shared_ptr<Port> alive = weak.lock())
+                                     alive->on_connect(subscriber);
+                                 });
   observer.has_header = options.has_header;
   observer.callback_queue = &runtime().queue;
   return node.advertise(observer);
@@ -44,20 +46,45 @@ std::shared_ptr<Attachment> Attachment::create(ros::NodeHandle& node, const ros:
   return attachment;
 }
 
-Attachment::~Attachment() { shutdown(); }
+Attachment::~Attachment() {
+  shutdown();
+}
 
-void Attachment::add_codec(const MessageCodec& codec) { port_->records().add_codec(codec); }
+void Attachment::add_codec(const MessageCodec& codec) {
+  port_->records().add_codec(codec);
+}
 
-void Attachment::shutdown() { observer_.shutdown(); }
+void Attachment::shutdown() {
+  observer_.shutdown();
+}
 
-const std::shared_ptr<MemorySource>& Attachment::memory() const { return port_->memory(); }
-bool Attachment::wants_pointer(const std::type_info& type) const { return port_->wants_pointer(type); }
+const std::shared_ptr<MemorySource>& Attachment::memory() const {
+  return port_->memory();
+}
+bool Attachment::wants_pointer(const std::type_info& type) const {
+  return port_->wants_pointer(type);
+}
+bool Attachment::publish_by_reference(const std::type_info& type,
+                                      const std::function<void()>& publish) const {
+  // A connection is upgraded under this mutex, which roscpp's publish takes too.
+  const boost::recursive_mutex::scoped_lock lock(
+      roscpp_access::advertised_topics_mutex_(*ros::TopicManager::instance()));
+  if (wants_pointer(type)) return false;
+  publish();
+  return true;
+}
 bool Attachment::publish_directly(const std::type_info& type, message::Encoded& encoded) {
   return port_->publish_directly(type, encoded);
 }
-bool Attachment::delivers_exhausted() const { return port_->on_exhausted() == OnExhausted::deliver; }
-void Attachment::count_dropped() { port_->records().count_dropped(); }
-PublisherStatistics Attachment::statistics() const { return port_->statistics(); }
+bool Attachment::delivers_exhausted() const {
+  return port_->on_exhausted() == OnExhausted::deliver;
+}
+void Attachment::count_dropped() {
+  port_->records().count_dropped();
+}
+PublisherStatistics Attachment::statistics() const {
+  return port_->statistics();
+}
 
 void attach_topic(const std::string& resolved_topic, const MessageCodec& codec) {
   if (is_enabled(resolved_topic)) runtime().receiver.attach(resolved_topic, codec);

@@ -17,9 +17,11 @@ namespace {
 namespace access = roscpp_access;
 
 /// The bytes of a received message as roscpp passes buffers around; they stay where they are.
-ros::SerializedMessage borrow(const channel::MessagePtr& message, const std::uint8_t* bytes, std::size_t size) {
-  const boost::shared_array<std::uint8_t> buffer(const_cast<std::uint8_t*>(bytes),
-                                                 [hold = channel::MessagePtr(message)](std::uint8_t*) mutable { hold.reset(); });
+ros::SerializedMessage borrow(const channel::MessagePtr& message, const std::uint8_t* bytes,
+                              std::size_t size) {
+  const boost::shared_array<std::uint8_t> buffer(
+      const_cast<std::uint8_t*>(bytes),
+      [hold = channel::MessagePtr(message)](std::uint8_t*) mutable { hold.reset(); });
   ros::SerializedMessage borrowed(buffer, size);
   borrowed.message_start = buffer.get();
   return borrowed;
@@ -33,7 +35,10 @@ bool has_writers(ros::Subscription& subscription) {
 }  // namespace
 
 void Inlet::take(const channel::MessagePtr& message) {
-  if (message->tag() == kSwitch) return wait_until_drained(*link_->getConnection());
+  // The first record is kSwitch, unless a short queue has dropped it; what TCPROS brought comes before any.
+  if (!tcpros_drained_) wait_until_drained(*link_->getConnection());
+  tcpros_drained_ = true;
+  if (message->tag() == kSwitch) return;
   const ros::SubscriptionPtr subscription = subscription_.lock();
   if (!subscription || subscription->isDropped()) return;
   {
@@ -44,8 +49,10 @@ void Inlet::take(const channel::MessagePtr& message) {
   run_direct_callbacks();
 }
 
-boost::shared_ptr<void> Inlet::decode(ros::Subscription& subscription, const channel::MessagePtr& message) const {
-  if (has_writers(subscription)) return codec_.copy(message->control(), message->control_size(), message->blocks());
+boost::shared_ptr<void> Inlet::decode(ros::Subscription& subscription,
+                                      const channel::MessagePtr& message) const {
+  if (has_writers(subscription))
+    return codec_.copy(message->control(), message->control_size(), message->blocks());
   return codec_.view(message->control(), message->control_size(), message->blocks(), message);
 }
 
@@ -58,8 +65,9 @@ void Inlet::take_control_part(ros::Subscription& subscription, const channel::Me
   }
   bool ser = false, nocopy = false;
   subscription.getPublishTypes(ser, nocopy, *codec_.type);
-  // Callbacks of another C++ type, and those that subscribe to a latched topic later, need the stock wire format: one
-  // serialization here. Everybody else only needs the header, for topic statistics, and the control part begins with it.
+  // Callbacks of another C++ type, and those that subscribe to a latched topic later, need the stock wire
+  // format: one serialization here. Everybody else only needs the header, for topic statistics, and the
+  // control part begins with it.
   const bool needs_wire = ser || link_->isLatched();
   ros::SerializedMessage given = needs_wire ? codec_.serialize(decoded.get())
                                             : borrow(message, message->control(), message->control_size());
@@ -77,7 +85,8 @@ void Inlet::take_whole_message(ros::Subscription& subscription, const channel::M
   if (size <= block.size) give(subscription, borrow(message, block.data, size), true, false);
 }
 
-void Inlet::give(ros::Subscription& subscription, const ros::SerializedMessage& message, bool ser, bool nocopy) {
+void Inlet::give(ros::Subscription& subscription, const ros::SerializedMessage& message, bool ser,
+                 bool nocopy) {
   subscription.handleMessage(message, ser, nocopy, link_->getConnection()->getHeader().getValues(), link_);
 }
 

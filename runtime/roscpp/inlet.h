@@ -31,6 +31,7 @@ class Inlet {
   const ros::SubscriptionWPtr subscription_;
   const ros::TransportPublisherLinkPtr link_;
   const detail::MessageCodec codec_;
+  bool tcpros_drained_ = false;  ///< reader thread
 };
 
 }  // namespace tzc

@@ -19,7 +19,7 @@ namespace {
 
 namespace access = roscpp_access;
 
-/// The publisher's offer may overtake its TCPROS header, so the link is looked for a few times.
+/// The publisher's offer may come before roscpp knows the connection, so the link is looked for a few times.
 constexpr int kTries = 100;
 constexpr std::chrono::milliseconds kRetry(5);
 constexpr std::chrono::milliseconds kCallTimeout(2000);
@@ -41,13 +41,14 @@ std::vector<ros::TransportPublisherLinkPtr> tcp_links(ros::Subscription& subscri
   return links;
 }
 
-/// The link that the offer is about, once its TCPROS header has come. Not just any of that publisher: the one
-/// of an earlier subscription may still be known there, and messages of both would come twice.
+/// The link that the offer is about, not just any of that publisher: the one of an earlier subscription may
+/// still be known there, and messages of both would come twice. Its TCPROS header may be on its way and must
+/// not be looked at; it is there when the first record is taken (kSwitch waits for it).
 ros::TransportPublisherLinkPtr find_link(ros::Subscription& subscription, const Offer& offer) {
   for (const ros::TransportPublisherLinkPtr& link : tcp_links(subscription)) {
     ros::Connection& connection = *link->getConnection();
-    const bool is_open = link->getCallerID() == offer.publisher && !connection.isDropped();
-    if (is_open && connection_name(connection, End::subscriber) == offer.connection) return link;
+    if (!connection.isDropped() && connection_name(connection, End::subscriber) == offer.connection)
+      return link;
   }
   return ros::TransportPublisherLinkPtr();
 }

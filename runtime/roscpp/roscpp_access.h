@@ -6,7 +6,7 @@
 /// that Publication::subscriber_links_ gets one pointer replaced in place (adding and removing links would fire the
 /// user's connect callbacks). ROS 1 is frozen; a roscpp where a member is missing fails to compile right here.
 
-#include <ros/poll_manager.h>
+#include <ros/connection.h>
 #include <ros/publication.h>
 #include <ros/publisher_link.h>
 #include <ros/single_subscriber_publisher.h>
@@ -62,6 +62,7 @@ TZC_GRANT(WritingMessage, ros::TransportSubscriberLink, bool, writing_message_)
 TZC_GRANT(HeaderWritten, ros::TransportSubscriberLink, bool, header_written_)
 
 TZC_GRANT(Socket, ros::TransportTCP, int, sock_)
+TZC_GRANT(ReadMutex, ros::Connection, boost::recursive_mutex, read_mutex_)
 
 #undef TZC_GRANT
 

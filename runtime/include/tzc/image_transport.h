@@ -89,10 +89,11 @@ class Publisher : public detail::PublisherBase<::image_transport::Publisher> {
 
   void publish(const ::sensor_msgs::ImageConstPtr& message) const { publisher_.publish(message); }
   void publish(const ::sensor_msgs::Image& message) const {
-    if (wants_pointer())
-      publish_twin(message);
-    else
+    if (!attachment_)
       publisher_.publish(message);
+    else if (wants_pointer() || !attachment_->publish_by_reference(typeid(::sensor_msgs::Image),
+                                                                   [&] { publisher_.publish(message); }))
+      publish_twin(message);
   }
   /// A tzc::sensor_msgs::Image, by reference or pointer.
   template <class M>

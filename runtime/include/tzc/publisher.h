@@ -86,16 +86,13 @@ class Publisher {
   using IsGenerated = std::integral_constant<bool, message::IsTwin<M>::value && !detail::IsForeign<M>::value>;
 
   template <class M>
-  bool wants_pointer() const {
-    return attachment_ && attachment_->wants_pointer(typeid(Stock<M>));
-  }
-
-  template <class M>
   void publish_value(const M& message) const {
-    if (wants_pointer<M>())
+    const auto publish = [&] { publisher_.publish(message); };
+    if (!attachment_)
+      publish();
+    else if (attachment_->wants_pointer(typeid(Stock<M>)) ||
+             !attachment_->publish_by_reference(typeid(Stock<M>), publish))
       publish_shared(message);
-    else
-      publisher_.publish(message);
   }
 
   template <class M>

@@ -8,6 +8,7 @@
 #include <tzc/options.h>
 
 #include <boost/shared_ptr.hpp>
+#include <functional>
 #include <memory>
 #include <string>
 #include <typeinfo>
@@ -39,6 +40,10 @@ class Attachment {
   /// Somebody takes messages of this type by pointer (through shared memory or inside this process), so that building
   /// a view pays.
   bool wants_pointer(const std::type_info& type) const;
+  /// Calls `publish`, which publishes by reference, unless somebody takes messages of this type by pointer: then nothing
+  /// is done, and it returns false. Nobody begins to take pointers in between, so the message keeps its place before
+  /// those that go by pointer.
+  bool publish_by_reference(const std::type_info& type, const std::function<void()>& publish) const;
   /// The short way of a message that is encoded: straight to its subscribers, when all of them take shared memory and
   /// the topic is not latched. False: nothing was done, publish through roscpp.
   bool publish_directly(const std::type_info& type, message::Encoded& encoded);
