@@ -9,7 +9,9 @@
 #include <sensor_msgs/Image.h>
 #include <tzc/ros.h>
 
+#include <atomic>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -22,15 +24,20 @@ struct Keeper {
   ros::Subscriber subscriber;
   std::vector<sensor_msgs::ImageConstPtr> kept;
   std::size_t wanted = 0;
+  std::mutex mutex;
+  std::atomic<bool> is_full{false};
   bool shuts_down = false;
 
   void take(const sensor_msgs::ImageConstPtr& image) {
-    kept.push_back(image);
-    if (kept.size() < wanted) return;
+    {
+      const std::lock_guard<std::mutex> lock(mutex);  // direct dispatch calls on another thread
+      if (kept.size() < wanted) kept.push_back(image);
+      if (kept.size() < wanted || is_full) return;
+    }
     if (shuts_down) ros::shutdown();
     subscriber.shutdown();
+    is_full = true;
   }
-  bool full() const { return kept.size() >= wanted; }
 };
 
 }  // namespace
@@ -46,7 +53,8 @@ int main(int argc, char** argv) {
     keeper.subscriber = tzc::subscribe_direct(*keeper.node, "image", 100, &Keeper::take, &keeper);
   else
     keeper.subscriber = tzc::subscribe(*keeper.node, "image", 100, &Keeper::take, &keeper);
-  while (ros::ok() && !keeper.full()) ros::getGlobalCallbackQueue()->callOne(ros::WallDuration(0.05));
+  while (!keeper.is_full && (ros::ok() || keeper.shuts_down))
+    ros::getGlobalCallbackQueue()->callOne(ros::WallDuration(0.05));
   keeper.node.reset();
   if (!keeper.shuts_down) ros::WallDuration(options.param("wait", 1.0)).sleep();
   for (const sensor_msgs::ImageConstPtr& image : keeper.kept) tzc_test::print_image(*image);
