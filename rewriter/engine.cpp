@@ -58,7 +58,8 @@ std::optional<Error> Engine::collect() {
   std::optional<Error> failure;
   std::mutex mutex;
   unsigned done = 0;
-  CollectOptions options{options_.package_dir, options_.build_dir, exported_dirs(options_.package_dir), &rules_, {}};
+  CollectOptions options{
+      options_.package_dir, options_.build_dir, exported_dirs(options_.package_dir), &rules_, {}};
   options.include_dirs = options_.extra_include_dirs;
   if (!options_.tzc_include.empty()) options.include_dirs.push_back(options_.tzc_include);
   in_parallel(options_.jobs, units_.size(), [&](std::size_t i) {
@@ -97,7 +98,8 @@ Expected<PortPlan> Engine::run() {
   ParseOptions parse_options;
   if (!options_.tzc_include.empty()) parse_options.include_dirs.push_back(options_.tzc_include);
   for (const std::string& dir : options_.extra_include_dirs) parse_options.include_dirs.push_back(dir);
-  const Verifier verifier(units_, facts_, components, parse_options, options_.package_dir, options_.jobs, read_file);
+  const Verifier verifier(units_, facts_, components, parse_options, options_.package_dir, options_.jobs,
+                          read_file);
   Expected<Porter::Result> result = Porter(facts_, components, options_, verifier, read_file).run();
   if (!result) return result.error();
   return finish(std::move(*result));

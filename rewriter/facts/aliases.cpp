@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pointers, references, iterators and views into a message's data. Publishing hands the data over: none of them may be
-// used afterwards, and none may be kept where it is not seen.
+// Pointers, references, iterators and views into a message's data. Publishing hands the data over: none of
+// them may be used afterwards, and none may be kept where it is not seen.
 #include <clang/AST/ParentMapContext.h>
 #include <clang/AST/RecursiveASTVisitor.h>
 
@@ -52,7 +52,8 @@ class PointerFollower {
   }
   bool keep(const std::string& where) {
     for (const Key& key : keys_)
-      add_obstacle(unit_, key, codes::TZC1003, "a pointer into its data is kept " + where, at_->getBeginLoc());
+      add_obstacle(unit_, key, codes::TZC1003, "a pointer into its data is kept " + where,
+                   at_->getBeginLoc());
     return false;
   }
   bool points() const {
@@ -93,13 +94,15 @@ bool PointerFollower::into_assignment(const clang::Expr* target) {
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(target->IgnoreParenImpCasts());
   const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
   if (!variable || !variable->isLocalVarDecl())
-    return may_point(target->getType()) ? keep("in '" + unit_.source.text(target->getSourceRange()) + "'") : false;
+    return may_point(target->getType()) ? keep("in '" + unit_.source.text(target->getSourceRange()) + "'")
+                                        : false;
   if (may_point(variable->getType())) alias_ = Alias{variable, keys_};
   return false;
 }
 
 bool PointerFollower::into_method(const clang::MemberExpr* member) {
-  static const std::set<std::string> copies = {"clone", "copyTo", "convertTo", "size", "total", "empty", "type"};
+  static const std::set<std::string> copies = {"clone", "copyTo", "convertTo", "size",
+                                               "total", "empty",  "type"};
   if (!llvm::isa<clang::CXXMethodDecl>(member->getMemberDecl())) return go_on(member);
   if (copies.count(member->getMemberDecl()->getNameAsString())) return false;
   const auto parents = unit_.ast().getParents(*member);
@@ -140,7 +143,9 @@ bool PointerFollower::into_expression(const clang::Expr* parent) {
 
 // ------------------------------------------------------------------------------------------------------------------
 
-unsigned offset_of(Unit& unit, clang::SourceLocation location) { return unit.source.where(location).begin; }
+unsigned offset_of(Unit& unit, clang::SourceLocation location) {
+  return unit.source.where(location).begin;
+}
 
 struct Handover {
   unsigned offset;
@@ -155,7 +160,8 @@ const clang::Stmt* loop_around(Unit& unit, const clang::Stmt& stmt) {
     node = parents[0];
     if (node.get<clang::FunctionDecl>()) return nullptr;
     const auto* statement = node.get<clang::Stmt>();
-    if (statement && llvm::isa<clang::ForStmt, clang::WhileStmt, clang::DoStmt, clang::CXXForRangeStmt>(statement))
+    if (statement &&
+        llvm::isa<clang::ForStmt, clang::WhileStmt, clang::DoStmt, clang::CXXForRangeStmt>(statement))
       return statement;
   }
 }

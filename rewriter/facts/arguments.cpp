@@ -6,7 +6,9 @@
 namespace tzc::rewriter {
 namespace {
 
-Carrier carrier_of(Unit& unit, const Key& key) { return unit.facts.entities[key].carrier; }
+Carrier carrier_of(Unit& unit, const Key& key) {
+  return unit.facts.entities[key].carrier;
+}
 
 void hand_out(Unit& unit, const Key& key, const std::string& receiver, clang::SourceLocation where) {
   const Carrier carrier = carrier_of(unit, key);
@@ -33,7 +35,8 @@ clang::SourceRange callee_name(const clang::CallExpr* call) {
 }
 
 /// img.toImageMsg(message) -> to_image_msg(img, message)
-void use_method_rule(Unit& unit, const Key& key, const clang::CXXMemberCallExpr* call, const MethodCall& rule) {
+void use_method_rule(Unit& unit, const Key& key, const clang::CXXMemberCallExpr* call,
+                     const MethodCall& rule) {
   unit.facts.data_uses.push_back({key, location_of(unit.source.where(call->getBeginLoc())), true});
   for (const Change& change : receiver_first(unit, call, rule.to, rule.rule, rule.header))
     unit.facts.uses.push_back({key, change});
@@ -76,7 +79,9 @@ Handed hand_to_method(Unit& unit, const Key& key, const clang::CXXMemberCallExpr
   return Handed::done;
 }
 
-bool swaps(const std::string& function) { return function == "std::swap" || function == "boost::swap"; }
+bool swaps(const std::string& function) {
+  return function == "std::swap" || function == "boost::swap";
+}
 
 Handed hand_to_swap(Unit& unit, const Key& key, const clang::CallExpr* call) {
   for (const clang::Expr* argument : call->arguments())
@@ -91,11 +96,13 @@ Handed hand_to_call(Unit& unit, const Key& key, const clang::CallExpr* call, uns
   const clang::FunctionDecl* function = call->getDirectCallee();
   if (!function) {
     if (!call->isTypeDependent())
-      add_obstacle(unit, key, codes::TZC1001, "it is handed to a function that is not known here", call->getBeginLoc());
+      add_obstacle(unit, key, codes::TZC1001, "it is handed to a function that is not known here",
+                   call->getBeginLoc());
     return Handed::done;
   }
   const std::string name = qualified_name_of(function);
-  if (llvm::isa<clang::CXXOperatorCallExpr>(call) && llvm::isa<clang::CXXMethodDecl>(function) && argument > 0)
+  if (llvm::isa<clang::CXXOperatorCallExpr>(call) && llvm::isa<clang::CXXMethodDecl>(function) &&
+      argument > 0)
     --argument;
   if (makes_object(call)) {
     add_flow(unit, key, declare_temporary(unit, call), call->getBeginLoc(), "copied into a new object");
@@ -104,8 +111,7 @@ Handed hand_to_call(Unit& unit, const Key& key, const clang::CallExpr* call, uns
   if (passes_through(function)) return Handed::result;
   const bool casts = name == "boost::const_pointer_cast" || name == "std::const_pointer_cast";
   if (casts && serves_plain_field(unit, call)) return Handed::done;
-  if (casts)
-    add_obstacle(unit, key, codes::TZC2002, "const is cast away from it", call->getBeginLoc());
+  if (casts) add_obstacle(unit, key, codes::TZC2002, "const is cast away from it", call->getBeginLoc());
   if (swaps(name)) return hand_to_swap(unit, key, call);
   if (const LibraryCall* rule = unit.rules.find_call(name, argument)) {
     use_rule(unit, key, callee_name(call), rule->to, rule->rule, rule->header);
@@ -113,13 +119,15 @@ Handed hand_to_call(Unit& unit, const Key& key, const clang::CallExpr* call, uns
   }
   if (is_package_function(unit, function))
     return hand_to_package(unit, key, function, argument, call->getBeginLoc());
-  if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) return hand_to_method(unit, key, method);
+  if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call))
+    return hand_to_method(unit, key, method);
   if (function->isInStdNamespace() && carried_by(call->getType(), unit.rules)) return Handed::result;
   hand_out(unit, key, name, call->getBeginLoc());
   return Handed::done;
 }
 
-Handed hand_to_constructor(Unit& unit, const Key& key, const clang::CXXConstructExpr* construct, unsigned argument) {
+Handed hand_to_constructor(Unit& unit, const Key& key, const clang::CXXConstructExpr* construct,
+                           unsigned argument) {
   const clang::CXXConstructorDecl* constructor = construct->getConstructor();
   if (unit.source.in_package(pattern_of(constructor)->getLocation()))
     return hand_to_package(unit, key, constructor, argument, construct->getBeginLoc());

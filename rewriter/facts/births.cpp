@@ -14,8 +14,8 @@ const clang::Stmt* statement_around(Unit& unit, clang::DynTypedNode node) {
     if (parents.empty()) return nullptr;
     if (parents[0].get<clang::CompoundStmt>()) return node.get<clang::Stmt>();
     const auto* parent = parents[0].get<clang::Stmt>();
-    if (parent && llvm::isa<clang::IfStmt, clang::ForStmt, clang::WhileStmt, clang::CXXForRangeStmt, clang::DoStmt,
-                            clang::SwitchCase, clang::LambdaExpr>(parent))
+    if (parent && llvm::isa<clang::IfStmt, clang::ForStmt, clang::WhileStmt, clang::CXXForRangeStmt,
+                            clang::DoStmt, clang::SwitchCase, clang::LambdaExpr>(parent))
       return nullptr;
     node = parents[0];
   }
@@ -49,10 +49,12 @@ bool is_fresh(Unit& unit, const Sources& sources) {
 }
 
 bool from_result(Unit& unit, const Sources& sources) {
-  return llvm::any_of(sources.keys, [&](const Key& k) { return unit.facts.entities[k].home == Home::result; });
+  return llvm::any_of(sources.keys,
+                      [&](const Key& k) { return unit.facts.entities[k].home == Home::result; });
 }
 
-/// Looks for what keeps an expression from being evaluated earlier: variables declared or changed later, calls.
+/// Looks for what keeps an expression from being evaluated earlier: variables declared or changed later,
+/// calls.
 class Nameable : public clang::RecursiveASTVisitor<Nameable> {
  public:
   std::vector<const clang::VarDecl*> locals;
@@ -65,8 +67,9 @@ class Nameable : public clang::RecursiveASTVisitor<Nameable> {
   }
   bool VisitCallExpr(clang::CallExpr* call) {
     const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call);
-    const bool plain = op && (op->getOperator() == clang::OO_Arrow || op->getOperator() == clang::OO_Star ||
-                              (op->getOperator() == clang::OO_Subscript && !is_map(op->getArg(0)->getType())));
+    const bool plain =
+        op && (op->getOperator() == clang::OO_Arrow || op->getOperator() == clang::OO_Star ||
+               (op->getOperator() == clang::OO_Subscript && !is_map(op->getArg(0)->getType())));
     ok = ok && plain;
     return true;
   }
@@ -116,7 +119,9 @@ class Changes : public clang::RecursiveASTVisitor<Changes> {
   unsigned from_, to_;
 };
 
-unsigned offset_of(Unit& unit, clang::SourceLocation location) { return unit.source.where(location).begin; }
+unsigned offset_of(Unit& unit, clang::SourceLocation location) {
+  return unit.source.where(location).begin;
+}
 
 bool nameable_at(Unit& unit, const SeenPublisher& publisher, unsigned at) {
   Nameable visitor;
@@ -131,14 +136,14 @@ bool nameable_at(Unit& unit, const SeenPublisher& publisher, unsigned at) {
 }
 
 void name_publishers(Unit& unit, SeenBirth& seen) {
-  const unsigned at = seen.birth.at ? seen.birth.at->begin
-                                    : seen.birth.adapter ? seen.birth.changes[0].where.begin : 0;
+  const unsigned at = seen.birth.at        ? seen.birth.at->begin
+                      : seen.birth.adapter ? seen.birth.changes[0].where.begin
+                                           : 0;
   if (at == 0) return;
   for (const SeenPublisher& publisher : unit.publishers)
     if (publisher.function == seen.function && !publisher.key.empty() && nameable_at(unit, publisher, at))
-      seen.birth.publishers.push_back(
-          {publisher.key, unit.source.text(publisher.object->getSourceRange()), publisher.pointer,
-           publisher.messages});
+      seen.birth.publishers.push_back({publisher.key, unit.source.text(publisher.object->getSourceRange()),
+                                       publisher.pointer, publisher.messages});
 }
 
 /// A local message before the publisher that is declared later in the same block.
@@ -170,7 +175,8 @@ const clang::Stmt* first_mention(Unit& unit, const SeenMember& member, unsigned 
     const auto parents = unit.ast().getParents(node);
     if (parents.empty() || parents[0].get<clang::FunctionDecl>()) return nullptr;
     const auto* block = parents[0].get<clang::CompoundStmt>();
-    if (block && offset_of(unit, block->getLBracLoc()) < first && offset_of(unit, block->getRBracLoc()) > last)
+    if (block && offset_of(unit, block->getLBracLoc()) < first &&
+        offset_of(unit, block->getRBracLoc()) > last)
       for (const clang::Stmt* statement : block->body())
         if (offset_of(unit, statement->getEndLoc()) >= first)
           return llvm::isa<clang::SwitchCase, clang::LabelStmt>(statement) ? nullptr : statement;
@@ -219,7 +225,8 @@ void add_member_birth(Unit& unit, const SeenMember& member) {
 
 void collect_declaration_birth(Unit& unit, const clang::VarDecl* variable) {
   const auto message = message_of(variable->getType());
-  if (!variable->isLocalVarDecl() || variable->getType()->isReferenceType() || !message || !message->has_data) return;
+  if (!variable->isLocalVarDecl() || variable->getType()->isReferenceType() || !message || !message->has_data)
+    return;
   if (variable->isCXXForRangeDecl() || variable->isImplicit()) return;
   const Key key = declare(unit, variable);
   const auto parents = unit.ast().getParents(*variable);

@@ -19,8 +19,8 @@ struct PackageCall {
   std::string callee;  ///< its name
 };
 
-/// In the order of the source. Edits must leave it as it is: an edit that makes a call pick another function would
-/// change what the program does, and still compile.
+/// In the order of the source. Edits must leave it as it is: an edit that makes a call pick another function
+/// would change what the program does, and still compile.
 std::vector<PackageCall> package_calls(clang::ASTContext& ast, const std::string& package_dir);
 
 }  // namespace tzc::rewriter

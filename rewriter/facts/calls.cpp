@@ -2,6 +2,7 @@
 #include <clang/AST/ParentMapContext.h>
 
 #include "facts/unit.h"
+#include "report/codes.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -46,8 +47,9 @@ Receiver receiver_of(const clang::CXXMemberCallExpr* call) {
 std::string written_template_arguments(Unit& unit, const clang::CXXMemberCallExpr* call) {
   const clang::MemberExpr* callee = callee_of(call);
   if (!callee || !callee->hasExplicitTemplateArgs() || callee->getNumTemplateArgs() == 0) return "";
-  const clang::SourceRange range(callee->getTemplateArgs()[0].getSourceRange().getBegin(),
-                                 callee->getTemplateArgs()[callee->getNumTemplateArgs() - 1].getSourceRange().getEnd());
+  const clang::SourceRange range(
+      callee->getTemplateArgs()[0].getSourceRange().getBegin(),
+      callee->getTemplateArgs()[callee->getNumTemplateArgs() - 1].getSourceRange().getEnd());
   return unit.source.text(range);
 }
 
@@ -59,12 +61,12 @@ std::vector<Change> receiver_first(Unit& unit, const clang::CXXMemberCallExpr* c
   const std::optional<Place> whole = unit.source.place(call->getSourceRange());
   if (!whole) return {};
   const bool implicit = self && self->isImplicit();
-  const std::optional<Place> object = implicit ? unit.source.before(call->getBeginLoc())
-                                               : unit.source.place(receiver.expr->getSourceRange());
+  const std::optional<Place> object =
+      implicit ? unit.source.before(call->getBeginLoc()) : unit.source.place(receiver.expr->getSourceRange());
   if (!object) return {};
   const unsigned count = written_arguments(call);
-  const std::optional<Place> first =
-      count > 0 ? unit.source.place(call->getArg(0)->getSourceRange()) : unit.source.before(call->getRParenLoc());
+  const std::optional<Place> first = count > 0 ? unit.source.place(call->getArg(0)->getSourceRange())
+                                               : unit.source.before(call->getRParenLoc());
   if (!first || first->begin < object->end || object->begin != whole->begin) return {};
   const std::optional<Place> name = unit.source.place(callee_of(call)->getSourceRange());
   if (!name) return {};
@@ -90,7 +92,8 @@ std::optional<std::string> constant_string(const clang::Expr* expr) {
       expr = bound->getSubExpr();
     } else if (const auto* cast = llvm::dyn_cast<clang::ExplicitCastExpr>(expr)) {
       expr = cast->getSubExpr();
-    } else if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expr); made && made->getNumArgs() > 0) {
+    } else if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expr);
+               made && made->getNumArgs() > 0) {
       expr = made->getArg(0);
     } else {
       return {};
@@ -109,12 +112,21 @@ bool serves_plain_field(Unit& unit, const clang::Expr* cast) {
       if (field) return !is_data_array(member->getType()) && !carried_by(member->getType(), unit.rules);
     } else if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(parent)) {
       if (op->getOperator() != clang::OO_Arrow && op->getOperator() != clang::OO_Star) return false;
-    } else if (!llvm::isa<clang::ParenExpr, clang::ImplicitCastExpr, clang::FullExpr, clang::MaterializeTemporaryExpr,
-                          clang::CXXBindTemporaryExpr, clang::UnaryOperator>(parent)) {
+    } else if (!llvm::isa<clang::ParenExpr, clang::ImplicitCastExpr, clang::FullExpr,
+                          clang::MaterializeTemporaryExpr, clang::CXXBindTemporaryExpr, clang::UnaryOperator>(
+                   parent)) {
       return false;
     }
     at = parent;
   }
+}
+
+void check_const_cast(Unit& unit, const clang::ExplicitCastExpr* cast) {
+  const clang::Expr* from = cast->getSubExpr();
+  if (!llvm::isa<clang::CXXConstCastExpr>(cast) || !carried_by(from->getType(), unit.rules)) return;
+  if (serves_plain_field(unit, cast)) return;
+  for (const Key& key : sources_of(unit, from).keys)
+    add_obstacle(unit, key, codes::TZC2002, "const is cast away from it", cast->getBeginLoc());
 }
 
 std::string function_name_around(Unit& unit, const clang::Stmt& stmt) {

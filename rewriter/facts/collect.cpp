@@ -60,14 +60,14 @@ class Collector : public clang::RecursiveASTVisitor<Collector> {
     return object(expr, expr->getTypeSourceInfo());
   }
   bool VisitExplicitCastExpr(clang::ExplicitCastExpr* cast) {
-    check_const_cast(cast);
+    check_const_cast(unit_, cast);
     return carried_by(cast->getType(), unit_.rules) ? object(cast, cast->getTypeInfoAsWritten()) : true;
   }
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) {
     const std::string name = qualified_name_of(construct->getConstructor()->getParent());
     const ClassRename* rename = unit_.rules.find_class(name);
     if (rename && rename->role == ClassRename::Role::filter && in_package(construct))
-      collect_filter(unit_, construct, filter_of(construct));
+      collect_filter(unit_, construct, filter_of(unit_, construct));
     return true;
   }
   bool VisitCallExpr(clang::CallExpr* call);
@@ -100,8 +100,6 @@ class Collector : public clang::RecursiveASTVisitor<Collector> {
   void check_address_taken(const clang::FunctionDecl* function, const clang::DeclRefExpr* reference);
   void check_lambda(const clang::LambdaExpr* lambda);
   void pin_parameters(const clang::FunctionDecl* function, const std::string& name);
-  void check_const_cast(const clang::ExplicitCastExpr* cast);
-  Key filter_of(const clang::CXXConstructExpr* construct);
 
   Unit& unit_;
   std::vector<const clang::FunctionDecl*> functions_;
@@ -157,7 +155,8 @@ std::vector<Key> Collector::messages_among(const clang::CallExpr* call) {
 }
 
 void Collector::note_publisher_arguments(clang::CallExpr* call) {
-  if (llvm::isa<clang::CXXOperatorCallExpr>(call) || !is_package_function(unit_, call->getDirectCallee())) return;
+  if (llvm::isa<clang::CXXOperatorCallExpr>(call) || !is_package_function(unit_, call->getDirectCallee()))
+    return;
   for (const clang::Expr* argument : call->arguments()) {
     const auto carried = carried_by(argument->getType(), unit_.rules);
     if (!carried || carried->carrier != Carrier::publisher) continue;
@@ -165,7 +164,8 @@ void Collector::note_publisher_arguments(clang::CallExpr* call) {
     const clang::Expr* written = argument->IgnoreImplicit();
     const bool pointer = !pointee_of(argument->getType()).isNull();
     if (!sources.keys.empty())
-      unit_.publishers.push_back({written, pointer, sources.keys[0], messages_among(call), function_around(unit_, *call),
+      unit_.publishers.push_back({written, pointer, sources.keys[0], messages_among(call),
+                                  function_around(unit_, *call),
                                   unit_.source.where(call->getBeginLoc()).begin});
   }
 }
@@ -189,7 +189,8 @@ void Collector::member_call(clang::CXXMemberCallExpr* call) {
   if (name == "publish" && is_publisher_class(object)) return collect_publish(unit_, call);
   if (name == "registerCallback") collect_registered_callback(unit_, call);
   const ClassRename* rename = unit_.rules.find_class(object);
-  if (rename && rename->role == ClassRename::Role::filter && name == "subscribe") return collect_filter(unit_, call);
+  if (rename && rename->role == ClassRename::Role::filter && name == "subscribe")
+    return collect_filter(unit_, call);
   const MethodCall* rule = unit_.rules.find_method(object, name, written_arguments(call));
   if (!rule) return;
   switch (rule->role) {
@@ -199,9 +200,12 @@ void Collector::member_call(clang::CXXMemberCallExpr* call) {
       follow_use(unit_, call, declare_temporary(unit_, call));
       return;
     case MethodCall::Role::subscribe:
-    case MethodCall::Role::subscribe_transport: return collect_subscribe(unit_, call, *rule);
-    case MethodCall::Role::builds_message: return adapter_birth(call, *rule);
-    case MethodCall::Role::fills_message: return;
+    case MethodCall::Role::subscribe_transport:
+      return collect_subscribe(unit_, call, *rule);
+    case MethodCall::Role::builds_message:
+      return adapter_birth(call, *rule);
+    case MethodCall::Role::fills_message:
+      return;
   }
 }
 
@@ -235,7 +239,8 @@ void Collector::check_source_of(const clang::VarDecl* variable) {
 }
 
 /// A function whose address is taken is called by others: a callback. What it takes stays as it is.
-void Collector::check_address_taken(const clang::FunctionDecl* function, const clang::DeclRefExpr* reference) {
+void Collector::check_address_taken(const clang::FunctionDecl* function,
+                                    const clang::DeclRefExpr* reference) {
   if (!is_package_function(unit_, function)) return;
   const auto parents = unit_.ast().getParents(*reference);
   const auto* cast = parents.empty() ? nullptr : parents[0].get<clang::ImplicitCastExpr>();
@@ -245,7 +250,8 @@ void Collector::check_address_taken(const clang::FunctionDecl* function, const c
   const std::string name = function->getNameAsString();
   pin_parameters(function, name);
   if (const Key key = declare_result(unit_, function); !key.empty())
-    add_obstacle(unit_, key, codes::TZC1005, "'" + name + "' is called through its address", reference->getLocation());
+    add_obstacle(unit_, key, codes::TZC1005, "'" + name + "' is called through its address",
+                 reference->getLocation());
 }
 
 /// A lambda that is not kept in a variable is called by others.
@@ -257,10 +263,12 @@ void Collector::check_lambda(const clang::LambdaExpr* lambda) {
     if (parents.empty()) break;
     node = parents[0];
     if (const auto* variable = node.get<clang::VarDecl>())
-      if (const auto* record = variable->getType()->getAsCXXRecordDecl(); record && record->isLambda()) return;
+      if (const auto* record = variable->getType()->getAsCXXRecordDecl(); record && record->isLambda())
+        return;
     const auto* statement = node.get<clang::Stmt>();
-    if (!statement || !llvm::isa<clang::ImplicitCastExpr, clang::MaterializeTemporaryExpr, clang::CXXConstructExpr,
-                                 clang::CXXBindTemporaryExpr, clang::FullExpr>(statement))
+    if (!statement ||
+        !llvm::isa<clang::ImplicitCastExpr, clang::MaterializeTemporaryExpr, clang::CXXConstructExpr,
+                   clang::CXXBindTemporaryExpr, clang::FullExpr>(statement))
       break;
   }
   pin_parameters(lambda->getCallOperator(), "lambda");
@@ -273,33 +281,6 @@ void Collector::pin_parameters(const clang::FunctionDecl* function, const std::s
     const bool message = unit_.facts.entities[key].carrier == Carrier::message;
     add_obstacle(unit_, key, message ? codes::TZC1004 : codes::TZC1005,
                  "it comes in through the callback '" + name + "'", parameter->getLocation());
-  }
-}
-
-void Collector::check_const_cast(const clang::ExplicitCastExpr* cast) {
-  const clang::Expr* from = cast->getSubExpr();
-  if (!llvm::isa<clang::CXXConstCastExpr>(cast) || !carried_by(from->getType(), unit_.rules)) return;
-  if (serves_plain_field(unit_, cast)) return;
-  for (const Key& key : sources_of(unit_, from).keys)
-    add_obstacle(unit_, key, codes::TZC2002, "const is cast away from it", cast->getBeginLoc());
-}
-
-Key Collector::filter_of(const clang::CXXConstructExpr* construct) {
-  clang::DynTypedNode node = clang::DynTypedNode::create(*construct);
-  for (;;) {
-    const auto parents = unit_.ast().getParents(node);
-    if (parents.empty()) return {};
-    node = parents[0];
-    if (const auto* variable = node.get<clang::VarDecl>()) return declare(unit_, variable);
-    if (const auto* created = node.get<clang::CXXNewExpr>()) return declare_temporary(unit_, created);
-    if (const auto* call = node.get<clang::CallExpr>())
-      return makes_object(call) ? declare_temporary(unit_, call) : Key();
-    if (const auto* constructor = node.get<clang::CXXConstructorDecl>()) {
-      for (const clang::CXXCtorInitializer* initializer : constructor->inits())
-        if (initializer->getInit()->IgnoreImplicit() == construct && initializer->getMember())
-          return declare(unit_, initializer->getMember());
-      return {};
-    }
   }
 }
 

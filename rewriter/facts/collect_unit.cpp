@@ -13,7 +13,9 @@
 namespace tzc::rewriter {
 namespace {
 
-bool lies_in(const std::string& file, const std::string& dir) { return file.rfind(dir + "/", 0) == 0; }
+bool lies_in(const std::string& file, const std::string& dir) {
+  return file.rfind(dir + "/", 0) == 0;
+}
 
 void note_files(Unit& unit, const CompileUnit& compiled, const CollectOptions& options) {
   const clang::SourceManager& manager = unit.source.manager();
@@ -26,7 +28,8 @@ void note_files(Unit& unit, const CompileUnit& compiled, const CollectOptions& o
   }
 }
 
-/// The declarations of the package alone: the parents of system headers are of no interest, and there are many.
+/// The declarations of the package alone: the parents of system headers are of no interest, and there are
+/// many.
 void limit_to_package(Unit& unit) {
   std::vector<clang::Decl*> own;
   for (clang::Decl* decl : unit.ast().getTranslationUnitDecl()->decls())
@@ -48,7 +51,8 @@ std::vector<Diagnostic> collect_unit(const CompileUnit& unit, const CollectOptio
   parse_options.skip_bodies_outside = options.package_dir;
   const ParseResult parsed = parse(unit, parse_options, [&](clang::ASTContext& ast) {
     if (ast.getDiagnostics().hasErrorOccurred()) return;
-    Unit collected{Source(ast, options.package_dir), *options.rules, facts, options.exported_dirs, {}, {}, {}};
+    Unit collected{
+        Source(ast, options.package_dir), *options.rules, facts, options.exported_dirs, {}, {}, {}};
     note_files(collected, unit, options);
     limit_to_package(collected);
     collect(collected);

@@ -16,7 +16,8 @@ struct CollectOptions {
   std::string build_dir;
   std::set<std::string> exported_dirs;  ///< of headers that other packages may include
   const RuleSet* rules;
-  std::vector<std::string> include_dirs;  ///< TZC's: the package may be ported already, its build folder older
+  std::vector<std::string>
+      include_dirs;  ///< TZC's: the package may be ported already, its build folder older
 };
 
 /// Parses one unit and collects its facts. The errors, when it does not parse.

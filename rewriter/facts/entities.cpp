@@ -62,7 +62,8 @@ Entity& entity_at(Unit& unit, const Key& key, const Carried& carried, Home home,
 
 bool is_exported(Unit& unit, clang::SourceLocation location) {
   const std::string& file = unit.source.file_of(location);
-  return llvm::any_of(unit.exported_dirs, [&](const std::string& dir) { return file.rfind(dir + "/", 0) == 0; });
+  return llvm::any_of(unit.exported_dirs,
+                      [&](const std::string& dir) { return file.rfind(dir + "/", 0) == 0; });
 }
 
 void add(Entity& entity, const Obstacle& obstacle) {
@@ -77,14 +78,15 @@ void check_signature(Unit& unit, const clang::FunctionDecl* function, Entity& en
   if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function))
     for (const clang::CXXMethodDecl* base : method->overridden_methods())
       if (!unit.source.in_package(base->getLocation()))
-        add(entity, {codes::TZC1005, "'" + function->getNameAsString() + "' overrides a function of another package",
-                     where});
+        add(entity, {codes::TZC1005,
+                     "'" + function->getNameAsString() + "' overrides a function of another package", where});
   const clang::FunctionDecl* first = function->getFirstDecl();
   if (entity.carrier == Carrier::message && first->getAccess() != clang::AS_private &&
       is_exported(unit, first->getLocation()))
-    add(entity, {codes::TZC1005,
-                 "'" + function->getNameAsString() + "' is declared in a header that other packages may include",
-                 where});
+    add(entity,
+        {codes::TZC1005,
+         "'" + function->getNameAsString() + "' is declared in a header that other packages may include",
+         where});
 }
 
 /// A twin exists for every message that stands alone; parts of services have none.
@@ -98,7 +100,8 @@ void connect_overrides(Unit& unit, const clang::FunctionDecl* function, const Ke
   if (!method) return;
   for (const clang::CXXMethodDecl* base : method->overridden_methods()) {
     if (!unit.source.in_package(base->getLocation())) continue;
-    const Key other = parameter < 0 ? declare_result(unit, base) : declare(unit, base->getParamDecl(parameter));
+    const Key other =
+        parameter < 0 ? declare_result(unit, base) : declare(unit, base->getParamDecl(parameter));
     if (!other.empty()) add_flow(unit, key, other, function->getLocation(), "overrides a function");
   }
 }
@@ -114,7 +117,8 @@ void check_member(Unit& unit, const clang::FieldDecl* field, Entity& entity) {
   entity.record = usr_of(field->getParent());
   if (entity.carrier == Carrier::message && field->getAccess() != clang::AS_private &&
       is_exported(unit, field->getLocation()))
-    add(entity, {codes::TZC1005, "the member '" + entity.name + "' is part of a header that other packages may include",
+    add(entity, {codes::TZC1005,
+                 "the member '" + entity.name + "' is part of a header that other packages may include",
                  entity.where});
 }
 
@@ -146,7 +150,8 @@ std::string record_usr_of(const clang::FunctionDecl* function) {
   const clang::DeclContext* context = function;
   while (context && !context->isTranslationUnit()) {
     const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(context);
-    if (method && !method->getParent()->isLambda()) return method->isStatic() ? "" : usr_of(method->getParent());
+    if (method && !method->getParent()->isLambda())
+      return method->isStatic() ? "" : usr_of(method->getParent());
     context = context->getParent();
   }
   return "";
@@ -157,11 +162,13 @@ bool is_package_function(Unit& unit, const clang::FunctionDecl* function) {
 }
 
 Key declare(Unit& unit, const clang::ValueDecl* decl) {
-  if (!llvm::isa<clang::VarDecl, clang::FieldDecl>(decl) || !unit.source.in_package(decl->getLocation())) return {};
+  if (!llvm::isa<clang::VarDecl, clang::FieldDecl>(decl) || !unit.source.in_package(decl->getLocation()))
+    return {};
   const std::optional<Carried> carried = carried_by(decl->getType(), unit.rules);
   if (!carried) return {};
   const Key key = key_of(unit, decl);
-  Entity& entity = entity_at(unit, key, *carried, home_of(decl), decl->getNameAsString(), decl->getLocation());
+  Entity& entity =
+      entity_at(unit, key, *carried, home_of(decl), decl->getNameAsString(), decl->getLocation());
   check_type(*carried, entity);
   const clang::CXXRecordDecl* record = decl->getType().getNonReferenceType()->getAsCXXRecordDecl();
   entity.plain = record && unit.rules.find_class(qualified_name_of(record)) != nullptr;
@@ -200,7 +207,8 @@ Key declare_temporary(Unit& unit, const clang::Expr* expr) {
   return key;
 }
 
-void add_flow(Unit& unit, const Key& from, const Key& to, clang::SourceLocation where, const std::string& what) {
+void add_flow(Unit& unit, const Key& from, const Key& to, clang::SourceLocation where,
+              const std::string& what) {
   if (from.empty() || to.empty() || from == to) return;
   unit.facts.flows.push_back({from, to, location_of(unit.source.where(where)), what});
 }

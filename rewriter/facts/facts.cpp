@@ -12,10 +12,13 @@ bool same(const Place& a, const Place& b) {
   return std::tie(a.begin, a.end, a.file) == std::tie(b.begin, b.end, b.file);
 }
 
-bool same(const Change& a, const Change& b) { return same(a.where, b.where) && a.text == b.text; }
+bool same(const Change& a, const Change& b) {
+  return same(a.where, b.where) && a.text == b.text;
+}
 
 bool same(const Obstacle& a, const Obstacle& b) {
-  return a.code == b.code && a.reason == b.reason && a.where.line == b.where.line && a.where.file == b.where.file;
+  return a.code == b.code && a.reason == b.reason && a.where.line == b.where.line &&
+         a.where.file == b.where.file;
 }
 
 template <class T>
@@ -40,7 +43,8 @@ void unite(std::map<Key, Entity>& into, std::map<Key, Entity>& from) {
   }
 }
 
-void unite(std::map<std::string, std::set<std::string>>& into, std::map<std::string, std::set<std::string>>& from) {
+void unite(std::map<std::string, std::set<std::string>>& into,
+           std::map<std::string, std::set<std::string>>& from) {
   for (auto& [key, values] : from) into[key].insert(values.begin(), values.end());
 }
 

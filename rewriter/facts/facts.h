@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What is known about a package after parsing it: plain values, keyed by USR or by place, so that the facts of many
-// translation units merge by key and a header that is seen twice counts once.
+// What is known about a package after parsing it: plain values, keyed by USR or by place, so that the facts
+// of many translation units merge by key and a header that is seen twice counts once.
 
 #include <map>
 #include <optional>
@@ -27,7 +27,9 @@ struct Place {
   unsigned column = 0;
 };
 
-inline Location location_of(const Place& place) { return {place.file, place.line, place.column}; }
+inline Location location_of(const Place& place) {
+  return {place.file, place.line, place.column};
+}
 
 /// An edit that is made when what it belongs to is ported. `$PUB` in the text stands for the publisher.
 struct Change {
@@ -47,7 +49,8 @@ struct Obstacle {
 enum class Carrier { message, publisher, filter };
 enum class Home { local, member, global, parameter, result, temporary };
 
-/// A variable, member, parameter, function result or temporary that carries a message, a publisher or a filter.
+/// A variable, member, parameter, function result or temporary that carries a message, a publisher or a
+/// filter.
 struct Entity {
   Key key;
   Carrier carrier = Carrier::message;
@@ -85,17 +88,17 @@ struct PublisherName {
 /// Where a message comes into being, and where `allocate` can be said for it.
 struct Birth {
   Key entity;
-  std::optional<Place> at;  ///< insertion point; none: nowhere
-  std::string object;       ///< "image", "*image"
-  std::string indent;       ///< of the inserted line
-  bool own_line = true;     ///< the inserted statement gets a line of its own
-  bool before = false;      ///< the insertion stands before the statement at `at`, not behind it
-  bool filled = false;      ///< it already has content there, which allocate would copy
-  bool adapter = false;     ///< the message is built by a library call that is replaced (uses $PUB)
-  std::vector<Change> changes;             ///< of an adapter
-  std::vector<PublisherName> publishers;   ///< that publish it in this function and can be named here
-  std::string record;                      ///< USR of the class whose `this` can be used here
-  std::string function;                    ///< USR
+  std::optional<Place> at;      ///< insertion point; none: nowhere
+  std::string object;           ///< "image", "*image"
+  std::string indent;           ///< of the inserted line
+  bool own_line = true;         ///< the inserted statement gets a line of its own
+  bool before = false;          ///< the insertion stands before the statement at `at`, not behind it
+  bool filled = false;          ///< it already has content there, which allocate would copy
+  bool adapter = false;         ///< the message is built by a library call that is replaced (uses $PUB)
+  std::vector<Change> changes;  ///< of an adapter
+  std::vector<PublisherName> publishers;  ///< that publish it in this function and can be named here
+  std::string record;                     ///< USR of the class whose `this` can be used here
+  std::string function;                   ///< USR
   Location where;
 };
 
@@ -126,7 +129,7 @@ struct Publish {
   bool in_void_function = false;
   bool in_block = false;  ///< the statement stands in a block of its own
   bool heavy = true;
-  bool pcl = false;       ///< a pcl::PointCloud or a cv_bridge::CvImage is published as such
+  bool pcl = false;  ///< a pcl::PointCloud or a cv_bridge::CvImage is published as such
   bool nested_only = false;
   std::vector<Obstacle> obstacles;
 };
@@ -137,10 +140,10 @@ struct Subscribe {
   std::string type;
   std::optional<std::string> topic;
   bool heavy = true;
-  bool writes = false;        ///< a callback may write to the message
-  std::vector<Key> callbacks; ///< the parameters that receive the message
-  Key filter;                 ///< the filter object that must be ported with it
-  std::string scope;          ///< USR of the class around it
+  bool writes = false;         ///< a callback may write to the message
+  std::vector<Key> callbacks;  ///< the parameters that receive the message
+  Key filter;                  ///< the filter object that must be ported with it
+  std::string scope;           ///< USR of the class around it
   std::vector<Change> changes;
   std::string rule;
   std::vector<Obstacle> obstacles;
@@ -162,12 +165,13 @@ struct Facts {
   std::map<std::string, Publish> publishes;
   std::map<std::string, Subscribe> subscribes;
   std::vector<DataUse> data_uses;
-  std::map<std::string, std::set<std::string>> bases;  ///< record USR -> USRs of its base classes
+  std::map<std::string, std::set<std::string>> bases;          ///< record USR -> USRs of its base classes
   std::map<std::string, std::set<std::string>> units_of_file;  ///< package file -> main files that include it
-  std::map<std::string, std::vector<PackageCall>> calls;  ///< unit id -> what overload resolution picked
+  std::map<std::string, std::vector<PackageCall>> calls;       ///< unit id -> what overload resolution picked
   std::vector<Note> notes;
   std::vector<Place> skipped;  ///< preprocessor branches that a unit does not compile
-  std::set<std::string> writing_filter_scopes;  ///< functions or classes that register a callback that may write
+  std::set<std::string>
+      writing_filter_scopes;  ///< functions or classes that register a callback that may write
 
   /// Adds what another unit saw; the same entity or site counts once.
   void merge(Facts&& other);

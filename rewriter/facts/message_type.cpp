@@ -14,7 +14,8 @@ std::string qualified_name_of(const clang::NamedDecl* decl) {
        context = context->getParent()) {
     const auto* space = llvm::dyn_cast<clang::NamedDecl>(context);
     const auto* as_namespace = llvm::dyn_cast<clang::NamespaceDecl>(context);
-    if (!space || (as_namespace && (as_namespace->isInline() || as_namespace->isAnonymousNamespace()))) continue;
+    if (!space || (as_namespace && (as_namespace->isInline() || as_namespace->isAnonymousNamespace())))
+      continue;
     name = space->getNameAsString() + "::" + name;
   }
   return name + decl->getNameAsString();
@@ -44,17 +45,19 @@ clang::QualType first_argument(const clang::ClassTemplateSpecializationDecl* dec
 bool has_message_shape(const clang::ClassTemplateSpecializationDecl* decl) {
   if (!decl || !decl->getName().ends_with("_") || decl->getTemplateArgs().size() != 1) return false;
   if (!llvm::isa_and_nonnull<clang::NamespaceDecl>(decl->getDeclContext())) return false;
-  return llvm::any_of(decl->getSpecializedTemplate()->getTemplatedDecl()->decls(), [](const clang::Decl* member) {
-    const auto* name = llvm::dyn_cast<clang::TypedefNameDecl>(member);
-    return name && name->getName() == "ConstPtr";
-  });
+  return llvm::any_of(decl->getSpecializedTemplate()->getTemplatedDecl()->decls(),
+                      [](const clang::Decl* member) {
+                        const auto* name = llvm::dyn_cast<clang::TypedefNameDecl>(member);
+                        return name && name->getName() == "ConstPtr";
+                      });
 }
 
 bool is_fixed_length(clang::QualType type);
 bool is_fixed_pattern(clang::QualType type, unsigned depth);
 
 bool all_fields_fixed(const clang::CXXRecordDecl* record) {
-  return llvm::all_of(record->fields(), [](const clang::FieldDecl* f) { return is_fixed_pattern(f->getType(), 0); });
+  return llvm::all_of(record->fields(),
+                      [](const clang::FieldDecl* f) { return is_fixed_pattern(f->getType(), 0); });
 }
 
 bool is_fixed_length(clang::QualType type) {
@@ -87,18 +90,21 @@ void look_into(clang::QualType type, bool nested, MessageType& message) {
     const clang::CXXRecordDecl* fields = templated->hasDefinition()
                                              ? templated->getDefinition()
                                              : templated->getSpecializedTemplate()->getTemplatedDecl();
-    for (const clang::FieldDecl* field : fields->fields()) look_into_pattern(field->getType(), nested, message, 0);
+    for (const clang::FieldDecl* field : fields->fields())
+      look_into_pattern(field->getType(), nested, message, 0);
   }
 }
 
-// A message that is only used by pointer is not instantiated: then its template tells, whose types are dependent.
+// A message that is only used by pointer is not instantiated: then its template tells, whose types are
+// dependent.
 
 const clang::TemplateSpecializationType* template_type_of(clang::QualType type) {
   return type->getAs<clang::TemplateSpecializationType>();
 }
 
 const clang::ClassTemplateDecl* template_decl_of(const clang::TemplateSpecializationType* type) {
-  return type ? llvm::dyn_cast_or_null<clang::ClassTemplateDecl>(type->getTemplateName().getAsTemplateDecl()) : nullptr;
+  return type ? llvm::dyn_cast_or_null<clang::ClassTemplateDecl>(type->getTemplateName().getAsTemplateDecl())
+              : nullptr;
 }
 
 bool is_fixed_pattern(clang::QualType type, unsigned depth) {
@@ -109,8 +115,9 @@ bool is_fixed_pattern(clang::QualType type, unsigned depth) {
   if (decl->getName() == "array")
     return is_fixed_pattern(written->template_arguments()[0].getAsType(), depth + 1);
   if (!decl->getName().ends_with("_")) return false;
-  return llvm::all_of(decl->getTemplatedDecl()->fields(),
-                      [&](const clang::FieldDecl* field) { return is_fixed_pattern(field->getType(), depth + 1); });
+  return llvm::all_of(decl->getTemplatedDecl()->fields(), [&](const clang::FieldDecl* field) {
+    return is_fixed_pattern(field->getType(), depth + 1);
+  });
 }
 
 void look_into_pattern(clang::QualType type, bool nested, MessageType& message, unsigned depth) {
@@ -139,14 +146,15 @@ bool is_known_wrapper(const clang::CXXRecordDecl* record) {
          own.count(name);
 }
 
-std::optional<Carried> carried_by_template(const clang::ClassTemplateSpecializationDecl* decl, const RuleSet& rules,
-                                           unsigned depth);
+std::optional<Carried> carried_by_template(const clang::ClassTemplateSpecializationDecl* decl,
+                                           const RuleSet& rules, unsigned depth);
 
 std::optional<Carried> carried_at(clang::QualType type, const RuleSet& rules, unsigned depth) {
   if (type.isNull() || depth > 6) return {};
   type = type.getNonReferenceType().getCanonicalType();
   if (type->isPointerType()) return carried_at(type->getPointeeType(), rules, depth + 1);
-  if (const auto* array = type->getAsArrayTypeUnsafe()) return carried_at(array->getElementType(), rules, depth + 1);
+  if (const auto* array = type->getAsArrayTypeUnsafe())
+    return carried_at(array->getElementType(), rules, depth + 1);
   const clang::CXXRecordDecl* record = record_of(type);
   if (!record) return {};
   if (const ClassRename* rename = rules.find_class(qualified_name_of(record))) {
@@ -162,8 +170,8 @@ std::optional<Carried> carried_at(clang::QualType type, const RuleSet& rules, un
   return carried_by_template(llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record), rules, depth);
 }
 
-std::optional<Carried> carried_by_template(const clang::ClassTemplateSpecializationDecl* decl, const RuleSet& rules,
-                                           unsigned depth) {
+std::optional<Carried> carried_by_template(const clang::ClassTemplateSpecializationDecl* decl,
+                                           const RuleSet& rules, unsigned depth) {
   if (!decl || !is_known_wrapper(decl) || decl->getName() == "function") return {};
   for (const clang::TemplateArgument& argument : decl->getTemplateArgs().asArray()) {
     if (argument.getKind() == clang::TemplateArgument::Type)
@@ -195,14 +203,18 @@ std::optional<MessageType> message_of(const clang::CXXRecordDecl* record) {
   return message;
 }
 
-std::optional<MessageType> message_of(clang::QualType type) { return message_of(record_of(type)); }
+std::optional<MessageType> message_of(clang::QualType type) {
+  return message_of(record_of(type));
+}
 
 bool is_data_array(clang::QualType type) {
   const auto* templated = specialization_of(type);
   return is_std_template(templated, "vector") && is_fixed_length(first_argument(templated));
 }
 
-std::optional<Carried> carried_by(clang::QualType type, const RuleSet& rules) { return carried_at(type, rules, 0); }
+std::optional<Carried> carried_by(clang::QualType type, const RuleSet& rules) {
+  return carried_at(type, rules, 0);
+}
 
 clang::QualType pointee_of(clang::QualType type) {
   if (type.isNull()) return {};
@@ -225,17 +237,25 @@ bool is_or_points_to(clang::QualType type, const char* name) {
 
 }  // namespace
 
-bool is_pcl_cloud(clang::QualType type) { return is_or_points_to(type, "pcl::PointCloud"); }
+bool is_pcl_cloud(clang::QualType type) {
+  return is_or_points_to(type, "pcl::PointCloud");
+}
 
-bool is_cv_image(clang::QualType type) { return is_or_points_to(type, "cv_bridge::CvImage"); }
+bool is_cv_image(clang::QualType type) {
+  return is_or_points_to(type, "cv_bridge::CvImage");
+}
 
 std::string stock_name(const std::string& message) {
   const std::size_t slash = message.find('/');
   return message.substr(0, slash) + "::" + message.substr(slash + 1);
 }
 
-std::string twin_name(const std::string& message) { return "tzc::" + stock_name(message); }
+std::string twin_name(const std::string& message) {
+  return "tzc::" + stock_name(message);
+}
 
-std::string twin_header(const std::string& message) { return "tzc/" + message + ".h"; }
+std::string twin_header(const std::string& message) {
+  return "tzc/" + message + ".h";
+}
 
 }  // namespace tzc::rewriter

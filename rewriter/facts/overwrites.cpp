@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `image.data.resize(n)` fills with zeros, and keeps doing so, unless what follows provably writes all n elements:
+// `image.data.resize(n)` fills with zeros, and keeps doing so, unless what follows provably writes all n
+// elements:
 //   image.data.resize(n);
-//   memcpy(&image.data[0], pixels, n);      // or of image.data.size() bytes, or std::fill over begin() ... end()
+//   memcpy(&image.data[0], pixels, n);      // or of image.data.size() bytes, or std::fill over begin() ...
+//   end()
 #include <clang/AST/ParentMapContext.h>
 
 #include "facts/unit.h"
@@ -9,9 +11,13 @@
 namespace tzc::rewriter {
 namespace {
 
-const clang::Expr* bare(const clang::Expr* expr) { return expr->IgnoreParenCasts(); }
+const clang::Expr* bare(const clang::Expr* expr) {
+  return expr->IgnoreParenCasts();
+}
 
-std::string text_of(Unit& unit, const clang::Expr* expr) { return unit.source.text(bare(expr)->getSourceRange()); }
+std::string text_of(Unit& unit, const clang::Expr* expr) {
+  return unit.source.text(bare(expr)->getSourceRange());
+}
 
 /// Without white space, to compare expressions.
 std::string squeezed(const std::string& text) {
@@ -60,7 +66,8 @@ bool overwrites(Unit& unit, const clang::Stmt* statement, const std::string& arr
 /// A simple statement that can neither leave the function nor touch the array.
 bool is_harmless(Unit& unit, const clang::Stmt* statement, const std::string& array) {
   if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(statement))
-    return op->isAssignmentOp() && squeezed(unit.source.text(op->getSourceRange())).find(array) == std::string::npos;
+    return op->isAssignmentOp() &&
+           squeezed(unit.source.text(op->getSourceRange())).find(array) == std::string::npos;
   return false;
 }
 
@@ -81,7 +88,8 @@ void collect_overwrite(Unit& unit, const clang::CXXMemberCallExpr* resize, const
   for (const clang::Stmt* statement : block->body()) {
     if (behind_it && overwrites(unit, statement, array, size, bytes, is_stable(resize->getArg(0)))) {
       const Place at{behind->file, behind->end, behind->end, behind->line, behind->column};
-      for (const Key& key : keys) unit.facts.uses.push_back({key, {at, ", tzc::uninitialized", "uninitialized", {}}});
+      for (const Key& key : keys)
+        unit.facts.uses.push_back({key, {at, ", tzc::uninitialized", "uninitialized", {}}});
       return;
     }
     if (behind_it && !is_harmless(unit, statement, array)) return;

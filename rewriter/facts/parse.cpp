@@ -46,7 +46,8 @@ class Errors : public clang::DiagnosticConsumer {
     if (presumed.isInvalid()) return {};
     std::string file = presumed.getFilename();
     if (const auto entry = manager.getFileEntryRefForID(manager.getFileID(at)))
-      if (const llvm::StringRef real = entry->getFileEntry().tryGetRealPathName(); !real.empty()) file = real.str();
+      if (const llvm::StringRef real = entry->getFileEntry().tryGetRealPathName(); !real.empty())
+        file = real.str();
     return {file, presumed.getLine(), presumed.getColumn()};
   }
 
@@ -64,8 +65,9 @@ class Branches : public clang::PPCallbacks {
     if (manager_.isInSystemHeader(begin)) return;
     const auto entry = manager_.getFileEntryRefForID(manager_.getFileID(begin));
     if (!entry) return;
-    skipped_.push_back({entry->getFileEntry().tryGetRealPathName().str(), manager_.getSpellingLineNumber(begin),
-                        manager_.getFileOffset(begin), manager_.getFileOffset(range.getEnd())});
+    skipped_.push_back({entry->getFileEntry().tryGetRealPathName().str(),
+                        manager_.getSpellingLineNumber(begin), manager_.getFileOffset(begin),
+                        manager_.getFileOffset(range.getEnd())});
   }
 
  private:
@@ -95,7 +97,8 @@ class Action : public clang::ASTFrontendAction {
   Action(const ParseOptions& options, const Then& then, ParseResult& result)
       : options_(options), then_(then), result_(result) {}
 
-  std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler, llvm::StringRef) override {
+  std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler,
+                                                        llvm::StringRef) override {
     compiler.getPreprocessor().addPPCallbacks(
         std::make_unique<Branches>(compiler.getSourceManager(), result_.skipped));
     compiler.getFrontendOpts().SkipFunctionBodies = !options_.skip_bodies_outside.empty();
@@ -109,8 +112,11 @@ class Action : public clang::ASTFrontendAction {
 };
 
 /// Old ROS code and its libraries do not parse without these.
-constexpr const char* leniency[] = {"-w", "-fno-caret-diagnostics", "-Wno-enum-constexpr-conversion",
-                                    "-Wno-missing-template-arg-list-after-template-kw", "-Wno-dynamic-exception-spec",
+constexpr const char* leniency[] = {"-w",
+                                    "-fno-caret-diagnostics",
+                                    "-Wno-enum-constexpr-conversion",
+                                    "-Wno-missing-template-arg-list-after-template-kw",
+                                    "-Wno-dynamic-exception-spec",
                                     "-Wno-register"};
 
 std::vector<std::string> command_line(const CompileUnit& unit, const ParseOptions& options) {
@@ -127,7 +133,8 @@ std::vector<std::string> command_line(const CompileUnit& unit, const ParseOption
   return line;
 }
 
-llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> files_of(const CompileUnit& unit, const ParseOptions& options) {
+llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> files_of(const CompileUnit& unit,
+                                                         const ParseOptions& options) {
   auto files = llvm::makeIntrusiveRefCnt<llvm::vfs::OverlayFileSystem>(
       llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem>(llvm::vfs::createPhysicalFileSystem().release()));
   auto memory = llvm::makeIntrusiveRefCnt<llvm::vfs::InMemoryFileSystem>();

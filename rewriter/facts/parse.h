@@ -50,7 +50,7 @@ struct ParseResult {
 };
 
 struct ParseOptions {
-  FileContents overlay;             ///< path -> content that stands for the file's own
+  FileContents overlay;                   ///< path -> content that stands for the file's own
   std::vector<std::string> include_dirs;  ///< searched last
   std::string skip_bodies_outside;  ///< function bodies outside this folder are not parsed; empty: all are
   bool all_errors = false;

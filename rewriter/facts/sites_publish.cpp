@@ -74,7 +74,8 @@ void describe_message(Unit& unit, const clang::Expr* argument, Publish& site) {
 }
 
 std::string object_text(Unit& unit, const clang::Expr* argument) {
-  if (!argument->isLValue() || llvm::isa<clang::CallExpr>(argument) != llvm::isa<clang::CXXOperatorCallExpr>(argument))
+  if (!argument->isLValue() ||
+      llvm::isa<clang::CallExpr>(argument) != llvm::isa<clang::CXXOperatorCallExpr>(argument))
     return "";
   const std::string text = unit.source.text(argument->getSourceRange());
   return pointee_of(argument->getType()).isNull() ? text : "*" + text;
@@ -116,7 +117,8 @@ clang::QualType advertised_type(Unit& unit, const clang::CXXMemberCallExpr* call
   if (!method->getTemplateSpecializationArgs() && written_arguments(call) == 1)
     return options_message(unit, call->getArg(0)).value_or(clang::QualType());
   const clang::TemplateArgumentList* arguments = method->getTemplateSpecializationArgs();
-  if (!arguments || arguments->size() == 0 || (*arguments)[0].getKind() != clang::TemplateArgument::Type) return {};
+  if (!arguments || arguments->size() == 0 || (*arguments)[0].getKind() != clang::TemplateArgument::Type)
+    return {};
   return (*arguments)[0].getAsType();
 }
 
@@ -127,7 +129,8 @@ std::optional<Place> behind_argument(Unit& unit, const clang::CallExpr* call, un
   return place;
 }
 
-void change_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const MethodCall& rule, Advertise& site) {
+void change_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const MethodCall& rule,
+                      Advertise& site) {
   std::string to = rule.to;
   if (rule.role == MethodCall::Role::advertise) {
     const std::string written = written_template_arguments(unit, call);
@@ -136,7 +139,8 @@ void change_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const Me
   }
   site.changes = receiver_first(unit, call, to, rule.rule, rule.header);
   if (site.changes.empty()) {
-    site.obstacles.push_back({codes::TZC1006, "the advertise call comes from a macro", location_of(site.where)});
+    site.obstacles.push_back(
+        {codes::TZC1006, "the advertise call comes from a macro", location_of(site.where)});
     return;
   }
   if (!site.no_twin && rule.role == MethodCall::Role::advertise)
@@ -170,9 +174,11 @@ void collect_publish(Unit& unit, const clang::CXXMemberCallExpr* call) {
   site.object = object_text(unit, argument);
   describe_publisher(unit, call, site);
   if (is_single_subscriber(qualified_name_of(call->getRecordDecl())))
-    site.obstacles.push_back({codes::TZC1014, "the message is sent to one subscriber only", location_of(site.where)});
+    site.obstacles.push_back(
+        {codes::TZC1014, "the message is sent to one subscriber only", location_of(site.where)});
   else if (site.publisher.empty())
-    site.obstacles.push_back({codes::TZC1017, "the publisher is not one of the package", location_of(site.where)});
+    site.obstacles.push_back(
+        {codes::TZC1017, "the publisher is not one of the package", location_of(site.where)});
   unit.facts.publishes.emplace(id_of(site.where, site.type), site);
 }
 
@@ -187,8 +193,8 @@ void collect_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const M
     if (!type.isNull())
       describe_type(type, site);
     else
-      site.obstacles.push_back({codes::TZC1012, "the options of this call say what is advertised",
-                                location_of(site.where)});
+      site.obstacles.push_back(
+          {codes::TZC1012, "the options of this call say what is advertised", location_of(site.where)});
   }
   if (written_arguments(call) > 0) site.topic = constant_string(call->getArg(0));
   site.queue = written_text(unit, call, 1);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <clang/AST/ParentMapContext.h>
+
 #include "facts/unit.h"
 #include "report/codes.h"
 
@@ -89,7 +91,9 @@ void describe(const Parameter& parameter, Subscribe& site) {
   site.writes = parameter.writes;
 }
 
-bool is_image_callback(const MethodCall& rule) { return rule.role == MethodCall::Role::subscribe_transport; }
+bool is_image_callback(const MethodCall& rule) {
+  return rule.role == MethodCall::Role::subscribe_transport;
+}
 
 std::optional<MessageType> filter_message(const clang::CXXRecordDecl* record) {
   const auto* templated = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
@@ -118,7 +122,9 @@ void add_filter_site(Unit& unit, const clang::Expr* expr, const clang::CXXRecord
   unit.facts.subscribes.emplace(id_of(site), site);
 }
 
-Key filter_key(const Sources& sources) { return sources.keys.empty() ? Key() : sources.keys[0]; }
+Key filter_key(const Sources& sources) {
+  return sources.keys.empty() ? Key() : sources.keys[0];
+}
 
 }  // namespace
 
@@ -162,9 +168,30 @@ void collect_filter(Unit& unit, const clang::CXXConstructExpr* construct, const 
   add_filter_site(unit, construct, construct->getConstructor()->getParent(), arguments, filter);
 }
 
-void collect_made_filter(Unit& unit, const clang::CallExpr* call, const clang::CXXRecordDecl* record, const Key& filter) {
+void collect_made_filter(Unit& unit, const clang::CallExpr* call, const clang::CXXRecordDecl* record,
+                         const Key& filter) {
   if (call->getNumArgs() < 2) return;
-  add_filter_site(unit, call, record, llvm::ArrayRef<const clang::Expr*>(call->getArgs(), call->getNumArgs()), filter);
+  add_filter_site(unit, call, record, llvm::ArrayRef<const clang::Expr*>(call->getArgs(), call->getNumArgs()),
+                  filter);
+}
+
+Key filter_of(Unit& unit, const clang::CXXConstructExpr* construct) {
+  clang::DynTypedNode node = clang::DynTypedNode::create(*construct);
+  for (;;) {
+    const auto parents = unit.ast().getParents(node);
+    if (parents.empty()) return {};
+    node = parents[0];
+    if (const auto* variable = node.get<clang::VarDecl>()) return declare(unit, variable);
+    if (const auto* created = node.get<clang::CXXNewExpr>()) return declare_temporary(unit, created);
+    if (const auto* call = node.get<clang::CallExpr>())
+      return makes_object(call) ? declare_temporary(unit, call) : Key();
+    if (const auto* constructor = node.get<clang::CXXConstructorDecl>()) {
+      for (const clang::CXXCtorInitializer* initializer : constructor->inits())
+        if (initializer->getInit()->IgnoreImplicit() == construct && initializer->getMember())
+          return declare(unit, initializer->getMember());
+      return {};
+    }
+  }
 }
 
 void collect_registered_callback(Unit& unit, const clang::CXXMemberCallExpr* call) {
@@ -180,7 +207,8 @@ void note_writing_callback(Unit& unit, const clang::Stmt* stmt, const std::strin
     if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(reference->getDecl()))
       for (const clang::ParmVarDecl* parameter : function->parameters()) {
         const Parameter one = parameter_of(parameter->getType());
-        if (one.message && one.writes) unit.facts.writing_filter_scopes.insert(scope + " " + one.message->name);
+        if (one.message && one.writes)
+          unit.facts.writing_filter_scopes.insert(scope + " " + one.message->name);
       }
   for (const clang::Stmt* child : stmt->children()) note_writing_callback(unit, child, scope);
 }

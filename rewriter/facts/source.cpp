@@ -72,7 +72,9 @@ std::optional<Place> Source::before(clang::SourceLocation location) const {
   return result;
 }
 
-Place Source::where(clang::SourceLocation location) const { return make(manager_.getFileLoc(location), 0); }
+Place Source::where(clang::SourceLocation location) const {
+  return make(manager_.getFileLoc(location), 0);
+}
 
 std::string Source::text(clang::SourceRange tokens) const {
   const clang::CharSourceRange range = clang::Lexer::makeFileCharRange(
@@ -105,9 +107,11 @@ std::optional<Place> Source::behind(clang::SourceRange tokens) const {
 
 std::optional<Place> Source::line_end(const Place& place) const {
   const llvm::StringRef content = buffer(place);
-  const llvm::StringRef line = content.substr(place.end).take_until([](char c) { return c == '\n' || c == '\r'; });
+  const llvm::StringRef line =
+      content.substr(place.end).take_until([](char c) { return c == '\n' || c == '\r'; });
   const llvm::StringRef rest = line.trim();
-  const bool comment = rest.starts_with("//") || (rest.starts_with("/*") && rest.find("*/") == rest.size() - 2);
+  const bool comment =
+      rest.starts_with("//") || (rest.starts_with("/*") && rest.find("*/") == rest.size() - 2);
   if (!rest.empty() && !comment) return {};
   Place end = place;
   end.begin = end.end = place.end + static_cast<unsigned>(line.rtrim(" \t").size());

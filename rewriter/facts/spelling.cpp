@@ -44,7 +44,8 @@ void add_change(Entity& entity, Place where, const Spelling& spelling, const std
                                   ? spelling.text.substr(5, spelling.text.find("::", 5) - 5) + "::"
                                   : "";
   const bool same_name = spelling.text == prefix + old_text;
-  const bool same_package = spelling.rule == "message-type" && !package.empty() && old_text.rfind(package, 0) == 0;
+  const bool same_package =
+      spelling.rule == "message-type" && !package.empty() && old_text.rfind(package, 0) == 0;
   if (same_name || same_package) {
     change.where.end = change.where.begin;
     change.text = prefix;
@@ -57,7 +58,8 @@ void add_change(Entity& entity, Place where, const Spelling& spelling, const std
   entity.changes.push_back(std::move(change));
 }
 
-void obstruct(Unit& unit, Entity& entity, const char* code, const std::string& reason, clang::SourceLocation where) {
+void obstruct(Unit& unit, Entity& entity, const char* code, const std::string& reason,
+              clang::SourceLocation where) {
   for (const Obstacle& known : entity.obstacles)
     if (known.code == code) return;
   entity.obstacles.push_back({code, reason, location_of(unit.source.where(where))});
@@ -82,12 +84,13 @@ void retype_template(Unit& unit, clang::TemplateSpecializationTypeLoc type, clan
 }
 
 void retype_name(Unit& unit, clang::TypeLoc type, clang::SourceRange tokens, Entity& entity) {
-  if (type.getAs<clang::SubstTemplateTypeParmTypeLoc>() || type.getAs<clang::TemplateTypeParmTypeLoc>()) return;
+  if (type.getAs<clang::SubstTemplateTypeParmTypeLoc>() || type.getAs<clang::TemplateTypeParmTypeLoc>())
+    return;
   if (const auto spelling = ported_name(unit, type.getType()); spelling && !spelling->text.empty())
     return change_name(unit, tokens, *spelling, entity);
   if (carried_by(type.getType(), unit.rules))
-    obstruct(unit, entity, codes::TZC1005, "its type hides behind the name '" + unit.source.text(tokens) + "'",
-             tokens.getBegin());
+    obstruct(unit, entity, codes::TZC1005,
+             "its type hides behind the name '" + unit.source.text(tokens) + "'", tokens.getBegin());
 }
 
 }  // namespace
@@ -97,11 +100,14 @@ void retype(Unit& unit, clang::TypeLoc type, Entity& entity) {
   if (type.isNull() || tokens.isInvalid()) return;
   if (const auto qualified = type.getAs<clang::QualifiedTypeLoc>())
     return retype(unit, qualified.getUnqualifiedLoc(), entity);
-  if (const auto pointer = type.getAs<clang::PointerTypeLoc>()) return retype(unit, pointer.getPointeeLoc(), entity);
+  if (const auto pointer = type.getAs<clang::PointerTypeLoc>())
+    return retype(unit, pointer.getPointeeLoc(), entity);
   if (const auto reference = type.getAs<clang::ReferenceTypeLoc>())
     return retype(unit, reference.getPointeeLoc(), entity);
-  if (const auto array = type.getAs<clang::ArrayTypeLoc>()) return retype(unit, array.getElementLoc(), entity);
-  if (const auto parens = type.getAs<clang::ParenTypeLoc>()) return retype(unit, parens.getInnerLoc(), entity);
+  if (const auto array = type.getAs<clang::ArrayTypeLoc>())
+    return retype(unit, array.getElementLoc(), entity);
+  if (const auto parens = type.getAs<clang::ParenTypeLoc>())
+    return retype(unit, parens.getInnerLoc(), entity);
   if (type.getAs<clang::AutoTypeLoc>() || type.getAs<clang::DecltypeTypeLoc>()) return;
   const auto elaborated = type.getAs<clang::ElaboratedTypeLoc>();
   const clang::TypeLoc named = elaborated ? elaborated.getNamedTypeLoc() : type;

@@ -53,7 +53,8 @@ struct Unit {
   clang::ASTContext& ast() const { return source.ast(); }
 };
 
-// Names ------------------------------------------------------------------------------------------------------------
+// Names
+// ------------------------------------------------------------------------------------------------------------
 
 std::string qualified_name_of(const clang::NamedDecl* decl);
 std::string usr_of(const clang::Decl* decl);
@@ -63,9 +64,11 @@ const clang::FunctionDecl* pattern_of(const clang::FunctionDecl* function);
 const clang::FunctionDecl* function_around(Unit& unit, const clang::Stmt& stmt);
 std::string record_usr_of(const clang::FunctionDecl* function);
 
-// Entities ---------------------------------------------------------------------------------------------------------
+// Entities
+// ---------------------------------------------------------------------------------------------------------
 
-/// The entity of a variable, member or parameter of the package, made known to the facts. Empty: it carries nothing.
+/// The entity of a variable, member or parameter of the package, made known to the facts. Empty: it carries
+/// nothing.
 Key declare(Unit& unit, const clang::ValueDecl* decl);
 /// The entity of a function's result. Empty: it carries nothing.
 Key declare_result(Unit& unit, const clang::FunctionDecl* function);
@@ -76,7 +79,8 @@ bool is_package_function(Unit& unit, const clang::FunctionDecl* function);
 /// Adds to `entity` the edits that give `type` its ported spelling, or the obstacles.
 void retype(Unit& unit, clang::TypeLoc type, Entity& entity);
 
-// Values -----------------------------------------------------------------------------------------------------------
+// Values
+// -----------------------------------------------------------------------------------------------------------
 
 /// Which entities an expression's value comes from.
 struct Sources {
@@ -85,7 +89,8 @@ struct Sources {
 };
 Sources sources_of(Unit& unit, const clang::Expr* expr);
 
-void add_flow(Unit& unit, const Key& from, const Key& to, clang::SourceLocation where, const std::string& what);
+void add_flow(Unit& unit, const Key& from, const Key& to, clang::SourceLocation where,
+              const std::string& what);
 void add_obstacle(Unit& unit, const Key& key, const char* code, const std::string& reason,
                   clang::SourceLocation where);
 
@@ -96,7 +101,8 @@ bool makes_object(const clang::CallExpr* call);
 /// std::move and its likes: the result is the argument.
 bool passes_through(const clang::FunctionDecl* function);
 
-// Calls ------------------------------------------------------------------------------------------------------------
+// Calls
+// ------------------------------------------------------------------------------------------------------------
 
 /// The object of a member call as it is written, without the arrow's dereference.
 struct Receiver {
@@ -110,14 +116,20 @@ std::vector<Change> receiver_first(Unit& unit, const clang::CXXMemberCallExpr* c
 /// As written between < and >; empty: none written.
 std::string written_template_arguments(Unit& unit, const clang::CXXMemberCallExpr* call);
 std::optional<std::string> constant_string(const clang::Expr* expr);
-/// The message that ros::AdvertiseOptions or SubscribeOptions were made for; none: not to be seen in this function.
+/// The message that ros::AdvertiseOptions or SubscribeOptions were made for; none: not to be seen in this
+/// function.
 std::optional<clang::QualType> options_message(Unit& unit, const clang::Expr* options);
 std::string function_name_around(Unit& unit, const clang::Stmt& stmt);
 
-// Collectors -------------------------------------------------------------------------------------------------------
+// Collectors
+// -------------------------------------------------------------------------------------------------------
 
-/// Whether a cast away from const only serves a field beside the arrays: that part of a view is private memory.
+/// Whether a cast away from const only serves a field beside the arrays: that part of a view is private
+/// memory.
 bool serves_plain_field(Unit& unit, const clang::Expr* cast);
+
+/// const_cast of a message: who receives it may write to it.
+void check_const_cast(Unit& unit, const clang::ExplicitCastExpr* cast);
 
 /// Where a followed value ended up.
 struct Sink {
@@ -133,7 +145,8 @@ Sink follow_use(Unit& unit, const clang::Expr* leaf, const Key& key);
 /// What becomes of a value handed to a function: a flow, an edit, an obstacle.
 enum class Handed { done, result };  ///< result: the call's value is the argument's
 Handed hand_to_call(Unit& unit, const Key& key, const clang::CallExpr* call, unsigned argument);
-Handed hand_to_constructor(Unit& unit, const Key& key, const clang::CXXConstructExpr* construct, unsigned argument);
+Handed hand_to_constructor(Unit& unit, const Key& key, const clang::CXXConstructExpr* construct,
+                           unsigned argument);
 
 bool is_publisher_class(const std::string& name);
 /// A new object: new M, make_shared<M>(), M(), toImageMsg(), and where it went.
@@ -144,8 +157,11 @@ void collect_subscribe(Unit& unit, const clang::CXXMemberCallExpr* call, const M
 /// subscribe() of a filter object.
 void collect_filter(Unit& unit, const clang::CXXMemberCallExpr* call);
 void collect_filter(Unit& unit, const clang::CXXConstructExpr* construct, const Key& filter);
+/// The entity that a constructed filter becomes.
+Key filter_of(Unit& unit, const clang::CXXConstructExpr* construct);
 /// make_shared<message_filters::Subscriber<M>>(nh, "topic", 1)
-void collect_made_filter(Unit& unit, const clang::CallExpr* call, const clang::CXXRecordDecl* record, const Key& filter);
+void collect_made_filter(Unit& unit, const clang::CallExpr* call, const clang::CXXRecordDecl* record,
+                         const Key& filter);
 /// registerCallback() of a filter: whether the callback may write.
 void collect_registered_callback(Unit& unit, const clang::CXXMemberCallExpr* call);
 void note_writing_callback(Unit& unit, const clang::Stmt* stmt, const std::string& scope);

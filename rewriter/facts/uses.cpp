@@ -70,7 +70,8 @@ bool Follower::step() {
 }
 
 bool Follower::into_decl(const clang::Decl* decl) {
-  if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(decl)) return into_initializer(constructor);
+  if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(decl))
+    return into_initializer(constructor);
   const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
   const auto* field = llvm::dyn_cast<clang::FieldDecl>(decl);
   if (!variable && !field) return done();
@@ -119,21 +120,22 @@ bool Follower::into_expression(const clang::Expr* parent) {
   if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(parent)) return into_member(member);
   if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(parent)) return into_operator(op);
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(parent)) return into_call(call);
-  if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(parent)) return into_constructor(construct);
+  if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(parent))
+    return into_constructor(construct);
   if (const auto* cast = llvm::dyn_cast<clang::ExplicitCastExpr>(parent)) return into_cast(cast);
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(parent)) return go_on(op);
   if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(parent)) return into_binary(op);
   if (const auto* choice = llvm::dyn_cast<clang::ConditionalOperator>(parent))
     return choice->getCond() == at_ ? done() : go_on(choice);
-  if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(parent))
-    return into_list(list);
+  if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(parent)) return into_list(list);
   if (llvm::isa<clang::CXXNewExpr>(parent)) {
     add_flow(unit_, key_, declare_temporary(unit_, parent), at_->getBeginLoc(), "copied into a new object");
     return done();
   }
   if (llvm::isa<clang::CXXStdInitializerListExpr>(parent)) return go_on(parent);
-  if (llvm::isa<clang::LambdaExpr, clang::UnaryExprOrTypeTraitExpr, clang::CXXTypeidExpr, clang::CXXDeleteExpr,
-                clang::CXXDependentScopeMemberExpr, clang::UnresolvedMemberExpr>(parent))
+  if (llvm::isa<clang::LambdaExpr, clang::UnaryExprOrTypeTraitExpr, clang::CXXTypeidExpr,
+                clang::CXXDeleteExpr, clang::CXXDependentScopeMemberExpr, clang::UnresolvedMemberExpr>(
+          parent))
     return done();
   return refuse(codes::TZC1001, "this use of it is not understood");
 }
@@ -161,7 +163,8 @@ bool Follower::into_member(const clang::MemberExpr* member) {
   return go_on(member);
 }
 
-/// {a, b}: elements of a container, or parts of an aggregate. A list as written has no type; its semantic form has.
+/// {a, b}: elements of a container, or parts of an aggregate. A list as written has no type; its semantic
+/// form has.
 bool Follower::into_list(const clang::InitListExpr* list) {
   const clang::InitListExpr* typed = list->isSemanticForm() ? list : list->getSemanticForm();
   if (!typed) return done();
@@ -202,7 +205,8 @@ void Follower::assign(const clang::Expr* target, const clang::Expr* value, const
   sink_.target = target;
   sink_.statement = statement;
   for (const Key& key : sources_of(unit_, target).keys)
-    add_flow(unit_, key_, key, at_->getBeginLoc(), "assigned to '" + unit_.source.text(target->getSourceRange()) + "'");
+    add_flow(unit_, key_, key, at_->getBeginLoc(),
+             "assigned to '" + unit_.source.text(target->getSourceRange()) + "'");
 }
 
 bool Follower::into_operator(const clang::CXXOperatorCallExpr* call) {
@@ -231,8 +235,8 @@ bool Follower::into_call(const clang::CallExpr* call) {
   unsigned index = argument_index(arguments, at_);
   if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) {
     const clang::CXXRecordDecl* record = method->getRecordDecl();
-    const bool published = record && is_publisher_class(qualified_name_of(record)) && method->getMethodDecl() &&
-                           method->getMethodDecl()->getNameAsString() == "publish";
+    const bool published = record && is_publisher_class(qualified_name_of(record)) &&
+                           method->getMethodDecl() && method->getMethodDecl()->getNameAsString() == "publish";
     if (published && !llvm::StringRef(qualified_name_of(record)).ends_with("SingleSubscriberPublisher"))
       sink_.publish = method;
     const clang::Expr* object = method->getImplicitObjectArgument();
@@ -264,6 +268,8 @@ bool Follower::into_cast(const clang::ExplicitCastExpr* cast) {
 
 }  // namespace
 
-Sink follow_use(Unit& unit, const clang::Expr* leaf, const Key& key) { return Follower(unit, leaf, key).run(); }
+Sink follow_use(Unit& unit, const clang::Expr* leaf, const Key& key) {
+  return Follower(unit, leaf, key).run();
+}
 
 }  // namespace tzc::rewriter

@@ -39,7 +39,8 @@ Sources of_method(Unit& unit, const clang::CXXMemberCallExpr* call) {
   const clang::CXXMethodDecl* method = call->getMethodDecl();
   if (!method) return foreign();
   if (is_package_function(unit, method)) return one(declare_result(unit, method));
-  if (unit.rules.find_method(qualified_name_of(method->getParent()), method->getNameAsString(), written_arguments(call)))
+  if (unit.rules.find_method(qualified_name_of(method->getParent()), method->getNameAsString(),
+                             written_arguments(call)))
     return one(declare_temporary(unit, call));
   const clang::Expr* object = call->getImplicitObjectArgument();
   if (carried_by(object->getType(), unit.rules)) return sources_of(unit, object);
@@ -90,9 +91,9 @@ unsigned written_arguments(const clang::CallExpr* call) {
 }
 
 bool passes_through(const clang::FunctionDecl* function) {
-  static const std::set<std::string> names = {"std::move",    "std::forward",    "std::ref",   "std::cref",
-                                              "boost::move",  "boost::forward",  "boost::ref", "boost::cref",
-                                              "std::addressof", "boost::addressof"};
+  static const std::set<std::string> names = {
+      "std::move",      "std::forward", "std::ref",    "std::cref",      "boost::move",
+      "boost::forward", "boost::ref",   "boost::cref", "std::addressof", "boost::addressof"};
   return function && names.count(qualified_name_of(function)) != 0;
 }
 
@@ -105,7 +106,8 @@ bool makes_object(const clang::CallExpr* call) {
 
 Sources sources_of(Unit& unit, const clang::Expr* expr) {
   expr = expr->IgnoreParens();
-  if (const auto* cast = llvm::dyn_cast<clang::ImplicitCastExpr>(expr)) return sources_of(unit, cast->getSubExpr());
+  if (const auto* cast = llvm::dyn_cast<clang::ImplicitCastExpr>(expr))
+    return sources_of(unit, cast->getSubExpr());
   if (const auto* full = llvm::dyn_cast<clang::FullExpr>(expr)) return sources_of(unit, full->getSubExpr());
   if (const auto* temporary = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr))
     return sources_of(unit, temporary->getSubExpr());
@@ -117,7 +119,8 @@ Sources sources_of(Unit& unit, const clang::Expr* expr) {
   }
   if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr)) return of_member(unit, member);
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(expr)) return of_call(unit, call);
-  if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(expr)) return of_construction(unit, construct);
+  if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(expr))
+    return of_construction(unit, construct);
   if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(expr)) return of_parts(unit, list);
   if (const auto* cast = llvm::dyn_cast<clang::ExplicitCastExpr>(expr)) return of_cast(unit, cast);
   if (llvm::isa<clang::CXXNewExpr>(expr)) return one(declare_temporary(unit, expr));
@@ -131,7 +134,8 @@ Sources sources_of(Unit& unit, const clang::Expr* expr) {
     return sources;
   }
   return carried_by(expr->getType(), unit.rules) && !llvm::isa<clang::CXXDefaultArgExpr>(expr) &&
-                 !llvm::isa<clang::CXXScalarValueInitExpr>(expr) && !llvm::isa<clang::ImplicitValueInitExpr>(expr)
+                 !llvm::isa<clang::CXXScalarValueInitExpr>(expr) &&
+                 !llvm::isa<clang::ImplicitValueInitExpr>(expr)
              ? foreign()
              : Sources();
 }

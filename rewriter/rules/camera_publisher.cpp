@@ -6,7 +6,7 @@ namespace tzc::rewriter::rules {
 /// Before:  image_transport::CameraPublisher pub;
 /// After:   tzc::image_transport::CameraPublisher pub;
 const ClassRename camera_publisher{"camera-publisher", ClassRename::Role::publisher,
-                                   "image_transport::CameraPublisher", "tzc::image_transport::CameraPublisher",
-                                   "tzc/image_transport.h"};
+                                   "image_transport::CameraPublisher",
+                                   "tzc::image_transport::CameraPublisher", "tzc/image_transport.h"};
 
 }  // namespace tzc::rewriter::rules

@@ -5,8 +5,8 @@ namespace tzc::rewriter::rules {
 
 /// Before:  sub = it.subscribeCamera("image", 1, &Viewer::on_image, this);
 /// After:   sub = tzc::image_transport::subscribeCamera(it, "image", 1, &Viewer::on_image, this);
-const MethodCall camera_subscribe{"camera-subscribe", MethodCall::Role::subscribe_transport,
-                                  "image_transport::ImageTransport", "subscribeCamera",
-                                  "tzc::image_transport::subscribeCamera", "tzc/image_transport.h"};
+const MethodCall camera_subscribe{
+    "camera-subscribe", MethodCall::Role::subscribe_transport,   "image_transport::ImageTransport",
+    "subscribeCamera",  "tzc::image_transport::subscribeCamera", "tzc/image_transport.h"};
 
 }  // namespace tzc::rewriter::rules

@@ -5,6 +5,7 @@ namespace tzc::rewriter::rules {
 
 /// Before:  ros::Publisher pub;
 /// After:   tzc::Publisher pub;
-const ClassRename publisher{"publisher", ClassRename::Role::publisher, "ros::Publisher", "tzc::Publisher", "tzc/ros.h"};
+const ClassRename publisher{"publisher", ClassRename::Role::publisher, "ros::Publisher", "tzc::Publisher",
+                            "tzc/ros.h"};
 
 }  // namespace tzc::rewriter::rules

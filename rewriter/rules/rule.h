@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A rule is data: what it matches (a qualified name and an argument), and what stands there afterwards. The facts
-// attach the resulting edits to the entity that the rule is about; the edits are made when that entity is ported.
+// A rule is data: what it matches (a qualified name and an argument), and what stands there afterwards. The
+// facts attach the resulting edits to the entity that the rule is about; the edits are made when that entity
+// is ported.
 
 #include <set>
 #include <string>
@@ -15,7 +16,7 @@ struct ClassRename {
   enum class Role { publisher, filter, accessor };
   const char* rule;
   Role role;
-  const char* from;    ///< qualified name; templates without arguments
+  const char* from;  ///< qualified name; templates without arguments
   const char* to;
   const char* header;  ///< of `to`
 };
@@ -31,7 +32,14 @@ struct LibraryCall {
 
 /// A member function of a library class that becomes a free function with the object as first argument.
 struct MethodCall {
-  enum class Role { advertise, advertise_transport, subscribe, subscribe_transport, builds_message, fills_message };
+  enum class Role {
+    advertise,
+    advertise_transport,
+    subscribe,
+    subscribe_transport,
+    builds_message,
+    fills_message
+  };
   const char* rule;
   Role role;
   const char* object;  ///< qualified name of the class
@@ -49,7 +57,8 @@ struct RuleSet {
 
   const ClassRename* find_class(const std::string& name) const;
   const LibraryCall* find_call(const std::string& function, unsigned argument) const;
-  const MethodCall* find_method(const std::string& object, const std::string& method, unsigned arguments) const;
+  const MethodCall* find_method(const std::string& object, const std::string& method,
+                                unsigned arguments) const;
 };
 
 /// Every rule of the rewriter but those named.

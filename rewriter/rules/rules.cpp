@@ -7,19 +7,24 @@ namespace tzc::rewriter {
 namespace {
 
 const ClassRename* const classes[] = {
-    &rules::publisher,           &rules::image_publisher,   &rules::camera_publisher,
-    &rules::filter_subscriber,   &rules::subscriber_filter, &rules::point_cloud2_modifier,
-    &rules::point_cloud2_iterator, &rules::point_cloud2_const_iterator,
+    &rules::publisher,
+    &rules::image_publisher,
+    &rules::camera_publisher,
+    &rules::filter_subscriber,
+    &rules::subscriber_filter,
+    &rules::point_cloud2_modifier,
+    &rules::point_cloud2_iterator,
+    &rules::point_cloud2_const_iterator,
 };
 
 const LibraryCall* const calls[] = {
     &rules::pcl_to_ros_msg, &rules::pcl_from_pcl, &rules::pcl_move_from_pcl,
-    &rules::fill_image,     &rules::clear_image, 
+    &rules::fill_image,     &rules::clear_image,
 };
 
 const MethodCall* const methods[] = {
-    &rules::advertise,         &rules::image_advertise,       &rules::camera_advertise,
-    &rules::subscribe,         &rules::image_subscribe,       &rules::camera_subscribe,
+    &rules::advertise,           &rules::image_advertise,       &rules::camera_advertise,
+    &rules::subscribe,           &rules::image_subscribe,       &rules::camera_subscribe,
     &rules::cv_image_to_message, &rules::cv_image_into_message,
 };
 

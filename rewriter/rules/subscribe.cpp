@@ -5,7 +5,7 @@ namespace tzc::rewriter::rules {
 
 /// Before:  sub = nh.subscribe("image", 1, &Viewer::on_image, this);
 /// After:   sub = tzc::subscribe(nh, "image", 1, &Viewer::on_image, this);
-const MethodCall subscribe{"subscribe",      MethodCall::Role::subscribe, "ros::NodeHandle", "subscribe",
-                           "tzc::subscribe", "tzc/ros.h"};
+const MethodCall subscribe{
+    "subscribe", MethodCall::Role::subscribe, "ros::NodeHandle", "subscribe", "tzc::subscribe", "tzc/ros.h"};
 
 }  // namespace tzc::rewriter::rules

@@ -44,7 +44,8 @@ void unite_spellings(const Facts& facts, const Numbers& numbers, UnionFind& sets
   for (const auto& [key, entity] : facts.entities)
     for (const Change& change : entity.changes) {
       const std::size_t number = numbers.at(key);
-      const auto [known, is_new] = owner.emplace(std::make_pair(change.where.file, change.where.begin), number);
+      const auto [known, is_new] =
+          owner.emplace(std::make_pair(change.where.file, change.where.begin), number);
       if (!is_new) sets.unite(known->second, number);
     }
 }

@@ -37,12 +37,16 @@ std::string directive_of(const std::string& line) {
   return name == std::string::npos ? "" : line.substr(name);
 }
 
-bool starts_with(const std::string& text, const char* prefix) { return text.rfind(prefix, 0) == 0; }
+bool starts_with(const std::string& text, const char* prefix) {
+  return text.rfind(prefix, 0) == 0;
+}
 
 std::string header_of(const std::string& directive) {
   const std::size_t open = directive.find_first_of("<\"");
   const std::size_t close = directive.find_first_of(">\"", open + 1);
-  return open == std::string::npos || close == std::string::npos ? "" : directive.substr(open + 1, close - open - 1);
+  return open == std::string::npos || close == std::string::npos
+             ? ""
+             : directive.substr(open + 1, close - open - 1);
 }
 
 bool is_guard(const std::vector<Line>& lines, std::size_t i) {
@@ -93,7 +97,8 @@ std::size_t position_for(const Scan& scan, const std::string& header) {
 
 }  // namespace
 
-std::optional<Edit> include_edit(const std::string& file, const std::string& content, const std::string& header) {
+std::optional<Edit> include_edit(const std::string& file, const std::string& content,
+                                 const std::string& header) {
   const Scan found = scan(content);
   if (found.all.count(header) != 0) return {};
   Edit edit;

@@ -36,12 +36,14 @@ void note_branches(const Facts& facts, std::vector<Note>& notes) {
   std::set<std::pair<std::string, unsigned>> seen;
   for (const Place& branch : facts.skipped) {
     if (!seen.insert({branch.file, branch.line}).second || !has_site(text_of(branch))) continue;
-    notes.push_back({codes::TZC3002, location_of(branch),
-                     "this preprocessor branch is not compiled in this configuration; its sites were not looked at"});
+    notes.push_back(
+        {codes::TZC3002, location_of(branch),
+         "this preprocessor branch is not compiled in this configuration; its sites were not looked at"});
   }
 }
 
-void note_sources(const std::vector<CompileUnit>& units, const EngineOptions& options, std::vector<Note>& notes) {
+void note_sources(const std::vector<CompileUnit>& units, const EngineOptions& options,
+                  std::vector<Note>& notes) {
   std::set<std::string> compiled;
   for (const CompileUnit& unit : units) compiled.insert(unit.file);
   std::error_code failed;
@@ -52,14 +54,16 @@ void note_sources(const std::vector<CompileUnit>& units, const EngineOptions& op
     if (entry->is_directory() && (path == options.build_dir || name[0] == '.')) {
       entry.disable_recursion_pending();
     } else if (entry->is_regular_file() && is_source(entry->path()) && compiled.count(path) == 0) {
-      notes.push_back({codes::TZC3001, Location{path, 1, 1}, "no target of this configuration compiles this file"});
+      notes.push_back(
+          {codes::TZC3001, Location{path, 1, 1}, "no target of this configuration compiles this file"});
     }
   }
 }
 
 }  // namespace
 
-std::vector<Note> notes_of(const Facts& facts, const std::vector<CompileUnit>& units, const EngineOptions& options) {
+std::vector<Note> notes_of(const Facts& facts, const std::vector<CompileUnit>& units,
+                           const EngineOptions& options) {
   std::vector<Note> notes = facts.notes;
   note_branches(facts, notes);
   note_sources(units, options, notes);

@@ -10,6 +10,7 @@
 namespace tzc::rewriter {
 
 /// What the user should know beside the sites: sources that are not compiled, branches that were not seen.
-std::vector<Note> notes_of(const Facts& facts, const std::vector<CompileUnit>& units, const EngineOptions& options);
+std::vector<Note> notes_of(const Facts& facts, const std::vector<CompileUnit>& units,
+                           const EngineOptions& options);
 
 }  // namespace tzc::rewriter

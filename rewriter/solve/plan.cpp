@@ -15,8 +15,8 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 class Planner {
  public:
-  Planner(const Facts& facts, const Components& components, const Solution& solution, const EngineOptions& options,
-          const ReadFile& read)
+  Planner(const Facts& facts, const Components& components, const Solution& solution,
+          const EngineOptions& options, const ReadFile& read)
       : facts_(facts), components_(components), solution_(solution), options_(options), read_(read) {}
 
   EditPlan run() {
@@ -49,10 +49,11 @@ class Planner {
            (ported(solution_.filters, id) && filter_is_used(id));
   }
   bool filter_is_used(int id) const {
-    return std::any_of(solution_.subscribes.begin(), solution_.subscribes.end(), [&](const std::string& site) {
-      const Component* filter = components_.of(facts_.subscribes.at(site).filter);
-      return filter && filter->id == id;
-    });
+    return std::any_of(solution_.subscribes.begin(), solution_.subscribes.end(),
+                       [&](const std::string& site) {
+                         const Component* filter = components_.of(facts_.subscribes.at(site).filter);
+                         return filter && filter->id == id;
+                       });
   }
   void add(const Change& change, int component);
   void add_birth(const Solution::Bound& bound);
@@ -80,7 +81,8 @@ const std::string& Planner::content(const std::string& file) {
 
 void Planner::add(const Change& change, int component) {
   const Place& where = change.where;
-  plan_.edits.push_back({where.file, where.begin, where.end - where.begin, change.text, component, change.rule});
+  plan_.edits.push_back(
+      {where.file, where.begin, where.end - where.begin, change.text, component, change.rule});
   for (const std::string& header : change.headers) headers_[where.file].emplace(header, component);
 }
 
@@ -109,7 +111,8 @@ void Planner::add_advertise(const Advertise& site) {
 
 /// What happens when the segment is full: by default publish() delivers the message anyway.
 void Planner::add_condition(const Publish& site) {
-  if (options_.on_exhausted == OnExhausted::deliver || site.statement.file.empty() || site.object.empty()) return;
+  if (options_.on_exhausted == OnExhausted::deliver || site.statement.file.empty() || site.object.empty())
+    return;
   const Component* message = site.messages.empty() ? nullptr : components_.of(site.messages[0]);
   const Component* publisher = components_.of(site.publisher);
   if (!message || !publisher || !ported(solution_.messages, message->id) ||

@@ -25,6 +25,7 @@ EditPlan edits_of(const Facts& facts, const Components& components, const Soluti
 int subscribe_component(const Facts& facts, const Components& components, const std::string& id);
 
 /// The edit that includes a header in a file; none: it is included already.
-std::optional<Edit> include_edit(const std::string& file, const std::string& content, const std::string& header);
+std::optional<Edit> include_edit(const std::string& file, const std::string& content,
+                                 const std::string& header);
 
 }  // namespace tzc::rewriter

@@ -35,9 +35,13 @@ void refuse(Site& site, const Obstacle& obstacle, Level level) {
 
 class Decider {
  public:
-  Decider(const Facts& facts, const Components& components, const EngineOptions& options, const Demotions& demotions,
-          Solution& solution)
-      : facts_(facts), components_(components), options_(options), demotions_(demotions), solution_(solution) {}
+  Decider(const Facts& facts, const Components& components, const EngineOptions& options,
+          const Demotions& demotions, Solution& solution)
+      : facts_(facts),
+        components_(components),
+        options_(options),
+        demotions_(demotions),
+        solution_(solution) {}
 
   std::vector<Site> run() {
     neighbours_ = flow_neighbours(facts_);
@@ -101,7 +105,8 @@ void Decider::decide_message(const Publish& fact, Site& site) {
     site.rule = "shared-message";
     site.component = components_.of(fact.messages[0])->id;
   } else if (site.code.empty()) {
-    refuse(site, {codes::TZC1001, "where the message comes from is not understood", site.where}, Level::one_copy);
+    refuse(site, {codes::TZC1001, "where the message comes from is not understood", site.where},
+           Level::one_copy);
   }
 }
 
@@ -137,13 +142,15 @@ Site Decider::decide(const Advertise& fact) {
   Site site = described(fact, SiteKind::advertise, options_.package_dir);
   const Component* component = components_.of(fact.publisher);
   const Solution::Publisher* publisher = publisher_of(fact.publisher);
-  if (!fact.heavy || (publisher && !publisher->ported && publisher->why_not.code.empty() && fact.obstacles.empty())) {
+  if (!fact.heavy ||
+      (publisher && !publisher->ported && publisher->why_not.code.empty() && fact.obstacles.empty())) {
     site.level = Level::not_needed;
     return site;
   }
   if (!publisher || !publisher->ported) {
     if (publisher) site.chain = chain_between(facts_, fact.publisher, publisher->at);
-    refuse(site, publisher ? publisher->why_not : Obstacle{codes::TZC1010, "the publisher is not kept", site.where},
+    refuse(site,
+           publisher ? publisher->why_not : Obstacle{codes::TZC1010, "the publisher is not kept", site.where},
            Level::plain);
     return site;
   }
@@ -154,8 +161,8 @@ Site Decider::decide(const Advertise& fact) {
   for (const Site& other : sites_)
     if (other.kind == SiteKind::publish && other.level == Level::zero_copy && other.message_type == fact.type)
       for (const auto& item : facts_.publishes)
-        if (location_of(item.second.where).line == other.where.line && item.second.where.file == other.where.file &&
-            components_.of(item.second.publisher) == component)
+        if (location_of(item.second.where).line == other.where.line &&
+            item.second.where.file == other.where.file && components_.of(item.second.publisher) == component)
           site.level = Level::zero_copy;
   return site;
 }
@@ -218,7 +225,8 @@ void Decider::order() {
 }
 
 std::optional<std::uint64_t> number_in(const std::optional<std::string>& text) {
-  if (!text || text->empty() || !std::all_of(text->begin(), text->end(), [](char c) { return std::isdigit(c) != 0; }))
+  if (!text || text->empty() ||
+      !std::all_of(text->begin(), text->end(), [](char c) { return std::isdigit(c) != 0; }))
     return {};
   return text->size() > 9 ? std::nullopt : std::optional<std::uint64_t>(std::stoull(*text));
 }
@@ -254,18 +262,21 @@ std::optional<std::string> topic_of(const Facts& facts, const Neighbours& neighb
 
 MemorySize memory_size(const Advertise& fact, const EngineOptions& options) {
   if (options.mem_size)
-    return {std::to_string(*options.mem_size), "set to " + std::to_string(*options.mem_size) + " bytes by --mem-size"};
+    return {std::to_string(*options.mem_size),
+            "set to " + std::to_string(*options.mem_size) + " bytes by --mem-size"};
   const auto measured = fact.topic ? options.measured_sizes.find(*fact.topic) : options.measured_sizes.end();
   if (measured == options.measured_sizes.end())
     return {"0", "sized at run time by the first message and the queue"};
   const std::uint64_t messages = std::max<std::uint64_t>(4, number_in(fact.queue).value_or(10) + 2);
   const std::uint64_t bytes = measured->second * messages;
-  return {std::to_string(bytes), std::to_string(messages) + " messages of " + std::to_string(measured->second) +
+  return {std::to_string(bytes), std::to_string(messages) + " messages of " +
+                                     std::to_string(measured->second) +
                                      " bytes, the largest in the recording"};
 }
 
-std::vector<Site> decided_sites(const Facts& facts, const Components& components, const EngineOptions& options,
-                                const Demotions& demotions, Solution& solution) {
+std::vector<Site> decided_sites(const Facts& facts, const Components& components,
+                                const EngineOptions& options, const Demotions& demotions,
+                                Solution& solution) {
   return Decider(facts, components, options, demotions, solution).run();
 }
 

@@ -13,9 +13,10 @@ Site described(const Subscribe& site, SiteKind kind, const std::string& package_
 /// The topic of a publisher that is advertised once.
 std::optional<std::string> topic_of(const Facts& facts, const Neighbours& neighbours, const Key& publisher);
 
-/// Every site of the package, each exactly once, with its level. Notes in `solution` which subscriptions are ported.
-std::vector<Site> decided_sites(const Facts& facts, const Components& components, const EngineOptions& options,
-                                const Demotions& demotions, Solution& solution);
+/// Every site of the package, each exactly once, with its level. Notes in `solution` which subscriptions are
+/// ported.
+std::vector<Site> decided_sites(const Facts& facts, const Components& components,
+                                const EngineOptions& options, const Demotions& demotions, Solution& solution);
 
 /// The bytes to reserve for a publisher, and the sentence that explains them.
 struct MemorySize {

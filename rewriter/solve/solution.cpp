@@ -11,7 +11,8 @@ namespace {
 
 class Solver {
  public:
-  Solver(const Facts& facts, const Components& components, const EngineOptions& options, const Demotions& demotions)
+  Solver(const Facts& facts, const Components& components, const EngineOptions& options,
+         const Demotions& demotions)
       : facts_(facts), components_(components), options_(options), demotions_(demotions) {}
 
   Solution run() {
@@ -57,7 +58,8 @@ class Solver {
 void Solver::index_sites() {
   for (const auto& item : facts_.publishes) {
     const Publish& site = item.second;
-    if (const Component* publisher = components_.of(site.publisher)) published_by_[publisher->id].push_back(&site);
+    if (const Component* publisher = components_.of(site.publisher))
+      published_by_[publisher->id].push_back(&site);
     for (const Key& key : site.messages)
       if (const Component* message = components_.of(key)) {
         auto& sites = publishes_of_[message->id];
@@ -110,20 +112,22 @@ bool Solver::unwanted(const Component& component, Obstacle& why) const {
 
 void Solver::solve_publisher(const Component& component) {
   Solution::Publisher& publisher = solution_.publishers[component.id];
-  const bool heavy =
-      std::any_of(published_by_[component.id].begin(), published_by_[component.id].end(),
-                  [](const Publish* p) { return p->heavy || p->pcl; }) ||
-      std::any_of(advertised_[component.id].begin(), advertised_[component.id].end(),
-                  [](const Advertise* a) { return a->heavy; });
+  const bool heavy = std::any_of(published_by_[component.id].begin(), published_by_[component.id].end(),
+                                 [](const Publish* p) { return p->heavy || p->pcl; }) ||
+                     std::any_of(advertised_[component.id].begin(), advertised_[component.id].end(),
+                                 [](const Advertise* a) { return a->heavy; });
   if (!heavy) return;
   if (options_.max_level == Level::plain) {
-    publisher.why_not = {codes::TZC1015, "this run leaves everything on TCPROS", component.entities[0]->where};
+    publisher.why_not = {codes::TZC1015, "this run leaves everything on TCPROS",
+                         component.entities[0]->where};
     return;
   }
   if (blocked(component, publisher.why_not, publisher.at) || unwanted(component, publisher.why_not)) return;
   if (advertised_[component.id].empty()) {
-    publisher.why_not = {codes::TZC1017, "no advertise call for '" + component.entities[0]->name +
-                                             "' was found in the package", component.entities[0]->where};
+    publisher.why_not = {
+        codes::TZC1017,
+        "no advertise call for '" + component.entities[0]->name + "' was found in the package",
+        component.entities[0]->where};
     return;
   }
   publisher.ported = true;
@@ -152,7 +156,8 @@ bool Solver::shape_allows(const Component& component, Solution::Message& message
   const auto nested = std::find_if(sites->second.begin(), sites->second.end(),
                                    [](const Publish* site) { return site->nested_only; });
   if (nested != sites->second.end()) {
-    message.why_not = {codes::TZC1018, "its arrays lie inside an array of messages", location_of((*nested)->where)};
+    message.why_not = {codes::TZC1018, "its arrays lie inside an array of messages",
+                       location_of((*nested)->where)};
     return false;
   }
   if (options_.max_level != Level::zero_copy) {
@@ -180,7 +185,8 @@ void Solver::solve_message(const Component& component) {
 bool Solver::all_local(const Component& component) const {
   const auto births = births_.find(component.id);
   if (births == births_.end()) return false;
-  return std::none_of(births->second.begin(), births->second.end(), [](const Birth* b) { return b->filled; }) &&
+  return std::none_of(births->second.begin(), births->second.end(),
+                      [](const Birth* b) { return b->filled; }) &&
          std::all_of(component.entities.begin(), component.entities.end(), [](const Entity* entity) {
            return entity->home == Home::local || entity->home == Home::temporary;
          });
@@ -190,8 +196,8 @@ bool Solver::inherits(const std::string& record, const std::string& base) const 
   if (record.empty() || base.empty()) return false;
   if (record == base) return true;
   const auto bases = facts_.bases.find(record);
-  return bases != facts_.bases.end() &&
-         std::any_of(bases->second.begin(), bases->second.end(), [&](const std::string& b) { return inherits(b, base); });
+  return bases != facts_.bases.end() && std::any_of(bases->second.begin(), bases->second.end(),
+                                                    [&](const std::string& b) { return inherits(b, base); });
 }
 
 bool Solver::visible(const Birth& birth, const Entity& publisher) const {

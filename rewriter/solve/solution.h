@@ -43,7 +43,8 @@ struct Solution {
   std::set<std::string> subscribes;  ///< that are ported, by their id in the facts
 };
 
-/// Decides for each component. Subscribe sites that are demoted are named "subscribe " + their id in the facts.
+/// Decides for each component. Subscribe sites that are demoted are named "subscribe " + their id in the
+/// facts.
 Solution solve(const Facts& facts, const Components& components, const EngineOptions& options,
                const Demotions& demotions);
 

@@ -19,9 +19,9 @@ std::string Porter::name_of(int component) const {
 void Porter::demote(int component, const Failure& failure) {
   const bool subscribe = component >= static_cast<int>(components_.all().size()) ||
                          components_.all()[static_cast<std::size_t>(component)].carrier == Carrier::filter;
-  demotions_.emplace(name_of(component), Obstacle{subscribe ? codes::TZC2005 : codes::TZC1009,
-                                                  "ported, it would not compile: " + failure.error.text,
-                                                  failure.error.where});
+  demotions_.emplace(name_of(component),
+                     Obstacle{subscribe ? codes::TZC2005 : codes::TZC1009,
+                              "ported, it would not compile: " + failure.error.text, failure.error.where});
 }
 
 Expected<Porter::Attempt> Porter::attempt(const Demotions& demotions, unsigned round) const {
@@ -30,7 +30,8 @@ Expected<Porter::Attempt> Porter::attempt(const Demotions& demotions, unsigned r
   attempt.result.plan = edits_of(facts_, components_, attempt.result.solution, options_, read_);
   const auto progress = [&](unsigned done, unsigned total) {
     if (options_.progress)
-      options_.progress->step(round == 0 ? "verifying" : "verifying again", done, total, options_.package_dir);
+      options_.progress->step(round == 0 ? "verifying" : "verifying again", done, total,
+                              options_.package_dir);
   };
   Expected<Verification> verification = verifier_.run(attempt.result.plan.edits, progress);
   if (!verification) return verification.error();
@@ -80,7 +81,8 @@ Expected<Porter::Result> Porter::run() {
   for (unsigned round = 0;; ++round) {
     Expected<Attempt> attempted = attempt(demotions_, round);
     if (!attempted) return attempted.error();
-    if (attempted->failures.empty() || options_.without_rules.count("verification")) return std::move(attempted->result);
+    if (attempted->failures.empty() || options_.without_rules.count("verification"))
+      return std::move(attempted->result);
     if (ported_components(*attempted).empty())
       return Error{"the unchanged package does not compile: " + attempted->failures[0].error.text,
                    attempted->failures[0].unit, "Build the package once, then run again."};

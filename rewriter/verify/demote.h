@@ -9,9 +9,13 @@ namespace tzc::rewriter {
 /// Solves, edits, verifies and demotes until what is left compiles.
 class Porter {
  public:
-  Porter(const Facts& facts, const Components& components, const EngineOptions& options, const Verifier& verifier,
-         ReadFile read)
-      : facts_(facts), components_(components), options_(options), verifier_(verifier), read_(std::move(read)) {}
+  Porter(const Facts& facts, const Components& components, const EngineOptions& options,
+         const Verifier& verifier, ReadFile read)
+      : facts_(facts),
+        components_(components),
+        options_(options),
+        verifier_(verifier),
+        read_(std::move(read)) {}
 
   struct Result {
     Solution solution;

@@ -8,14 +8,18 @@ namespace tzc::rewriter {
 namespace {
 
 unsigned line_at(const std::string& content, std::size_t offset) {
-  return 1 + static_cast<unsigned>(std::count(content.begin(), content.begin() + static_cast<long>(offset), '\n'));
+  return 1 + static_cast<unsigned>(
+                 std::count(content.begin(), content.begin() + static_cast<long>(offset), '\n'));
 }
 
-unsigned lines_in(const std::string& text) { return static_cast<unsigned>(std::count(text.begin(), text.end(), '\n')); }
+unsigned lines_in(const std::string& text) {
+  return static_cast<unsigned>(std::count(text.begin(), text.end(), '\n'));
+}
 
 /// The line of the original that became `line` of the edited file.
 unsigned original_line(const std::string& original, Edits edits, unsigned line) {
-  std::stable_sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) { return a.offset < b.offset; });
+  std::stable_sort(edits.begin(), edits.end(),
+                   [](const Edit& a, const Edit& b) { return a.offset < b.offset; });
   int shift = 0;
   for (const Edit& edit : edits) {
     const unsigned start = line_at(original, edit.offset);
@@ -73,7 +77,8 @@ bool Verifier::owns_line(int component, const std::string& file, unsigned line) 
   return false;
 }
 
-std::vector<int> Verifier::suspects_of(const Diagnostic& error, const std::map<std::string, Edits>& edits) const {
+std::vector<int> Verifier::suspects_of(const Diagnostic& error,
+                                       const std::map<std::string, Edits>& edits) const {
   std::vector<Location> places{error.where};
   places.insert(places.end(), error.notes.begin(), error.notes.end());
   std::vector<int> suspects;
@@ -81,7 +86,8 @@ std::vector<int> Verifier::suspects_of(const Diagnostic& error, const std::map<s
     const auto of_file = edits.find(place.file);
     const std::optional<std::string> original = read_(place.file);
     if (!original) continue;
-    const unsigned line = of_file == edits.end() ? place.line : original_line(*original, of_file->second, place.line);
+    const unsigned line =
+        of_file == edits.end() ? place.line : original_line(*original, of_file->second, place.line);
     std::set<int> edited;
     for (const auto& item : edits)
       for (const Edit& edit : item.second) edited.insert(edit.component);
@@ -94,7 +100,8 @@ std::vector<int> Verifier::suspects_of(const Diagnostic& error, const std::map<s
   return suspects;
 }
 
-unsigned Verifier::original(const std::string& file, unsigned line, const std::map<std::string, Edits>& edits) const {
+unsigned Verifier::original(const std::string& file, unsigned line,
+                            const std::map<std::string, Edits>& edits) const {
   const auto of_file = edits.find(file);
   const std::optional<std::string> content = of_file == edits.end() ? std::nullopt : read_(file);
   return content ? original_line(*content, of_file->second, line) : line;
@@ -112,13 +119,15 @@ std::vector<Diagnostic> Verifier::changed_calls(const std::string& unit, const s
                       before[i].callee_line == original(now[i].callee_file, now[i].callee_line, edits);
     if (same) continue;
     const PackageCall& call = i < now.size() ? now[i] : before[i];
-    changes.push_back({{call.file, call.line, 1}, "this call would choose another '" + call.callee + "' than before", {}});
+    changes.push_back(
+        {{call.file, call.line, 1}, "this call would choose another '" + call.callee + "' than before", {}});
     break;
   }
   return changes;
 }
 
-Expected<Verification> Verifier::run(const Edits& edits, const std::function<void(unsigned, unsigned)>& progress) const {
+Expected<Verification> Verifier::run(const Edits& edits,
+                                     const std::function<void(unsigned, unsigned)>& progress) const {
   Verification result;
   Expected<FileContents> contents = edited(edits);
   if (!contents) return contents.error();
@@ -134,8 +143,8 @@ Expected<Verification> Verifier::run(const Edits& edits, const std::function<voi
   unsigned done = 0;
   in_parallel(jobs_, units.size(), [&](std::size_t i) {
     std::vector<PackageCall> calls;
-    ParseResult parsed = parse(*units[i], options,
-                               [&](clang::ASTContext& ast) { calls = package_calls(ast, package_dir_); });
+    ParseResult parsed =
+        parse(*units[i], options, [&](clang::ASTContext& ast) { calls = package_calls(ast, package_dir_); });
     if (parsed.errors.empty()) parsed.errors = changed_calls(units[i]->id(), calls, edits_by_file);
     const std::lock_guard<std::mutex> lock(mutex);
     for (const Diagnostic& error : parsed.errors)

@@ -40,7 +40,8 @@ class Verifier {
         read_(std::move(read)) {}
 
   /// An error when edits contradict each other.
-  Expected<Verification> run(const Edits& edits, const std::function<void(unsigned, unsigned)>& progress) const;
+  Expected<Verification> run(const Edits& edits,
+                             const std::function<void(unsigned, unsigned)>& progress) const;
 
  private:
   Expected<FileContents> edited(const Edits& edits) const;

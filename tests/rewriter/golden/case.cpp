@@ -27,7 +27,9 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-std::string commented(const std::string& line) { return line.empty() ? "//\n" : "// " + line + "\n"; }
+std::string commented(const std::string& line) {
+  return line.empty() ? "//\n" : "// " + line + "\n";
+}
 
 const char* name(Level level) {
   static const char* const names[] = {"zero_copy", "one_copy", "plain", "not_needed", "shared", "copied"};
@@ -59,7 +61,9 @@ std::string changed_lines(const std::vector<std::string>& a, const std::vector<s
   return text;
 }
 
-std::string relative(const Package& package, const std::string& file) { return file.substr(package.dir().size() + 1); }
+std::string relative(const Package& package, const std::string& file) {
+  return file.substr(package.dir().size() + 1);
+}
 
 std::string describe_sites(const Package& package, const PortPlan& plan) {
   std::string text;
@@ -71,10 +75,11 @@ std::string describe_sites(const Package& package, const PortPlan& plan) {
     text += commented(line);
   }
   for (const Note& note : plan.report.notes)
-    text += commented("note " + (note.where ? relative(package, note.where->file) + ":" +
-                                                  std::to_string(note.where->line) + " "
-                                            : "") +
-                      note.code);
+    text += commented(
+        "note " +
+        (note.where ? relative(package, note.where->file) + ":" + std::to_string(note.where->line) + " "
+                    : "") +
+        note.code);
   return text;
 }
 
@@ -82,9 +87,9 @@ std::string compile_commands(const std::string& dir, const std::map<std::string,
   std::string text = "[";
   for (const auto& item : files) {
     if (fs::path(item.first).extension() != ".cpp") continue;
-    text += std::string(text.size() > 1 ? "," : "") + "{\"directory\":\"" + dir + "\",\"file\":\"" + dir + "/" +
-            item.first + "\",\"command\":\"c++ -std=c++17 -I" TZC_FAKES " -I" + dir + "/include -c " + dir + "/" +
-            item.first + " -o x.o\"}";
+    text += std::string(text.size() > 1 ? "," : "") + "{\"directory\":\"" + dir + "\",\"file\":\"" + dir +
+            "/" + item.first + "\",\"command\":\"c++ -std=c++17 -I" TZC_FAKES " -I" + dir + "/include -c " +
+            dir + "/" + item.first + " -o x.o\"}";
   }
   return text + "]";
 }
@@ -112,7 +117,8 @@ Case read_case(const std::string& path) {
   }
   if (one.settings.count("crlf"))
     for (auto& item : one.files)
-      for (std::size_t at = item.second.find('\n'); at != std::string::npos; at = item.second.find('\n', at + 2))
+      for (std::size_t at = item.second.find('\n'); at != std::string::npos;
+           at = item.second.find('\n', at + 2))
         item.second.replace(at, 1, "\r\n");
   return one;
 }
@@ -160,7 +166,9 @@ EngineOptions Package::options(const std::map<std::string, std::string>& setting
   return options;
 }
 
-std::string Package::read(const std::string& file) const { return read_whole(dir_ + "/" + file); }
+std::string Package::read(const std::string& file) const {
+  return read_whole(dir_ + "/" + file);
+}
 
 std::map<std::string, std::string> ported(const Package& package, const Case& one, const PortPlan& plan) {
   std::map<std::string, std::string> files = one.files;
@@ -176,7 +184,8 @@ std::string describe(const Package& package, const Case& one, const PortPlan& pl
   std::string text = "//===\n" + describe_sites(package, plan);
   for (const auto& [name, content] : ported(package, one, plan)) {
     if (content == one.files.at(name)) continue;
-    text += commented("") + commented("+++ " + name) + changed_lines(lines_of(one.files.at(name)), lines_of(content));
+    text += commented("") + commented("+++ " + name) +
+            changed_lines(lines_of(one.files.at(name)), lines_of(content));
   }
   return text;
 }

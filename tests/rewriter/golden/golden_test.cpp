@@ -20,7 +20,8 @@ std::vector<std::string> all_cases() {
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
   std::string name = std::filesystem::relative(info.param, TZC_CASES).replace_extension().string();
-  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
   return name;
 }
 
@@ -30,7 +31,8 @@ TEST_P(Golden, is_ported_as_written) {
   const Case one = read_case(GetParam());
   const Package package(one.files);
   const Expected<PortPlan> plan = plan_port(package.options(one.settings));
-  const std::string found = plan ? describe(package, one, *plan) : "//===\n// error " + plan.error().what + "\n";
+  const std::string found =
+      plan ? describe(package, one, *plan) : "//===\n// error " + plan.error().what + "\n";
   if (std::getenv("TZC_UPDATE_GOLDEN"))
     write_expected(one, found);
   else

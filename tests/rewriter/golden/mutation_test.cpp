@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Takes away one rule, or one step of the engine, at a time: some golden case must notice. A rule that no case needs is
-// a rule that no test holds.
+// Takes away one rule, or one step of the engine, at a time: some golden case must notice. A rule that no
+// case needs is a rule that no test holds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,9 @@ bool notices(const std::string& path, const std::string& without) {
   return !plan || describe(package, one, *plan) != one.expected;
 }
 
-std::string case_path(const std::string& name) { return std::string(TZC_CASES) + "/" + name + ".cpp"; }
+std::string case_path(const std::string& name) {
+  return std::string(TZC_CASES) + "/" + name + ".cpp";
+}
 
 /// Rule -> the cases' names that are likely to need it, found by what stands in them.
 std::string case_for(const RuleSet& rules, const std::string& rule) {
@@ -58,7 +60,9 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
 
 class Rule : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(Rule, is_needed_by_a_case) { EXPECT_NE(case_for(all_rules(), GetParam()), "") << "no case needs " << GetParam(); }
+TEST_P(Rule, is_needed_by_a_case) {
+  EXPECT_NE(case_for(all_rules(), GetParam()), "") << "no case needs " << GetParam();
+}
 
 INSTANTIATE_TEST_SUITE_P(Mutation, Rule, ::testing::ValuesIn(rule_names()), test_name);
 
