@@ -3,6 +3,7 @@
 
 #include <ros/connection.h>
 #include <ros/console.h>
+#include <ros/poll_manager.h>
 #include <ros/publication.h>
 #include <ros/topic_manager.h>
 
@@ -127,12 +128,16 @@ std::uint32_t Port::take_sequence(const ros::SerializedMessage& message) {
   const ros::PublicationPtr publication = publication_.lock();
   if (!publication) return 0;
   const auto sequence = static_cast<std::uint32_t>(publication->getSequence() + unnumbered_.size());
-  if (message.buf)
+  if (message.buf) {
     unnumbered_.push_back(message.buf.get());  // roscpp counts it when it works its queue off
-  else if (unnumbered_.empty())
+    // Which it does at once only for subscribers that need bytes. A latched topic's bytes would lie there for
+    // a while, and a newcomer would get them after the last message.
+    ros::PollManager::instance()->getPollSet().signal();
+  } else if (unnumbered_.empty()) {
     publication->incrementSequence();
-  else
+  } else {
     unnumbered_.push_back(kNumberedAlready);
+  }
   return sequence;
 }
 
