@@ -45,6 +45,11 @@ TEST(HostileSubscriber, SilentPeersHoldNobodyUp) {
   for (int i = 0; i < 300; ++i) silent.push_back(RawPeer::connect(out->address()));
   EXPECT_TRUE(eventually([&] { return out->stats().accept_failures > 0; })) << "more than may wait at a time";
   silent.clear();
+  // Their places are free as soon as the service thread has seen them go; until then others are turned away, too.
+  SubscriberOptions next;
+  next.address = out->address();
+  next.own_thread = false;
+  EXPECT_TRUE(eventually([&] { return static_cast<bool>(Subscriber::create(next)); }));
   expect_going_on(*out);
 }
 
