@@ -26,9 +26,11 @@ class ToolCase(TopicCase):
     def record(self, bag):
         return self.tool(["rosbag", "record", "-O", bag, self.name("image")])
 
-    def end_recording(self, recorder):
+    def end_recording(self, recorder, bag):
+        """rosbag's Python front may end before its recorder has given the finished bag its name."""
         recorder.popen.send_signal(signal.SIGINT)
         recorder.wait(20)
+        self.ros.wait_until(lambda: os.path.exists(bag), 20, bag)
 
     def assert_bag(self, bag, numbers):
         status, output = self.ros.run(["/usr/bin/python3", "-c", (
@@ -63,7 +65,7 @@ class PortedToTools(ToolCase):
         bag = os.path.join(self.scratch, f"record{self.ns[1:]}.bag")
         recorder, shared = self.record(bag), self.listen()
         self.talk(count=100, rate=50, subscribers=2, queue=200)
-        self.end_recording(recorder)
+        self.end_recording(recorder, bag)
         self.assert_bag(bag, range(100))
         self.assert_got(shared, range(100), shared=True)
 
@@ -121,7 +123,7 @@ class ToolsToPorted(ToolCase):
         bag = os.path.join(self.scratch, f"play{self.ns[1:]}.bag")
         recorder = self.record(bag)
         self.talk("stock", count=60, rate=60)
-        self.end_recording(recorder)
+        self.end_recording(recorder, bag)
         listener, plain = self.listen(), self.listen("plain")
         status, output = self.ros.run(["rosbag", "play", "-q", "-d", "1", bag], timeout=60)
         self.assertEqual(status, 0, output)
@@ -141,7 +143,7 @@ class Together(ToolCase):
         preloaded = self.listen("plain", runner=TZC_RUN)
         listeners = [self.listen(mode) for mode in ("pointer", "value", "direct")]
         self.assertEqual(talker.wait(60), 0, talker.tail())
-        self.end_recording(recorder)
+        self.end_recording(recorder, bag)
         self.assert_bag(bag, range(100))
         self.assertEqual(re.findall(r'frame_id: "(\d+)"', echo.log()), [str(i) for i in range(100)])
         self.assert_got(rospy, range(100))
