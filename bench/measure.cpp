@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::uint64_t warm_up = 20;  // the first messages fault pages in and open segments
 constexpr int patience_ms = 20'000;
+constexpr int last_arrivals_ms = 1000;
 
 Board* create_board() {
   void* memory = ::mmap(nullptr, sizeof(Board), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -38,6 +39,15 @@ void sleep_ms(int milliseconds) {
 bool wait_until_ready(const Board& board, std::size_t subscribers) {
   for (int i = 0; i < patience_ms && board.ready < subscribers; ++i) sleep_ms(1);
   return board.ready >= subscribers;
+}
+
+bool complete(const Board& board, const Setup& setup) {
+  return std::all_of(board.received, board.received + setup.subscribers,
+                     [&](const auto& received) { return received >= setup.count + warm_up; });
+}
+
+void wait_until_received(const Board& board, const Setup& setup) {
+  for (int i = 0; i < last_arrivals_ms && !complete(board, setup); ++i) sleep_ms(1);
 }
 
 void send_all(Contender& contender, const Setup& setup, Board& board) {
@@ -61,34 +71,22 @@ void send_all(Contender& contender, const Setup& setup, Board& board) {
     ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
     publish(index);
   }
-  sleep_ms(200);
+  wait_until_received(board, setup);
 }
 
-void kill_all(const std::vector<pid_t>& children) {
-  sleep_ms(500);
+void stop_all(const std::vector<pid_t>& children, bool let_them_leave) {
+  if (let_them_leave) sleep_ms(500);
   for (const pid_t child : children) ::kill(child, SIGKILL);
   for (const pid_t child : children) ::waitpid(child, nullptr, 0);
 }
 
-Row summarize(const Contender& contender, const Setup& setup, const Board& board) {
-  std::vector<std::uint32_t> all;
+void collect(const Setup& setup, const Board& board, Samples& samples) {
+  samples.sent += setup.count * setup.subscribers;
   for (std::size_t who = 0; who < setup.subscribers; ++who) {
     const std::uint32_t* first = board.latency_ns[who];
-    std::copy_if(first, first + setup.count, std::back_inserter(all),
+    std::copy_if(first, first + setup.count, std::back_inserter(samples.latency_ns),
                  [](std::uint32_t ns) { return ns != 0; });
   }
-  std::sort(all.begin(), all.end());
-  Row row{contender.name(),
-          setup.size_bytes,
-          setup.subscribers,
-          setup.count * setup.subscribers,
-          all.size(),
-          0,
-          0};
-  if (all.empty()) return row;
-  row.median_us = all[all.size() / 2] / 1000.0;
-  row.p99_us = all[all.size() * 99 / 100] / 1000.0;
-  return row;
 }
 
 }  // namespace
@@ -107,7 +105,7 @@ void Recorder::record(const Stamp& stamp) {
       static_cast<std::uint32_t>(std::clamp<std::int64_t>(latency, 1, UINT32_MAX));
 }
 
-Row measure(Contender& contender, const Setup& setup) {
+void measure(Contender& contender, const Setup& setup, Samples& samples) {
   Board* board = create_board();
   contender.prepare(setup);
   std::vector<pid_t> subscribers;
@@ -120,9 +118,18 @@ Row measure(Contender& contender, const Setup& setup) {
   const pid_t publisher = in_child([&] { send_all(contender, setup, *board); });
   ::waitpid(publisher, nullptr, 0);
   board->stop = true;
-  kill_all(subscribers);
-  const Row row = summarize(contender, setup, *board);
+  stop_all(subscribers, contender.cleans_up_at_exit());
+  collect(setup, *board, samples);
   ::munmap(board, sizeof(Board));
+}
+
+Row summarize(const Contender& contender, const Setup& setup, Samples samples) {
+  std::vector<std::uint32_t>& all = samples.latency_ns;
+  std::sort(all.begin(), all.end());
+  Row row{contender.name(), setup.size_bytes, setup.subscribers, samples.sent, all.size(), 0, 0};
+  if (all.empty()) return row;
+  row.median_us = all[all.size() / 2] / 1000.0;
+  row.p99_us = all[all.size() * 99 / 100] / 1000.0;
   return row;
 }
 

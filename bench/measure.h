@@ -61,6 +61,8 @@ class Contender {
   virtual ~Contender() = default;
   virtual const char* name() const = 0;
   virtual bool supports(const Setup&) const { return true; }
+  /// Its subscribers must leave by themselves when recorder.stop() says so, or files stay behind.
+  virtual bool cleans_up_at_exit() const { return false; }
   /// In the parent, before any process is forked.
   virtual void prepare(const Setup&) {}
   /// Subscribes, calls recorder.ready(), records until recorder.stop().
@@ -74,8 +76,15 @@ class Contender {
   virtual std::function<void(std::uint64_t index)> publish(const Setup& setup) = 0;
 };
 
-/// Forks the publisher and the subscribers, sends at the given rate, and collects.
-Row measure(Contender& contender, const Setup& setup);
+/// What the subscribers of one or several measurements saw.
+struct Samples {
+  std::size_t sent = 0;                   // times the number of subscribers
+  std::vector<std::uint32_t> latency_ns;  // of each delivered message
+};
+
+/// Forks the publisher and the subscribers, sends at the given rate, and adds what arrived.
+void measure(Contender& contender, const Setup& setup, Samples& samples);
+Row summarize(const Contender& contender, const Setup& setup, Samples samples);
 
 }  // namespace bench
 }  // namespace tzc

@@ -1,59 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
-#include <cstdio>
-#include <cstdlib>
-#include <sstream>
+#include <CLI/CLI.hpp>
+
+#include "measure.h"
 
 namespace tzc {
 namespace bench {
 namespace {
 
-std::size_t parse_size(const std::string& text) {
-  char* unit = nullptr;
-  const double value = std::strtod(text.c_str(), &unit);
-  const double factor = *unit == 'k' ? 1 << 10 : *unit == 'm' ? 1 << 20 : *unit == 'g' ? 1 << 30 : 1;
-  return static_cast<std::size_t>(value * factor);
-}
+constexpr char examples[] = R"(
+Examples:
+  tzc-bench core --sizes 4k,4m --subscribers 8        two sizes, 8 subscribers
+  tzc-bench core --only tzc,seqpacket --json a.json   two contenders, the figures as JSON too
+  tzc-bench roscpp --count 1000 --rate 30             1000 messages at 30 Hz
+The machine should be idle: compare ratios within one run, never figures of two runs.)";
 
-std::vector<std::size_t> parse_list(const std::string& text) {
-  std::vector<std::size_t> values;
-  std::istringstream stream(text);
-  for (std::string item; std::getline(stream, item, ',');) values.push_back(parse_size(item));
-  return values;
-}
-
-bool set_option(const std::string& name, const std::string& value, Options& options) {
-  if (name == "--sizes") {
-    options.sizes = parse_list(value);
-  } else if (name == "--subscribers") {
-    options.subscribers = parse_list(value);
-  } else if (name == "--rate") {
-    options.rate = std::strtod(value.c_str(), nullptr);
-  } else if (name == "--count") {
-    options.count = parse_size(value);
-  } else if (name == "--only") {
-    options.only = value;
-  } else if (name == "--json") {
-    options.json = value;
-  } else {
-    return false;
-  }
-  return true;
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--sizes", options.sizes, "bytes of a message: 4k,4m,64m")
+      ->delimiter(',')
+      ->transform(CLI::AsSizeValue(false))
+      ->capture_default_str();
+  app.add_option("--subscribers", options.subscribers, "how many of them: 1,8")
+      ->delimiter(',')
+      ->check(CLI::Range(std::size_t{1}, most_subscribers))
+      ->capture_default_str();
+  app.add_option("--rate", options.rate, "messages per second")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--count", options.count, "messages of each contender, over all rounds")
+      ->check(CLI::Range(std::size_t{1}, most_messages))
+      ->capture_default_str();
+  app.add_option("--rounds", options.rounds, "the contenders take turns this often")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
+      ->capture_default_str();
+  app.add_option("--only", options.only, "these contenders: tzc,seqpacket")->delimiter(',');
+  app.add_option("--json", options.json, "write the rows to this file");
 }
 
 }  // namespace
 
-bool parse_options(int argc, char** argv, Options& options) {
-  for (int i = 1; i < argc; i += 2) {
-    if (i + 1 < argc && set_option(argv[i], argv[i + 1], options)) continue;
-    std::fprintf(stderr,
-                 "%s: bad option %s\nusage: [--sizes 4k,4m] [--subscribers 1,8] [--rate HZ] [--count N] "
-                 "[--only CONTENDER] [--json FILE]\n",
-                 argv[0], argv[i]);
-    return false;
+std::optional<int> parse_options(int argc, char** argv, const std::string& help, Options& options) {
+  CLI::App app(help, std::string("tzc-bench ") + argv[0]);
+  app.footer(examples);
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& mistake) {
+    return app.exit(mistake) == 0 ? 0 : 2;
   }
-  return true;
+  return std::nullopt;
 }
 
 }  // namespace bench

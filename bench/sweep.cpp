@@ -3,31 +3,74 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <string>
 
 namespace tzc {
 namespace bench {
 namespace {
 
-bool wanted(const Options& options, const Contender& contender) {
-  return options.only.empty() || std::string(contender.name()).find(options.only) == 0;
+/// One line of the table while its samples come in.
+struct Entry {
+  Contender* contender;
+  Setup setup;
+  Samples samples{};
+};
+
+bool wanted(const Options& options, const Contender& contender, const Setup& setup) {
+  const auto& only = options.only;
+  const bool named = only.empty() || std::find(only.begin(), only.end(), contender.name()) != only.end();
+  return named && contender.supports(setup);
+}
+
+std::vector<Entry> entries_of(const Options& options, const Contenders& contenders) {
+  std::vector<Entry> entries;
+  for (const std::size_t size : options.sizes) {
+    for (const std::size_t subscribers : options.subscribers) {
+      const Setup setup{size, subscribers, options.rate, options.count, ""};
+      for (const auto& contender : contenders)
+        if (wanted(options, *contender, setup)) entries.push_back({contender.get(), setup});
+    }
+  }
+  return entries;
+}
+
+std::string next_name() {
+  static std::size_t measurements = 0;
+  return "tzcb" + std::to_string(::getpid()) + "-" + std::to_string(measurements++);
+}
+
+void measure_share(const Options& options, std::size_t round, Entry& entry) {
+  Setup share = entry.setup;
+  share.count = options.count * (round + 1) / options.rounds - options.count * round / options.rounds;
+  share.name = next_name();
+  if (share.count > 0) measure(*entry.contender, share, entry.samples);
+}
+
+void show_progress(std::size_t done, std::size_t of) {
+  if (::isatty(STDERR_FILENO) == 0) return;
+  std::fprintf(stderr, done == of ? "\r\033[K" : "\rmeasured %zu of %zu", done, of);
 }
 
 }  // namespace
 
-int sweep(const Options& options, const std::vector<std::unique_ptr<Contender>>& contenders) {
+// A virtual machine's wake-ups can take twice as long in one minute as in the next: taking turns gives every
+// contender, size and number of subscribers its share of both.
+int sweep(const Options& options, const Contenders& contenders) {
+  std::vector<Entry> entries = entries_of(options, contenders);
+  std::size_t done = 0;
+  for (std::size_t round = 0; round < options.rounds; ++round) {
+    for (Entry& entry : entries) {
+      measure_share(options, round, entry);
+      show_progress(++done, options.rounds * entries.size());
+    }
+  }
   std::vector<Row> rows;
   print_header();
-  for (const std::size_t size : options.sizes) {
-    for (const std::size_t subscribers : options.subscribers) {
-      for (const auto& contender : contenders) {
-        const std::string name = "tzcb" + std::to_string(::getpid()) + "-" + std::to_string(rows.size());
-        const Setup setup{size, subscribers, options.rate, options.count, name};
-        if (!wanted(options, *contender) || !contender->supports(setup)) continue;
-        rows.push_back(measure(*contender, setup));
-        print_row(rows.back());
-      }
-    }
+  for (Entry& entry : entries) {
+    rows.push_back(summarize(*entry.contender, entry.setup, std::move(entry.samples)));
+    print_row(rows.back());
   }
   return options.json.empty() || write_json(options.json, rows) ? 0 : 1;
 }

@@ -10,9 +10,11 @@
 namespace tzc {
 namespace bench {
 
-/// Measures every wanted contender at every size and number of subscribers, contenders alternating, prints the table
-/// and writes the JSON file; the exit code.
-int sweep(const Options& options, const std::vector<std::unique_ptr<Contender>>& contenders);
+using Contenders = std::vector<std::unique_ptr<Contender>>;
+
+/// Measures every wanted contender at every size and number of subscribers, the contenders taking turns,
+/// prints the table and writes the JSON file; the exit code.
+int sweep(const Options& options, const Contenders& contenders);
 
 }  // namespace bench
 }  // namespace tzc

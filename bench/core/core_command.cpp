@@ -11,8 +11,6 @@ namespace tzc {
 namespace bench {
 namespace {
 
-using Contenders = std::vector<std::unique_ptr<Contender>>;
-
 Contenders all_contenders(bool iceoryx) {
   Contenders contenders;
   contenders.push_back(seqpacket_contender());
@@ -34,7 +32,9 @@ Contenders all_contenders(bool iceoryx) {
 
 int run_core(int argc, char** argv) {
   Options options;
-  if (!parse_options(argc, argv, options)) return 2;
+  const auto over =
+      parse_options(argc, argv, "One-way latency of TZC's core next to a bare socket and iceoryx.", options);
+  if (over) return *over;
 #ifdef TZC_BENCH_ICEORYX
   const RouDi roudi;
   if (!roudi.running()) std::fprintf(stderr, "iox-roudi does not start: no figures of iceoryx\n");

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <string>
 
+#include <iceoryx_hoofs/log/logmanager.hpp>
 #include <iceoryx_posh/popo/listener.hpp>
 #include <iceoryx_posh/popo/untyped_publisher.hpp>
 #include <iceoryx_posh/popo/untyped_subscriber.hpp>
@@ -19,8 +20,11 @@ namespace {
 
 using iox::popo::UntypedSubscriber;
 
-iox::RuntimeName_t runtime_name(const std::string& text) {
-  return {iox::cxx::TruncateToCapacity, text.c_str()};
+// Its log would run through the table.
+void start_runtime(const std::string& name) {
+  iox::log::LogManager::GetLogManager().SetDefaultLogLevel(iox::log::LogLevel::kOff,
+                                                           iox::log::LogLevelOutput::kHideLogLevel);
+  iox::runtime::PoshRuntime::initRuntime(iox::RuntimeName_t(iox::cxx::TruncateToCapacity, name.c_str()));
 }
 
 iox::capro::ServiceDescription service(const Setup& setup) {
@@ -50,10 +54,11 @@ class IceoryxContender final : public Contender {
   explicit IceoryxContender(bool listener) : listener_(listener) {}
 
   const char* name() const override { return listener_ ? "iceoryx-listener" : "iceoryx-waitset"; }
+  bool cleans_up_at_exit() const override { return true; }
   bool supports(const Setup& setup) const override { return setup.size_bytes <= (4 << 20); }
 
   void subscribe(const Setup& setup, std::size_t who, Recorder& recorder) override {
-    iox::runtime::PoshRuntime::initRuntime(runtime_name(setup.name + "-s" + std::to_string(who)));
+    start_runtime(setup.name + "-s" + std::to_string(who));
     iox::popo::SubscriberOptions options;
     options.queueCapacity = 10;
     UntypedSubscriber subscriber(service(setup), options);
@@ -62,7 +67,7 @@ class IceoryxContender final : public Contender {
   }
 
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
-    iox::runtime::PoshRuntime::initRuntime(runtime_name(setup.name + "-p"));
+    start_runtime(setup.name + "-p");
     iox::popo::PublisherOptions options;
     options.historyCapacity = 0;
     const auto publisher = std::make_shared<iox::popo::UntypedPublisher>(service(setup), options);

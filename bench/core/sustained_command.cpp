@@ -56,7 +56,9 @@ int run_sustained(int argc, char** argv) {
   options.subscribers = {8};
   options.rate = 200;
   options.count = 200 * 60;
-  if (!parse_options(argc, argv, options)) return 2;
+  const auto over =
+      parse_options(argc, argv, "Sends for a minute: is anything lost, does memory stay flat?", options);
+  if (over) return *over;
   Watched contender;
   const Setup setup{options.sizes[0],
                     options.subscribers[0],
@@ -64,7 +66,9 @@ int run_sustained(int argc, char** argv) {
                     options.count,
                     "tzcs" + std::to_string(::getpid()),
                     40};
-  const Row row = measure(contender, setup);
+  Samples samples;
+  measure(contender, setup, samples);
+  const Row row = summarize(contender, setup, std::move(samples));
   print_header();
   print_row(row);
   const bool complete = row.delivered == row.sent;

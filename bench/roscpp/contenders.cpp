@@ -88,7 +88,8 @@ class TcprosContender final : public NodeContender {
   }
 
  protected:
-  ros::Subscriber subscribe_node(ros::NodeHandle& node, const std::string& topic, const Callback& callback) override {
+  ros::Subscriber subscribe_node(ros::NodeHandle& node, const std::string& topic,
+                                 const Callback& callback) override {
     return node.subscribe<::sensor_msgs::Image>(topic, queue_size, callback, ros::VoidConstPtr(),
                                                 ros::TransportHints().tcpNoDelay());
   }
@@ -114,7 +115,8 @@ class TzcNodeContender final : public NodeContender {
   }
 
  protected:
-  ros::Subscriber subscribe_node(ros::NodeHandle& node, const std::string& topic, const Callback& callback) override {
+  ros::Subscriber subscribe_node(ros::NodeHandle& node, const std::string& topic,
+                                 const Callback& callback) override {
     return direct_ ? subscribe_direct<::sensor_msgs::Image>(node, topic, queue_size, callback)
                    : tzc::subscribe<::sensor_msgs::Image>(node, topic, queue_size, callback);
   }
@@ -168,10 +170,18 @@ class IntraprocessContender final : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> tcpros_contender() { return std::make_unique<TcprosContender>(); }
-std::unique_ptr<Contender> tzc_queue_contender() { return std::make_unique<TzcNodeContender>(false); }
-std::unique_ptr<Contender> tzc_direct_contender() { return std::make_unique<TzcNodeContender>(true); }
-std::unique_ptr<Contender> intraprocess_contender() { return std::make_unique<IntraprocessContender>(); }
+std::unique_ptr<Contender> tcpros_contender() {
+  return std::make_unique<TcprosContender>();
+}
+std::unique_ptr<Contender> tzc_queue_contender() {
+  return std::make_unique<TzcNodeContender>(false);
+}
+std::unique_ptr<Contender> tzc_direct_contender() {
+  return std::make_unique<TzcNodeContender>(true);
+}
+std::unique_ptr<Contender> intraprocess_contender() {
+  return std::make_unique<IntraprocessContender>();
+}
 
 }  // namespace bench
 }  // namespace tzc

@@ -15,13 +15,15 @@ int run_roscpp(int argc, char** argv) {
   Options options;
   options.sizes = {4096, 4 << 20};
   options.rate = 30;
-  if (!parse_options(argc, argv, options)) return 2;
+  const auto over =
+      parse_options(argc, argv, "One-way latency between ROS nodes, next to a bare socket.", options);
+  if (over) return *over;
   const RosCore core;
   if (!core.running()) {
     std::fprintf(stderr, "rosmaster does not start: is ROS's environment set up (source setup.bash)?\n");
     return 1;
   }
-  std::vector<std::unique_ptr<Contender>> contenders;
+  Contenders contenders;
   contenders.push_back(seqpacket_contender());
   contenders.push_back(tzc_direct_contender());
   contenders.push_back(tzc_queue_contender());
