@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "posix/hot.h"
 #include "segment/ledger.h"
 #include "segment/segment.h"
 #include "segment/segment_ptr.h"
@@ -28,7 +29,7 @@ class AnnouncedSegments {
 
   std::size_t size() const { return entries_.size(); }
   /// Null: not announced yet.
-  std::shared_ptr<segment::Ledger> ledger_of(std::uint64_t segment_id) const;
+  TZC_HOT std::shared_ptr<segment::Ledger> ledger_of(std::uint64_t segment_id) const;
   Expected<Entry> add(segment::Segment& segment, const std::weak_ptr<segment::Revoker>& revoker);
   /// Lets go of segments that no block will ever be allocated in again and that the subscriber holds nothing
   /// of; returns their ids.

@@ -11,6 +11,7 @@
 #include "channel/shared_page.h"
 #include "channel/undecided.h"
 #include "posix/file_descriptor.h"
+#include "posix/hot.h"
 #include "tzc/channel.h"
 
 namespace tzc {
@@ -40,7 +41,7 @@ class ConnectionImpl final : public Connection,
   Credentials peer() const override { return peer_.credentials; }
   const std::string& hello() const override { return peer_.hello; }
   bool alive() const override;
-  bool send(const RecordPtr& record) override;
+  TZC_HOT bool send(const RecordPtr& record) override;
   Error last_failure() const override;
   void close() override;
   ConnectionStats stats() const override;
@@ -58,16 +59,16 @@ class ConnectionImpl final : public Connection,
   enum class State { corked, open, draining, gone };
 
   bool accepts_records() const { return state_ == State::corked || state_ == State::open; }
-  bool announce_segments(const Record& record);
+  TZC_HOT bool announce_segments(const Record& record);
   Status announce(segment::Segment& segment);
   void retire_segments();
-  void claim(const Record& record);
-  void transmit(Outgoing item);
+  TZC_HOT void claim(const Record& record);
+  TZC_HOT void transmit(Outgoing item);
   void flush();
   void watch_writable(bool wanted);
-  void settle();
+  TZC_HOT void settle();
   void revoke_through(std::uint32_t sequence);
-  void revoke_oldest_down_to(std::size_t most);
+  TZC_HOT void revoke_oldest_down_to(std::size_t most);
   void drop_oldest_undecided(bool revoked);
   void break_off();
   void unsubscribed();

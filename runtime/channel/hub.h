@@ -8,6 +8,7 @@
 
 #include "channel/connection.h"
 #include "channel/service.h"
+#include "posix/hot.h"
 #include "posix/socket.h"
 #include "tzc/channel.h"
 
@@ -23,7 +24,7 @@ class Hub final : public Watcher, public std::enable_shared_from_this<Hub> {
 
   const std::string& address() const { return listener_.address(); }
   const std::shared_ptr<SegmentMemory>& memory() const { return options_.memory; }
-  std::size_t publish(const RecordPtr& record);
+  TZC_HOT std::size_t publish(const RecordPtr& record);
   std::vector<ConnectionPtr> connections() const;
   PublisherStats stats() const;
   /// Afterwards no callback runs any more, except the one that is calling this.

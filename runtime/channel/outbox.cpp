@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/outbox.h"
+#include "posix/hot.h"
 
 #include <algorithm>
 
@@ -44,20 +45,23 @@ SendResult write_slice(int socket, const Prefix& prefix, const std::uint8_t* dat
   return result;
 }
 
-SendResult write_record(int socket, Outgoing& item, std::uint64_t& bytes) {
-  const std::vector<std::uint8_t>& body = item.record->body();
-  posix::step("publish: before write");
-  if (body.size() <= fragment_bytes)
-    return write_slice(socket, RecordPrefix{PacketKind::record, item.sequence}, body.data(), body.size(),
-                       bytes);
-  while (item.written < body.size()) {
-    const std::size_t size = std::min(fragment_bytes, body.size() - item.written);
-    const FragmentPrefix prefix{PacketKind::fragment, item.sequence, item.written, body.size()};
-    const SendResult result = write_slice(socket, prefix, body.data() + item.written, size, bytes);
+SendResult write_fragments(int socket, Outgoing& item, std::uint64_t& bytes) {
+  const Record& record = *item.record;
+  while (item.written < record.size()) {
+    const std::size_t size = std::min(fragment_bytes, record.size() - item.written);
+    const FragmentPrefix prefix{PacketKind::fragment, item.sequence, item.written, record.size()};
+    const SendResult result = write_slice(socket, prefix, record.data() + item.written, size, bytes);
     if (result != SendResult::sent) return result;
     item.written += size;
   }
   return SendResult::sent;
+}
+
+TZC_HOT SendResult write_record(int socket, Outgoing& item, std::uint64_t& bytes) {
+  posix::step("publish: before write");
+  if (item.record->size() > fragment_bytes) return write_fragments(socket, item, bytes);
+  const RecordPrefix prefix{PacketKind::record, item.sequence};
+  return write_slice(socket, prefix, item.record->data(), item.record->size(), bytes);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "channel/record.h"
 #include "channel/wire.h"
+#include "posix/hot.h"
 #include "posix/packet.h"
 #include "segment/ledger.h"
 #include "segment/segment_ptr.h"
@@ -30,7 +31,7 @@ struct Outgoing {
 class Outbox {
  public:
   /// Writes as much of `item` as the socket takes and adds what it wrote to `bytes`.
-  static posix::SendResult write(int socket, Outgoing& item, std::uint64_t& bytes);
+  TZC_HOT static posix::SendResult write(int socket, Outgoing& item, std::uint64_t& bytes);
 
   bool empty() const { return items_.empty(); }
   std::size_t size() const { return items_.size(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/hub.h"
 #include "posix/fork_epoch.h"
+#include "posix/hot.h"
 #include "tzc/channel.h"
 
 namespace tzc {
@@ -24,7 +25,7 @@ class PublisherHandle final : public Publisher {
 
   const std::string& address() const override { return hub_->address(); }
   const std::shared_ptr<SegmentMemory>& memory() const override { return hub_->memory(); }
-  std::size_t publish(const RecordPtr& record) override {
+  TZC_HOT std::size_t publish(const RecordPtr& record) override {
     return posix::forked_since(epoch_) ? 0 : hub_->publish(record);
   }
   std::vector<ConnectionPtr> connections() const override { return hub_->connections(); }

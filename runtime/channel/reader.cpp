@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/reader.h"
 
+#include <algorithm>
 #include <cstring>
+#include <new>
 
 #include "channel/verdict.h"
 #include "channel/wire.h"
@@ -11,24 +13,20 @@ namespace tzc {
 namespace channel {
 namespace {
 
-template <class Packet>
-bool read_packet(const std::vector<std::uint8_t>& memory, std::size_t size, Packet& packet) {
-  if (size < sizeof packet) return false;
-  std::memcpy(&packet, memory.data(), sizeof packet);
-  return true;
-}
+constexpr std::size_t in_message = ReceivedMessage::packet_bytes;
 
 }  // namespace
 
 Reader::Reader(std::shared_ptr<const Link> link)
-    : link_(std::move(link)), memory_(max_packet_bytes), last_sequence_(link_->first_sequence()) {}
+    : link_(std::move(link)),
+      overflow_(max_packet_bytes - in_message),
+      last_sequence_(link_->first_sequence()) {}
 
-Reader::Result Reader::read(posix::Waiting waiting, MessagePtr& message) {
+Reader::Result Reader::read(posix::Waiting waiting, MessagePtr& message) try {
   if (!reason_.empty()) return Result::closed;
   for (;;) {
     posix::ReceivedPacket packet;
-    const auto result =
-        posix::receive_packet(link_->fd(), memory_.data(), memory_.size(), waiting, true, packet);
+    const auto result = receive(waiting, packet);
     if (result == posix::ReceiveResult::nothing) return Result::nothing;
     if (result == posix::ReceiveResult::closed) {
       reason_ = "the publisher closed the connection";
@@ -38,11 +36,34 @@ Reader::Result Reader::read(posix::Waiting waiting, MessagePtr& message) {
     if (!handle(packet, message)) return Result::closed;
     if (message) return Result::message;
   }
+} catch (const std::bad_alloc&) {
+  reason_ = "out of memory";  // this subscription ends, the process does not
+  return Result::closed;
+}
+
+posix::ReceiveResult Reader::receive(posix::Waiting waiting, posix::ReceivedPacket& packet) {
+  if (!next_) next_ = std::make_shared<ReceivedMessage>(link_);
+  const iovec parts[] = {{next_->packet(), in_message}, {overflow_.data(), overflow_.size()}};
+  return posix::receive_packet(link_->fd(), parts, 2, waiting, true, packet);
+}
+
+template <class Packet>
+bool Reader::parse(std::size_t size, Packet& packet) const {
+  static_assert(sizeof packet <= in_message, "overflow_ never holds a part of it");
+  if (size < sizeof packet) return false;
+  std::memcpy(&packet, next_->packet(), sizeof packet);
+  return true;
+}
+
+void Reader::append_packet(std::size_t from, std::size_t size, std::vector<std::uint8_t>& bytes) const {
+  const std::uint8_t* first = next_->packet();
+  bytes.insert(bytes.end(), first + from, first + std::min(size, in_message));
+  if (size > in_message) bytes.insert(bytes.end(), overflow_.data(), overflow_.data() + (size - in_message));
 }
 
 bool Reader::handle(posix::ReceivedPacket& packet, MessagePtr& message) {
   PacketKind kind{};
-  if (packet.truncated || !read_packet(memory_, packet.size, kind)) return broken("a packet of a wrong size");
+  if (packet.truncated || !parse(packet.size, kind)) return broken("a packet of a wrong size");
   switch (kind) {
     case PacketKind::segment:
       return open_segment(packet);
@@ -57,39 +78,49 @@ bool Reader::handle(posix::ReceivedPacket& packet, MessagePtr& message) {
   }
 }
 
+const std::shared_ptr<segment::ReceivedSegment>* Reader::find_segment(std::uint64_t id) const {
+  const auto found = std::find_if(segments_.begin(), segments_.end(),
+                                  [id](const auto& segment) { return segment->id() == id; });
+  return found == segments_.end() ? nullptr : &*found;
+}
+
 bool Reader::open_segment(posix::ReceivedPacket& packet) {
   SegmentPacket offer{};
-  if (packet.size != sizeof offer || !read_packet(memory_, packet.size, offer))
-    return broken("a malformed segment");
+  if (packet.size != sizeof offer || !parse(packet.size, offer)) return broken("a malformed segment");
   if (packet.descriptor_count != 2) return broken("a segment without its files (too many open files here?)");
-  if (segments_.size() >= max_segments || segments_.count(offer.offer.id) != 0)
+  if (segments_.size() >= max_segments || find_segment(offer.offer.id) != nullptr)
     return broken("too many segments");
   auto opened = segment::ReceivedSegment::open(offer.offer, std::move(packet.descriptors[0]),
                                                std::move(packet.descriptors[1]));
   if (!opened) return broken(opened.error().text());
-  segments_.emplace(offer.offer.id, std::move(*opened));
+  segments_.push_back(std::move(*opened));
   return true;
 }
 
 bool Reader::retire_segment(const posix::ReceivedPacket& packet) {
   RetireSegment retirement{};
-  if (!read_packet(memory_, packet.size, retirement)) return broken("a malformed retirement");
-  segments_.erase(retirement.id);
+  if (!parse(packet.size, retirement)) return broken("a malformed retirement");
+  const auto* retired = find_segment(retirement.id);
+  if (retired != nullptr) segments_.erase(segments_.begin() + (retired - segments_.data()));
   return true;
 }
 
 bool Reader::accept_record(const posix::ReceivedPacket& packet, MessagePtr& message) {
   RecordPrefix prefix{};
-  if (!read_packet(memory_, packet.size, prefix)) return broken("a malformed record");
-  const auto begin = memory_.begin() + sizeof prefix;
-  return deliver(prefix.sequence, {begin, memory_.begin() + static_cast<std::ptrdiff_t>(packet.size)},
-                 message);
+  if (!parse(packet.size, prefix)) return broken("a malformed record");
+  const std::uint8_t* body = next_->packet() + sizeof prefix;
+  if (packet.size > in_message) {
+    std::vector<std::uint8_t> whole;
+    append_packet(sizeof prefix, packet.size, whole);
+    body = next_->adopt(std::move(whole));
+  }
+  return deliver(prefix.sequence, body, packet.size - sizeof prefix, message);
 }
 
 // Memory grows with what really arrived, never with what a peer merely announced.
 bool Reader::accept_fragment(const posix::ReceivedPacket& packet, MessagePtr& message) {
   FragmentPrefix prefix{};
-  if (!read_packet(memory_, packet.size, prefix)) return broken("a malformed fragment");
+  if (!parse(packet.size, prefix)) return broken("a malformed fragment");
   const std::uint64_t slice = packet.size - sizeof prefix;
   if (prefix.offset == 0) {
     if (prefix.total > max_body_bytes) return broken("a message that is too large");
@@ -99,35 +130,36 @@ bool Reader::accept_fragment(const posix::ReceivedPacket& packet, MessagePtr& me
                     prefix.offset == assembly_.bytes.size() && slice > 0 &&
                     slice <= prefix.total - prefix.offset;
   if (!fits) return broken("fragments that don't fit together");
-  assembly_.bytes.insert(assembly_.bytes.end(), memory_.begin() + sizeof prefix,
-                         memory_.begin() + static_cast<std::ptrdiff_t>(packet.size));
+  append_packet(sizeof prefix, packet.size, assembly_.bytes);
   if (assembly_.bytes.size() < assembly_.total) return true;
   Assembly whole = std::move(assembly_);
   assembly_ = Assembly{};
-  return deliver(whole.sequence, std::move(whole.bytes), message);
+  const std::size_t size = whole.bytes.size();
+  return deliver(whole.sequence, next_->adopt(std::move(whole.bytes)), size, message);
 }
 
 // Only the winner of the verdict looks at the blocks: those of a revoked record may hold something else by
 // now.
-bool Reader::deliver(std::uint32_t sequence, std::vector<std::uint8_t> body, MessagePtr& message) {
+bool Reader::deliver(std::uint32_t sequence, const std::uint8_t* body, std::size_t size,
+                     MessagePtr& message) {
   ParsedBody parsed;
-  if (!advance(sequence) || !parse_body(body.data(), body.size(), parsed))
-    return broken("a malformed record");
+  if (!advance(sequence) || !parse_body(body, size, parsed)) return broken("a malformed record");
   posix::step("take: before verdict");
   if (!win_take(link_->verdict(), sequence)) {
     ++counters_.lost;
     return true;
   }
   posix::step("take: verdict won");
-  std::vector<ReceivedMessage::Hold> holds;
-  if (!take(parsed, holds)) return false;
-  if (holds.size() < parsed.header.block_count) {
-    for (const auto& hold : holds) hold.segment->release(hold.ref);
+  bool complete = false;
+  if (!take_blocks(parsed, complete)) return false;
+  if (!complete) {
+    next_->release_blocks();
     ++counters_.lost;
     return true;
   }
   ++counters_.received;
-  message = std::make_shared<const ReceivedMessage>(std::move(body), parsed, std::move(holds), link_);
+  next_->complete(parsed);
+  message = std::move(next_);
   return true;
 }
 
@@ -139,16 +171,16 @@ bool Reader::advance(std::uint32_t sequence) {
   return true;
 }
 
-bool Reader::take(const ParsedBody& parsed, std::vector<ReceivedMessage::Hold>& holds) {
-  holds.reserve(parsed.header.block_count);
+bool Reader::take_blocks(const ParsedBody& parsed, bool& complete) {
   for (std::uint32_t i = 0; i < parsed.header.block_count; ++i) {
     const segment::BlockRef& ref = parsed.refs[i];
-    const auto found = segments_.find(ref.segment);
-    if (found == segments_.end() || !found->second->check(ref)) return broken("a block that does not exist");
-    if (!found->second->take(ref)) break;
+    const auto* segment = find_segment(ref.segment);
+    if (segment == nullptr || !(*segment)->check(ref)) return broken("a block that does not exist");
+    if (!(*segment)->take(ref)) return true;
     posix::step("take: block taken");
-    holds.push_back(ReceivedMessage::Hold{found->second, ref});
+    next_->hold(*segment, ref);
   }
+  complete = true;
   return true;
 }
 

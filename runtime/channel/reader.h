@@ -3,13 +3,13 @@
 
 #include <atomic>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "channel/link.h"
 #include "channel/received_message.h"
+#include "posix/hot.h"
 #include "posix/packet.h"
 #include "segment/received_segment.h"
 
@@ -32,7 +32,7 @@ class Reader {
   explicit Reader(std::shared_ptr<const Link> link);
 
   /// The next message. `nothing`: none there now (return_at_once only). `closed`: see reason().
-  Result read(posix::Waiting waiting, MessagePtr& message);
+  TZC_HOT Result read(posix::Waiting waiting, MessagePtr& message);
   const std::string& reason() const { return reason_; }
   const ReaderCounters& counters() const { return counters_; }
 
@@ -43,19 +43,26 @@ class Reader {
     std::vector<std::uint8_t> bytes;
   };
 
-  bool handle(posix::ReceivedPacket& packet, MessagePtr& message);
+  TZC_HOT posix::ReceiveResult receive(posix::Waiting waiting, posix::ReceivedPacket& packet);
+  TZC_HOT bool handle(posix::ReceivedPacket& packet, MessagePtr& message);
   bool open_segment(posix::ReceivedPacket& packet);
   bool retire_segment(const posix::ReceivedPacket& packet);
-  bool accept_record(const posix::ReceivedPacket& packet, MessagePtr& message);
+  TZC_HOT bool accept_record(const posix::ReceivedPacket& packet, MessagePtr& message);
   bool accept_fragment(const posix::ReceivedPacket& packet, MessagePtr& message);
-  bool deliver(std::uint32_t sequence, std::vector<std::uint8_t> body, MessagePtr& message);
-  bool advance(std::uint32_t sequence);
-  bool take(const ParsedBody& parsed, std::vector<ReceivedMessage::Hold>& holds);
+  TZC_HOT bool deliver(std::uint32_t sequence, const std::uint8_t* body, std::size_t size,
+                       MessagePtr& message);
+  TZC_HOT bool advance(std::uint32_t sequence);
+  TZC_HOT bool take_blocks(const ParsedBody& parsed, bool& complete);
+  TZC_HOT const std::shared_ptr<segment::ReceivedSegment>* find_segment(std::uint64_t id) const;
+  template <class Packet>
+  bool parse(std::size_t size, Packet& packet) const;
+  void append_packet(std::size_t from, std::size_t size, std::vector<std::uint8_t>& bytes) const;
   bool broken(const std::string& why);
 
   const std::shared_ptr<const Link> link_;
-  std::vector<std::uint8_t> memory_;
-  std::map<std::uint64_t, std::shared_ptr<segment::ReceivedSegment>> segments_;
+  std::shared_ptr<ReceivedMessage> next_;  // a packet's first bytes go into the message that they may become
+  std::vector<std::uint8_t> overflow_;     // and the others here
+  std::vector<std::shared_ptr<segment::ReceivedSegment>> segments_;
   Assembly assembly_;
   std::uint32_t last_sequence_;
   ReaderCounters counters_;

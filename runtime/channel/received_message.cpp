@@ -7,6 +7,11 @@
 
 namespace tzc {
 namespace channel {
+namespace {
+
+constexpr std::size_t usual_blocks = 2;  // an image has one, and one more for a control part that is large
+
+}  // namespace
 
 bool parse_body(const std::uint8_t* data, std::size_t size, ParsedBody& parsed) {
   if (size < sizeof parsed.header) return false;
@@ -23,27 +28,42 @@ bool parse_body(const std::uint8_t* data, std::size_t size, ParsedBody& parsed) 
   return parsed.header.control_size == size - refs_end;
 }
 
-ReceivedMessage::ReceivedMessage(std::vector<std::uint8_t> body, const ParsedBody& parsed,
-                                 std::vector<Hold> holds, std::shared_ptr<const Link> link)
-    : body_(std::move(body)), holds_(std::move(holds)), link_(std::move(link)) {
-  tag_ = parsed.header.tag;
-  control_size_ = static_cast<std::size_t>(parsed.header.control_size);
-  blocks_.reserve(holds_.size());
-  for (const Hold& hold : holds_) blocks_.push_back(hold.segment->block(hold.ref));
-  control_ = parsed.control;
-  if (control_ != nullptr) return;
-  control_ = blocks_.back().data;
-  blocks_.pop_back();
+ReceivedMessage::ReceivedMessage(std::shared_ptr<const Link> link) : link_(std::move(link)) {
+  holds_.reserve(usual_blocks);
+  blocks_.reserve(usual_blocks);
 }
 
 // A forked child's copy says nothing: the blocks are its parent's.
 ReceivedMessage::~ReceivedMessage() {
-  if (link_->forked()) return;
+  if (!link_->forked()) release_blocks();
+}
+
+const std::uint8_t* ReceivedMessage::adopt(std::vector<std::uint8_t> body) {
+  body_ = std::move(body);
+  return body_.data();
+}
+
+void ReceivedMessage::hold(std::shared_ptr<segment::ReceivedSegment> segment, const segment::BlockRef& ref) {
+  holds_.push_back(Hold{std::move(segment), ref});
+}
+
+void ReceivedMessage::release_blocks() {
   for (const Hold& hold : holds_) {
     posix::step("release: block");
     hold.segment->release(hold.ref);
     posix::step("release: released");
   }
+  holds_.clear();
+}
+
+void ReceivedMessage::complete(const ParsedBody& parsed) {
+  tag_ = parsed.header.tag;
+  control_size_ = static_cast<std::size_t>(parsed.header.control_size);
+  for (const Hold& hold : holds_) blocks_.push_back(hold.segment->block(hold.ref));
+  control_ = parsed.control;
+  if (control_ != nullptr) return;
+  control_ = blocks_.back().data;
+  blocks_.pop_back();
 }
 
 }  // namespace channel

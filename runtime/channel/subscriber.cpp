@@ -4,6 +4,7 @@
 
 #include "channel/link.h"
 #include "channel/reader.h"
+#include "posix/hot.h"
 #include "posix/thread.h"
 #include "tzc/channel.h"
 
@@ -17,7 +18,7 @@ struct Session {
   Session(SubscriberOptions given, std::shared_ptr<const Link> connected)
       : options(std::move(given)), link(connected), reader(std::move(connected)) {}
 
-  void run() {
+  TZC_HOT void run() {
     MessagePtr message;
     while (!stopping && reader.read(posix::Waiting::block, message) == Reader::Result::message) {
       if (!stopping) options.on_message(message);

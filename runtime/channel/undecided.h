@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "posix/hot.h"
 #include "segment/block.h"
 #include "segment/ledger.h"
 
@@ -31,9 +32,9 @@ class Undecided {
   std::size_t size() const { return entries_.size(); }
   const Entry& oldest() const { return entries_.front(); }
   /// A new youngest entry without claims.
-  Entry& push(std::uint32_t sequence);
+  TZC_HOT Entry& push(std::uint32_t sequence);
   void drop_newest();
-  void drop_oldest();
+  TZC_HOT void drop_oldest();
   /// The youngest entry that refers to the block; null when there is none.
   const Entry* find_last(const segment::BlockName& block) const;
 

@@ -74,11 +74,16 @@ SendResult send_packet(int socket, const iovec* parts, std::size_t part_count, c
 
 ReceiveResult receive_packet(int socket, void* memory, std::size_t size, Waiting waiting,
                              bool with_descriptors, ReceivedPacket& packet) noexcept {
+  const iovec whole{memory, size};
+  return receive_packet(socket, &whole, 1, waiting, with_descriptors, packet);
+}
+
+ReceiveResult receive_packet(int socket, const iovec* parts, std::size_t part_count, Waiting waiting,
+                             bool with_descriptors, ReceivedPacket& packet) noexcept {
   ControlMemory control;
-  iovec part{memory, size};
   msghdr message{};
-  message.msg_iov = &part;
-  message.msg_iovlen = 1;
+  message.msg_iov = const_cast<iovec*>(parts);
+  message.msg_iovlen = part_count;
   message.msg_control = with_descriptors ? control.bytes : nullptr;
   message.msg_controllen = with_descriptors ? control_space : 0;
   const int flags = MSG_CMSG_CLOEXEC | (waiting == Waiting::block ? 0 : MSG_DONTWAIT);

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "posix/file_descriptor.h"
+#include "posix/hot.h"
 
 namespace tzc {
 namespace posix {
@@ -20,8 +21,8 @@ enum class SendResult {
 };
 
 /// Sends one packet, and descriptors along with it. Never blocks, never raises SIGPIPE.
-SendResult send_packet(int socket, const iovec* parts, std::size_t part_count,
-                       const int* descriptors = nullptr, std::size_t descriptor_count = 0) noexcept;
+TZC_HOT SendResult send_packet(int socket, const iovec* parts, std::size_t part_count,
+                               const int* descriptors = nullptr, std::size_t descriptor_count = 0) noexcept;
 
 enum class Waiting { block, return_at_once };
 
@@ -43,6 +44,9 @@ struct ReceivedPacket {
 /// closed by the kernel and never reach this process.
 ReceiveResult receive_packet(int socket, void* memory, std::size_t size, Waiting waiting,
                              bool with_descriptors, ReceivedPacket& packet) noexcept;
+/// The same into several pieces of memory, one after the other.
+TZC_HOT ReceiveResult receive_packet(int socket, const iovec* parts, std::size_t part_count, Waiting waiting,
+                                     bool with_descriptors, ReceivedPacket& packet) noexcept;
 
 }  // namespace posix
 }  // namespace tzc

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "posix/hot.h"
 #include "posix/mapping.h"
 #include "posix/memory_file.h"
 #include "segment/layout.h"
@@ -24,7 +25,7 @@ class Ledger {
 
   /// The block goes out to this subscriber once more. False: counted to its limit, or the peer corrupts the
   /// word.
-  bool mark(std::uint32_t slot, std::uint32_t generation);
+  TZC_HOT bool mark(std::uint32_t slot, std::uint32_t generation);
   /// Undoes one mark that the subscriber did not take.
   void revoke(std::uint32_t slot, std::uint32_t generation);
   /// The subscriber may still read the block, now or once it takes it.

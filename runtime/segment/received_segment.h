@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "posix/file_descriptor.h"
+#include "posix/hot.h"
 #include "posix/mapping.h"
 #include "segment/block.h"
 #include "segment/layout.h"
@@ -46,12 +47,12 @@ class ReceivedSegment {
 
   std::uint64_t id() const { return id_; }
   /// True when the reference lies in this segment and the block there is the one it names.
-  bool check(const BlockRef& ref) const;
+  TZC_HOT bool check(const BlockRef& ref) const;
   /// The bytes of a reference that check() accepted.
-  ConstBlock block(const BlockRef& ref) const;
+  TZC_HOT ConstBlock block(const BlockRef& ref) const;
   /// In flight -> taken. False: the block was not in flight to us, or another one lives there now.
-  bool take(const BlockRef& ref);
-  void release(const BlockRef& ref);
+  TZC_HOT bool take(const BlockRef& ref);
+  TZC_HOT void release(const BlockRef& ref);
 
  private:
   std::atomic<std::uint64_t>& word(std::uint32_t slot) const;

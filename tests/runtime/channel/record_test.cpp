@@ -35,7 +35,7 @@ TEST(Record, ParsesWhatItEncodes) {
   const auto memory = memory_of(mb);
   const RecordPtr record = text_record("control", {memory->allocate(100), memory->allocate(200)});
   ParsedBody parsed;
-  ASSERT_TRUE(parse_body(record->body().data(), record->body().size(), parsed));
+  ASSERT_TRUE(parse_body(record->data(), record->size(), parsed));
   EXPECT_EQ(parsed.header.tag, 7u);
   EXPECT_EQ(parsed.header.block_count, 2u);
   EXPECT_EQ(std::string(reinterpret_cast<const char*>(parsed.control), parsed.header.control_size),
@@ -46,8 +46,8 @@ TEST(Record, ATruncatedBodyIsMalformed) {
   const auto memory = memory_of(mb);
   const RecordPtr record = text_record("control", {memory->allocate(100)});
   ParsedBody parsed;
-  for (std::size_t size = 0; size < record->body().size(); ++size)
-    EXPECT_FALSE(parse_body(record->body().data(), size, parsed)) << size;
+  for (std::size_t size = 0; size < record->size(); ++size)
+    EXPECT_FALSE(parse_body(record->data(), size, parsed)) << size;
 }
 
 }  // namespace
