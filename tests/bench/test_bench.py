@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""usage: test_bench.py TZC_BENCH core|roscpp|sustained
+
+A short run of the command delivers messages, writes the JSON file that is promised, and mistakes are told."""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+FIELDS = {"contender": str, "size_bytes": int, "subscribers": int, "sent": int, "delivered": int,
+          "median_us": (int, float), "p99_us": (int, float)}
+CONTENDERS = {"core": {"seqpacket", "tzc", "tzc-own-loop"},
+              "roscpp": {"seqpacket", "tzc-direct", "tzc-queue", "intraprocess", "tcpros"},
+              "sustained": {"tzc-sustained"}}
+
+
+def run(*command):
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100)
+
+
+def short_run(bench, command):
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "figures.json")
+        many = [] if command == "sustained" else ["--sizes", "4k,64k", "--rounds", "2"]
+        done = run(bench, command, "--subscribers", "2", "--count", "10", "--rate", "50", "--json", path, *many)
+        assert done.returncode == 0, done.stderr
+        with open(path) as file:
+            return done.stdout, json.load(file)
+
+
+def check_rows(rows, command):
+    assert CONTENDERS[command] <= {row["contender"] for row in rows}, rows
+    sizes = {4 << 20} if command == "sustained" else {4096, 65536}
+    for row in rows:
+        assert set(row) == set(FIELDS), row
+        assert all(isinstance(row[name], kind) for name, kind in FIELDS.items()), row
+        assert row["size_bytes"] in sizes and row["subscribers"] == 2, row
+        assert row["sent"] == 20 and 0 < row["delivered"] <= 20, row  # a busy machine may stall past the queue
+        assert 0 < row["median_us"] <= row["p99_us"], row
+
+
+def main():
+    bench, command = sys.argv[1:]
+    table, figures = short_run(bench, command)
+    assert set(figures) == {"machine", "rows"} and figures["machine"]["cpus"] > 0, figures
+    check_rows(figures["rows"], command)
+    assert all(row["contender"] in table for row in figures["rows"]), table
+    for mistake in (["--size", "4k"], ["--rate", "-1"], ["--sizes", "many"], ["--subscribers", "99"]):
+        told = run(bench, command, *mistake)
+        assert told.returncode == 2 and mistake[0] in told.stderr, (mistake, told)
+    assert "Examples:" in run(bench, command, "--help").stdout
+
+
+main()
