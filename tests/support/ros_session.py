@@ -82,10 +82,11 @@ class RosSession:
         os.makedirs(scratch, exist_ok=True)
         self.port = free_port()
         self.uri = f"http://127.0.0.1:{self.port}"
-        self.env = dict(os.environ, ROS_MASTER_URI=self.uri, ROS_IP="127.0.0.1", ROS_HOME=scratch,
-                        ROS_LOG_DIR=os.path.join(scratch, "log"), PYTHONUNBUFFERED="1")
+        self.env = dict(os.environ, ROS_IP="127.0.0.1", PYTHONUNBUFFERED="1")
         self.env.pop("ROS_HOSTNAME", None)
         self.env.update(env or {})
+        # A workspace's setup.sh names a master, too: this session's own is the one that counts.
+        self.env.update(ROS_MASTER_URI=self.uri, ROS_HOME=scratch, ROS_LOG_DIR=os.path.join(scratch, "log"))
         self.master = xmlrpc.client.ServerProxy(self.uri)
         self._processes = []
         self._count = 0
