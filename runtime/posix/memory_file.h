@@ -34,7 +34,8 @@ Expected<MemoryFile> create_memory_file(const char* name, std::size_t size, Shar
 /// Closes the door behind the creator's own mapping: from now on the promise of `sharing` holds.
 Status seal(MemoryFile& file, Sharing sharing);
 
-/// Commits the pages of [offset, offset + bytes). The error says what is full; nothing is lost when it fails.
+/// Commits the pages of [offset, offset + bytes). The error says what is full: the file system, a limit of
+/// the process or of its control group. Nothing is lost when it fails.
 Status reserve(const MemoryFile& file, std::size_t offset, std::size_t bytes);
 
 /// What a receiver must know before it maps a peer's file of `size` bytes: that it is a memory file of that

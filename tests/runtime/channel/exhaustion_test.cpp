@@ -6,6 +6,8 @@
 #include <signal.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -31,8 +33,8 @@ void limit(int resource, rlim_t value) {
   ::setrlimit(static_cast<__rlimit_resource>(resource), &both);
 }
 
-/// What is open stays open. The portable build's thread polls, and poll refuses a list that is longer than the limit: there
-/// the limit stays above what is open.
+/// What is open stays open. The portable build's thread polls, and poll refuses a list that is longer than
+/// the limit: there the limit stays above what is open.
 void allow_no_new_descriptor() {
 #ifdef TZC_PORTABLE
   const int next = ::dup(0);
@@ -111,6 +113,53 @@ int subscriber_that_can_not_map() {
   return 0;
 }
 
+/// This process alone in a control group of its own (version 1 or 2) with a limit; false: not permitted here.
+class LimitedGroup {
+ public:
+  explicit LimitedGroup(std::size_t bytes) {
+    for (const char* mount : {"/sys/fs/cgroup/memory", "/sys/fs/cgroup"}) {
+      folder_ = mount + ("/tzc-test-" + std::to_string(::getpid()));
+      if (::mkdir(folder_.c_str(), 0755) != 0) continue;
+      joined_ = set_limit(bytes) && write("cgroup.procs", "0");
+      if (joined_) return;
+      ::rmdir(folder_.c_str());
+    }
+  }
+  explicit operator bool() const { return joined_; }
+  bool set_limit(std::size_t bytes) const {
+    return write("memory.max", std::to_string(bytes)) ||
+           write("memory.limit_in_bytes", std::to_string(bytes));
+  }
+
+ private:
+  bool write(const char* name, const std::string& text) const {
+    const int fd = ::open((folder_ + "/" + name).c_str(), O_WRONLY);
+    const bool written =
+        fd >= 0 && ::write(fd, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+    if (fd >= 0) ::close(fd);
+    return written;
+  }
+
+  std::string folder_;
+  bool joined_ = false;
+};
+
+// The kernel would kill the process instead of refusing the memory.
+int memory_limit() {
+  const LimitedGroup group(64 * mb);
+  if (!group) return skipped;
+  const auto out = publisher(10, 256 * mb);
+  Inbox in(out->address());
+  std::vector<BufferPtr> held;
+  while (BufferPtr buffer = filled(*out->memory(), 4 * mb, 1)) held.push_back(buffer);
+  EXPECT_IN_CHILD(held.size() >= 8 && held.size() < 16);
+  EXPECT_IN_CHILD(mentions(out->memory()->last_failure().text(), "memory limit"));
+  EXPECT_IN_CHILD(out->publish(text_record("without memory")) == 1 && in.wait_for(1));
+  EXPECT_IN_CHILD(group.set_limit(128 * mb));
+  EXPECT_IN_CHILD(filled(*out->memory(), 4 * mb, 2));
+  return 0;
+}
+
 int file_size_limit() {
   ::signal(SIGXFSZ, SIG_IGN);
   limit(RLIMIT_FSIZE, 8 * mb);
@@ -152,6 +201,15 @@ TEST(Exhaustion, TooManyDescriptorsInAChild) {
 }
 TEST(Exhaustion, AcceptingWithoutDescriptorsInAChild) {
   run(accepting_without_descriptors);
+}
+TEST(Exhaustion, MemoryLimitInAChild) {
+  const pid_t child = in_child(memory_limit);
+  const int status = exit_status(child);
+  for (const char* mount : {"/sys/fs/cgroup/memory", "/sys/fs/cgroup"})
+    ::rmdir((mount + ("/tzc-test-" + std::to_string(child)))
+                .c_str());  // it can only go when its process has gone
+  if (status == skipped) GTEST_SKIP() << "no control group of version 1 or 2 may be made here";
+  EXPECT_EQ(status, 0);
 }
 TEST(Exhaustion, FileSizeLimitInAChild) {
   run(file_size_limit);
