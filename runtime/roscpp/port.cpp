@@ -118,6 +118,7 @@ PublisherStatistics Port::statistics() const {
 }
 
 bool Port::wants_pointer(const std::type_info& type) const {
+  if (shared_subscribers_ > 0 && records_.knows(type)) return true;  // spares the walk over all links
   const ros::PublicationPtr publication = publication_.lock();
   bool serialize = false, by_pointer = false;
   if (publication) publication->getPublishTypes(serialize, by_pointer, type);

@@ -108,7 +108,7 @@ class Publisher {
   void publish_shared(const M& message) const {
     detail::SharedMessage<M> shared;
     if (!shared.encode(message, *attachment_->memory())) return publish_exhausted(message);
-    if (!publisher_.isLatched() && attachment_->publish_directly(typeid(Stock<M>), shared.encoded)) return;
+    if (attachment_->publish_directly(typeid(Stock<M>), shared.encoded)) return;
     if (!shared.look(message)) return publish_exhausted(message);
     const detail::EncodedScope scope(shared.view.get(), shared.encoded);
     publisher_.publish(shared.view);
