@@ -14,6 +14,7 @@ namespace {
 using posix::SendResult;
 
 constexpr std::chrono::seconds linger{1};
+constexpr std::chrono::milliseconds pause_when_exhausted{20};
 
 }  // namespace
 
@@ -113,8 +114,8 @@ void ConnectionImpl::transmit(Outgoing item) {
     const SendResult result = Outbox::write(socket_.get(), item, stats_.bytes);
     posix::step("publish: written");
     if (result == SendResult::gone) break_off();
-    if (result != SendResult::full) return;
-    watch_writable(true);
+    if (result == SendResult::gone || result == SendResult::sent) return;
+    try_again(result);
   }
   outbox_.push(std::move(item));
   if (outbox_.size() > queue_size_ + 2 * max_segments) break_off();  // it stopped, and segments come and go
@@ -124,8 +125,17 @@ void ConnectionImpl::flush() {
   if (state_ == State::corked || state_ == State::gone) return;
   const SendResult result = outbox_.flush(socket_.get(), stats_.bytes);
   if (result == SendResult::gone) return break_off();
-  watch_writable(result == SendResult::full);
+  try_again(result);
   if (result == SendResult::sent && closing_) posix::stop_sending(socket_.get());
+}
+
+// The socket says when there is room in it again; nobody says when the system has resources again.
+void ConnectionImpl::try_again(SendResult result) {
+  watch_writable(result == SendResult::full);
+  if (result == SendResult::exhausted)
+    service_->set_deadline(key_, Service::Clock::now() + pause_when_exhausted);
+  else if (result == SendResult::full && closing_)
+    service_->set_deadline(key_, linger_ends_);
 }
 
 void ConnectionImpl::watch_writable(bool wanted) {
@@ -193,14 +203,14 @@ void ConnectionImpl::close() {
   if (!accepts_records()) return;
   state_ = State::draining;
   closing_ = true;
+  linger_ends_ = Service::Clock::now() + linger;
   flush();
-  if (!outbox_.empty()) service_->set_deadline(key_, Service::Clock::now() + linger);
 }
 
 void ConnectionImpl::on_deadline() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (state_ == State::gone) return;
-  outbox_.clear();
+  if (closing_ && Service::Clock::now() >= linger_ends_) outbox_.clear();
   flush();
 }
 

@@ -65,6 +65,7 @@ class ConnectionImpl final : public Connection,
   TZC_HOT void claim(const Record& record);
   TZC_HOT void transmit(Outgoing item);
   void flush();
+  void try_again(posix::SendResult result);
   void watch_writable(bool wanted);
   TZC_HOT void settle();
   void revoke_through(std::uint32_t sequence);
@@ -84,6 +85,7 @@ class ConnectionImpl final : public Connection,
   mutable std::mutex mutex_;
   State state_ = State::corked;
   bool closing_ = false;
+  Service::Clock::time_point linger_ends_;
   bool writable_watched_ = false;
   posix::FileDescriptor socket_;
   SharedPage page_;

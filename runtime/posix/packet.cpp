@@ -26,14 +26,14 @@ void attach_descriptors(msghdr& message, ControlMemory& control, const int* desc
   std::memcpy(CMSG_DATA(header), descriptors, sizeof(int) * count);
 }
 
-// No buffer space and too many descriptors in flight pass by themselves, like a full socket.
 SendResult classify_send_failure(int code) {
   switch (code) {
     case EAGAIN:
+      return SendResult::full;
     case ENOBUFS:
     case ENOMEM:
     case ETOOMANYREFS:
-      return SendResult::full;
+      return SendResult::exhausted;
     default:
       return SendResult::gone;
   }

@@ -16,7 +16,9 @@ constexpr std::size_t max_passed_descriptors = 2;
 
 enum class SendResult {
   sent,
-  full,  ///< the socket takes no more now; nothing was sent
+  full,       ///< the socket takes no more now; nothing was sent
+  exhausted,  ///< the system has no memory, or too many descriptors are in flight; nothing was sent, and the
+              ///< socket does not tell when it passes
   gone,  ///< the peer is no longer there, or the socket is broken
 };
 

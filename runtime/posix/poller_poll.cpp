@@ -2,8 +2,11 @@
 // Portable: poll and a pipe.
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/select.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <map>
 #include <mutex>
 
@@ -19,6 +22,41 @@ struct Interest {
   std::uint64_t key;
   short events;
 };
+
+void add_to_sets(const pollfd& entry, fd_set& readable, fd_set& writable) {
+  if ((entry.events & POLLIN) != 0) FD_SET(entry.fd, &readable);
+  if ((entry.events & POLLOUT) != 0) FD_SET(entry.fd, &writable);
+}
+
+short look_up(const pollfd& entry, const fd_set& readable, const fd_set& writable) {
+  const bool in = FD_ISSET(entry.fd, &readable) != 0, out = FD_ISSET(entry.fd, &writable) != 0;
+  return static_cast<short>((in ? POLLIN : 0) | (out ? POLLOUT : 0));
+}
+
+// Sees descriptors below FD_SETSIZE, and a hang-up as something to read.
+int wait_by_select(std::vector<pollfd>& list, int timeout_ms) {
+  fd_set readable, writable;
+  FD_ZERO(&readable);
+  FD_ZERO(&writable);
+  int above = 0;
+  for (const pollfd& entry : list) {
+    if (entry.fd >= FD_SETSIZE) continue;
+    add_to_sets(entry, readable, writable);
+    above = std::max(above, entry.fd + 1);
+  }
+  timeval timeout{timeout_ms / 1000, timeout_ms % 1000 * 1000};
+  const int ready = ::select(above, &readable, &writable, nullptr, timeout_ms < 0 ? nullptr : &timeout);
+  for (pollfd& entry : list)
+    entry.revents = ready > 0 && entry.fd < FD_SETSIZE ? look_up(entry, readable, writable) : short{0};
+  return ready;
+}
+
+// poll refuses a list that is longer than the limit on descriptors, which somebody may have lowered below
+// what is open; select looks at no limit.
+int wait_for_any(std::vector<pollfd>& list, int timeout_ms) {
+  const int ready = ::poll(list.data(), static_cast<nfds_t>(list.size()), timeout_ms);
+  return ready < 0 && errno == EINVAL ? wait_by_select(list, timeout_ms) : ready;
+}
 
 class PollPoller final : public Poller {
  public:
@@ -58,7 +96,7 @@ class PollPoller final : public Poller {
   void wait(int timeout_ms, std::vector<Event>& events) override {
     events.clear();
     std::vector<pollfd> list = current_list();
-    if (::poll(list.data(), static_cast<nfds_t>(list.size()), timeout_ms) <= 0) return;
+    if (wait_for_any(list, timeout_ms) <= 0) return;
     if (list[0].revents != 0) drain_wakes();
     const std::lock_guard<std::mutex> lock(mutex_);
     for (std::size_t i = 1; i < list.size(); ++i) add(list[i], events);

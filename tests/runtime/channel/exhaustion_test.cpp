@@ -5,6 +5,7 @@
 #include <sched.h>
 #include <signal.h>
 #include <sys/mount.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -31,18 +32,6 @@ void limit(int resource, rlim_t value) {
   ::getrlimit(static_cast<__rlimit_resource>(resource), &both);
   both.rlim_cur = value;
   ::setrlimit(static_cast<__rlimit_resource>(resource), &both);
-}
-
-/// What is open stays open. The portable build's thread polls, and poll refuses a list that is longer than
-/// the limit: there the limit stays above what is open.
-void allow_no_new_descriptor() {
-#ifdef TZC_PORTABLE
-  const int next = ::dup(0);
-  ::close(next);
-  limit(RLIMIT_NOFILE, static_cast<rlim_t>(next));
-#else
-  limit(RLIMIT_NOFILE, 0);
-#endif
 }
 
 bool mentions(const std::string& text, const char* what) {
@@ -89,11 +78,47 @@ int accepting_without_descriptors() {
     return Subscriber::create(in) ? 0 : 1;  // waits in the backlog until there is room
   });
   const auto out = publish_with(options);
-  allow_no_new_descriptor();
+  limit(RLIMIT_NOFILE, 0);  // what is open stays open
   (void)!::write(go[1], "x", 1);
   EXPECT_IN_CHILD(eventually([&] { return out->stats().accept_failures > 0; }));
   limit(RLIMIT_NOFILE, 1000);
   return exit_status(child);
+}
+
+double cpu_seconds() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + time.tv_usec / 1e6;
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// The kernel counts the descriptors that a user (not root) has in flight against the limit on open ones. Each
+// of these records lies in a segment of its own, whose two descriptors are in flight to eight subscribers
+// that don't read.
+int too_many_descriptors_in_flight() {
+  if (::setresuid(65534, 65534, 65534) != 0 || ::prctl(PR_SET_DUMPABLE, 1) != 0) return skipped;
+  const auto out = publisher();
+  std::vector<std::shared_ptr<Subscriber>> idle;
+  for (int i = 0; i < 8; ++i) idle.push_back(idle_subscriber(out->address()));
+  std::vector<BufferPtr> buffers;
+  for (unsigned char i = 0; i < 6; ++i)
+    buffers.push_back(filled(**SegmentMemory::create(MemoryOptions{mb}), 1000, i));
+  limit(RLIMIT_NOFILE, 64);
+  const double before = cpu_seconds();
+  for (const BufferPtr& buffer : buffers) EXPECT_IN_CHILD(out->publish(text_record("x", {buffer})) == 8);
+  EXPECT_IN_CHILD(out->connections()[0]->stats().queued > 0);
+  ::usleep(400'000);
+  EXPECT_IN_CHILD(cpu_seconds() - before < 0.1);  // the service thread waits, it does not try all the time
+  for (const auto& subscriber : idle) {
+    for (std::size_t i = 0; i < buffers.size(); ++i)
+      EXPECT_IN_CHILD(eventually([&] {
+        const MessagePtr message = subscriber->read();
+        return message && control_of(message) == "x";
+      }));
+  }
+  return 0;
 }
 
 int subscriber_that_can_not_map() {
@@ -199,6 +224,11 @@ void run(int (*test)()) {
 TEST(Exhaustion, TooManyDescriptorsInAChild) {
   run(publisher_without_descriptors);
 }
+#ifndef TZC_PORTABLE
+TEST(Exhaustion, TooManyDescriptorsInFlightInAChild) {
+  run(too_many_descriptors_in_flight);
+}
+#endif
 TEST(Exhaustion, AcceptingWithoutDescriptorsInAChild) {
   run(accepting_without_descriptors);
 }
