@@ -126,7 +126,7 @@ class Demo:
                     f"{where}: {result.delivered - result.shared_messages} messages were not seen in shared memory")
         if isinstance(pair, CameraPair):
             self.expect(result.statistics.get("copied_bytes") == 0, f"{where}: data was copied")
-            self.expect(viewers < 4 or ratio >= MUST_BE_FASTER, f"{where}: less than {MUST_BE_FASTER} times faster")
+            self.expect(viewers < 4 or ratio >= MUST_BE_FASTER or self.options.any_speed, f"{where}: less than {MUST_BE_FASTER} times faster")
 
     # -- what else still works ------------------------------------------------------------------------------------
 
@@ -169,6 +169,7 @@ def main():
     parser.add_argument("--picture", required=True)
     parser.add_argument("--report", required=True)
     parser.add_argument("--seconds", type=float, default=5)
+    parser.add_argument("--any-speed", action="store_true")
     options = parser.parse_args()
     demo = Demo(options)
     pairs = [CameraPair(), ImagePublisher(options.picture)]
