@@ -65,7 +65,7 @@ class Collector : public clang::RecursiveASTVisitor<Collector> {
   }
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) {
     const std::string name = qualified_name_of(construct->getConstructor()->getParent());
-    const ClassRename* rename = unit_.rules.find_class(name);
+    const ClassRename* rename = unit_.rules.find_class_or_ported(name);
     if (rename && rename->role == ClassRename::Role::filter && in_package(construct))
       collect_filter(unit_, construct, filter_of(unit_, construct));
     return true;
@@ -93,6 +93,7 @@ class Collector : public clang::RecursiveASTVisitor<Collector> {
   bool object(const clang::Expr* expr, const clang::TypeSourceInfo* type);
   void member_call(clang::CXXMemberCallExpr* call);
   void made_object(clang::CallExpr* call);
+  void ported_call(clang::CallExpr* call, const std::string& function);
   void note_publisher_arguments(clang::CallExpr* call);
   std::vector<Key> messages_among(const clang::CallExpr* call);
   void adapter_birth(clang::CXXMemberCallExpr* call, const MethodCall& rule);
@@ -137,7 +138,7 @@ void Collector::made_object(clang::CallExpr* call) {
         retype(unit_, argument.getTypeSourceInfo()->getTypeLoc(), unit_.facts.entities[key]);
   const Sink sink = follow_use(unit_, call, key);
   const clang::CXXRecordDecl* made = pointee_of(call->getType())->getAsCXXRecordDecl();
-  const ClassRename* rename = made ? unit_.rules.find_class(qualified_name_of(made)) : nullptr;
+  const ClassRename* rename = made ? unit_.rules.find_class_or_ported(qualified_name_of(made)) : nullptr;
   if (rename && rename->role == ClassRename::Role::filter) collect_made_filter(unit_, call, made, key);
   const auto message = message_of(pointee_of(call->getType()));
   if (message && message->has_data) collect_object_birth(unit_, call, key, sink);
@@ -176,9 +177,21 @@ bool Collector::VisitCallExpr(clang::CallExpr* call) {
   if (auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
   note_publisher_arguments(call);
   const clang::FunctionDecl* function = call->getDirectCallee();
+  if (function) ported_call(call, qualified_name_of(function));
   if (function && !makes_object(call) && is_package_function(unit_, function))
     leaf(call, declare_result(unit_, function), false);
   return true;
+}
+
+/// tzc::advertise<M>(nh, ...), tzc::subscribe(nh, ...): an earlier run wrote them.
+void Collector::ported_call(clang::CallExpr* call, const std::string& function) {
+  const MethodCall* rule = unit_.rules.find_ported_function(function);
+  if (!rule) return;
+  const bool subscribes =
+      rule->role == MethodCall::Role::subscribe || rule->role == MethodCall::Role::subscribe_transport;
+  if (subscribes) return collect_ported_subscribe(unit_, call, *rule);
+  collect_ported_advertise(unit_, call, *rule);
+  follow_use(unit_, call, declare_temporary(unit_, call));
 }
 
 void Collector::member_call(clang::CXXMemberCallExpr* call) {
@@ -188,7 +201,7 @@ void Collector::member_call(clang::CXXMemberCallExpr* call) {
   const std::string name = method->getNameAsString();
   if (name == "publish" && is_publisher_class(object)) return collect_publish(unit_, call);
   if (name == "registerCallback") collect_registered_callback(unit_, call);
-  const ClassRename* rename = unit_.rules.find_class(object);
+  const ClassRename* rename = unit_.rules.find_class_or_ported(object);
   if (rename && rename->role == ClassRename::Role::filter && name == "subscribe")
     return collect_filter(unit_, call);
   const MethodCall* rule = unit_.rules.find_method(object, name, written_arguments(call));

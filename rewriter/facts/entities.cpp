@@ -50,6 +50,7 @@ Entity& entity_at(Unit& unit, const Key& key, const Carried& carried, Home home,
   if (is_new) {
     entity.key = key;
     entity.carrier = carried.carrier;
+    entity.ported = carried.ported;
     entity.home = home;
     entity.name = name;
     entity.where = location_of(unit.source.where(where));
@@ -171,7 +172,7 @@ Key declare(Unit& unit, const clang::ValueDecl* decl) {
       entity_at(unit, key, *carried, home_of(decl), decl->getNameAsString(), decl->getLocation());
   check_type(*carried, entity);
   const clang::CXXRecordDecl* record = decl->getType().getNonReferenceType()->getAsCXXRecordDecl();
-  entity.plain = record && unit.rules.find_class(qualified_name_of(record)) != nullptr;
+  entity.plain = record && unit.rules.find_class_or_ported(qualified_name_of(record)) != nullptr;
   for (const clang::Decl* redeclaration : decl->redecls()) {
     const auto* written = llvm::cast<clang::DeclaratorDecl>(redeclaration);
     if (written->getTypeSourceInfo()) retype(unit, written->getTypeSourceInfo()->getTypeLoc(), entity);

@@ -55,10 +55,11 @@ struct Entity {
   Key key;
   Carrier carrier = Carrier::message;
   Home home = Home::local;
-  std::string type;    ///< "sensor_msgs/Image", empty for publishers
-  std::string name;    ///< as written
-  std::string record;  ///< USR of the class of a member
-  bool plain = false;  ///< the publisher itself, not a pointer to it or a container of it
+  std::string type;     ///< "sensor_msgs/Image", empty for publishers
+  std::string name;     ///< as written
+  std::string record;   ///< USR of the class of a member
+  bool plain = false;   ///< the publisher itself, not a pointer to it or a container of it
+  bool ported = false;  ///< a publisher or filter that has TZC's class already
   Location where;
   std::vector<Change> changes;  ///< its declared types
   std::vector<Obstacle> obstacles;
@@ -112,6 +113,7 @@ struct Advertise {
   std::vector<Change> changes;       ///< `$MEM` stands for the memory size
   bool heavy = true;
   bool no_twin = false;
+  std::optional<std::string> memory;  ///< as written; set where the call is ported already
   std::string rule;
   std::vector<Obstacle> obstacles;
 };
@@ -131,6 +133,7 @@ struct Publish {
   bool heavy = true;
   bool pcl = false;  ///< a pcl::PointCloud or a cv_bridge::CvImage is published as such
   bool nested_only = false;
+  bool twin = false;  ///< a tzc:: message is published
   std::vector<Obstacle> obstacles;
 };
 
@@ -140,6 +143,7 @@ struct Subscribe {
   std::string type;
   std::optional<std::string> topic;
   bool heavy = true;
+  bool ported = false;         ///< it subscribes through TZC already
   bool writes = false;         ///< a callback may write to the message
   std::vector<Key> callbacks;  ///< the parameters that receive the message
   Key filter;                  ///< the filter object that must be ported with it

@@ -157,15 +157,16 @@ std::optional<Carried> carried_at(clang::QualType type, const RuleSet& rules, un
     return carried_at(array->getElementType(), rules, depth + 1);
   const clang::CXXRecordDecl* record = record_of(type);
   if (!record) return {};
-  if (const ClassRename* rename = rules.find_class(qualified_name_of(record))) {
+  const std::string name = qualified_name_of(record);
+  if (const ClassRename* rename = rules.find_class_or_ported(name)) {
     const Carrier carrier = rename->role == ClassRename::Role::publisher ? Carrier::publisher
                             : rename->role == ClassRename::Role::filter  ? Carrier::filter
                                                                          : Carrier::message;
-    return Carried{carrier, {}, rename};
+    return Carried{carrier, {}, rename, name != rename->from};
   }
   if (std::optional<MessageType> message = message_of(record)) {
     if (!message->has_data) return {};
-    return Carried{Carrier::message, message, nullptr};
+    return Carried{Carrier::message, message, nullptr, false};
   }
   return carried_by_template(llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record), rules, depth);
 }
@@ -205,6 +206,15 @@ std::optional<MessageType> message_of(const clang::CXXRecordDecl* record) {
 
 std::optional<MessageType> message_of(clang::QualType type) {
   return message_of(record_of(type));
+}
+
+std::optional<MessageType> twin_message_of(clang::QualType type) {
+  const clang::CXXRecordDecl* record = record_of(type);
+  if (!record || !record->hasDefinition() || qualified_name_of(record).rfind("tzc::", 0) != 0) return {};
+  for (const clang::Decl* member : record->getDefinition()->decls())
+    if (const auto* name = llvm::dyn_cast<clang::TypedefNameDecl>(member))
+      if (name->getName() == "Stock") return message_of(name->getUnderlyingType());
+  return {};
 }
 
 bool is_data_array(clang::QualType type) {

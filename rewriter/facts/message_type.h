@@ -27,6 +27,7 @@ struct Carried {
   Carrier carrier;
   std::optional<MessageType> message;
   const ClassRename* rename = nullptr;
+  bool ported = false;  ///< it is the class that `rename` writes
 };
 
 /// The message struct that a record is, by the shape that gencpp gives it.
@@ -34,6 +35,9 @@ std::optional<MessageType> message_of(const clang::CXXRecordDecl* record);
 
 /// The message type itself, without pointers and references around it.
 std::optional<MessageType> message_of(clang::QualType type);
+
+/// The stock message that a tzc:: message stands for.
+std::optional<MessageType> twin_message_of(clang::QualType type);
 
 /// std::vector of a fixed-length type: a data array.
 bool is_data_array(clang::QualType type);

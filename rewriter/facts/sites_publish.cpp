@@ -51,6 +51,11 @@ void describe_message(Unit& unit, const clang::Expr* argument, Publish& site) {
   const clang::QualType type = argument->getType();
   const clang::QualType pointee = pointee_of(type);
   const std::optional<MessageType> message = message_of(pointee.isNull() ? type : pointee);
+  if (const auto twin = twin_message_of(pointee.isNull() ? type : pointee)) {
+    site.type = twin->name;
+    site.twin = true;
+    return;
+  }
   if (message) {
     site.type = message->name;
     site.heavy = message->has_data;
@@ -97,7 +102,8 @@ std::optional<std::string> written_text(Unit& unit, const clang::CallExpr* call,
 }
 
 void describe_type(clang::QualType type, Advertise& site) {
-  if (const auto message = message_of(type)) {
+  const std::optional<MessageType> twin = twin_message_of(type);
+  if (const auto message = twin ? twin : message_of(type)) {
     site.type = message->name;
     site.heavy = message->has_data;
     site.no_twin = !message->has_data || message->service;
@@ -158,8 +164,13 @@ void change_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const Me
 }  // namespace
 
 bool is_publisher_class(const std::string& name) {
-  return name == "ros::Publisher" || name == "image_transport::Publisher" ||
-         name == "image_transport::CameraPublisher" || is_single_subscriber(name);
+  static const std::set<std::string> names = {"Publisher", "CameraPublisher"};
+  static const std::set<std::string> spaces = {
+      "ros::", "image_transport::", "tzc::", "tzc::image_transport::"};
+  const std::size_t colons = name.rfind("::");
+  if (colons == std::string::npos) return false;
+  return is_single_subscriber(name) ||
+         (names.count(name.substr(colons + 2)) && spaces.count(name.substr(0, colons + 2)));
 }
 
 void collect_publish(Unit& unit, const clang::CXXMemberCallExpr* call) {
@@ -202,6 +213,20 @@ void collect_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const M
   change_advertise(unit, call, rule, site);
   for (const Obstacle& obstacle : site.obstacles)
     unit.facts.entities[site.publisher].obstacles.push_back(obstacle);
+  unit.facts.advertises.emplace(id_of(site.where, site.type), site);
+}
+
+void collect_ported_advertise(Unit& unit, const clang::CallExpr* call, const MethodCall& rule) {
+  Advertise site;
+  site.where = unit.source.where(call->getExprLoc());
+  site.function = function_name_around(unit, *call);
+  site.rule = rule.rule;
+  site.type = "sensor_msgs/Image";
+  const clang::TemplateArgumentList* arguments = call->getDirectCallee()->getTemplateSpecializationArgs();
+  if (rule.role == MethodCall::Role::advertise && arguments) describe_type((*arguments)[0].getAsType(), site);
+  if (written_arguments(call) > 1) site.topic = constant_string(call->getArg(1));
+  site.memory = rule.role == MethodCall::Role::advertise ? written_text(unit, call, site.topic ? 3 : 2) : "0";
+  site.publisher = declare_temporary(unit, call);
   unit.facts.advertises.emplace(id_of(site.where, site.type), site);
 }
 

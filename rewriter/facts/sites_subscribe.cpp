@@ -47,7 +47,7 @@ Parameter parameter_in(clang::QualType type) {
   return found;
 }
 
-Parameter parameter_of_arguments(const clang::CXXMemberCallExpr* call) {
+Parameter parameter_of_arguments(const clang::CallExpr* call) {
   for (const clang::Expr* argument : call->arguments()) {
     const Parameter found = parameter_in(argument->IgnoreParenImpCasts()->getType());
     if (found.message) return found;
@@ -56,8 +56,8 @@ Parameter parameter_of_arguments(const clang::CXXMemberCallExpr* call) {
     const Parameter found = parameter_in(argument->getType());
     if (found.message) return found;
   }
-  const clang::TemplateArgumentList* arguments =
-      call->getMethodDecl() ? call->getMethodDecl()->getTemplateSpecializationArgs() : nullptr;
+  const clang::FunctionDecl* callee = call->getDirectCallee();
+  const clang::TemplateArgumentList* arguments = callee ? callee->getTemplateSpecializationArgs() : nullptr;
   if (!arguments) return {};
   // subscribe<M>(topic, n, function) or subscribe<M, C>(...): C is what the callback takes.
   Parameter found;
@@ -109,8 +109,9 @@ void add_filter_site(Unit& unit, const clang::Expr* expr, const clang::CXXRecord
   site.function = function_name_around(unit, *expr);
   site.type = "sensor_msgs/Image";
   site.filter = filter;
-  const ClassRename* rename = unit.rules.find_class(qualified_name_of(record));
+  const ClassRename* rename = unit.rules.find_class_or_ported(qualified_name_of(record));
   if (rename) site.rule = rename->rule;
+  site.ported = unit.rules.find_ported_class(qualified_name_of(record)) != nullptr;
   if (const auto message = filter_message(record)) {
     site.type = message->name;
     site.heavy = message->has_data;
@@ -151,6 +152,19 @@ void collect_subscribe(Unit& unit, const clang::CXXMemberCallExpr* call, const M
                                 rule.header);
   if (site.changes.empty())
     site.obstacles.push_back({codes::TZC2003, "the subscribe call comes from a macro", here});
+  unit.facts.subscribes.emplace(id_of(site), site);
+}
+
+void collect_ported_subscribe(Unit& unit, const clang::CallExpr* call, const MethodCall& rule) {
+  Subscribe site;
+  site.ported = true;
+  site.where = unit.source.where(call->getExprLoc());
+  site.function = function_name_around(unit, *call);
+  site.rule = rule.rule;
+  if (is_image_callback(rule)) site.type = "sensor_msgs/Image";
+  describe(parameter_of_arguments(call), site);
+  note_callbacks(unit, call, site);
+  if (written_arguments(call) > 1) site.topic = constant_string(call->getArg(1));
   unit.facts.subscribes.emplace(id_of(site), site);
 }
 

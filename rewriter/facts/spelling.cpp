@@ -97,7 +97,7 @@ void retype_name(Unit& unit, clang::TypeLoc type, clang::SourceRange tokens, Ent
 
 void retype(Unit& unit, clang::TypeLoc type, Entity& entity) {
   const clang::SourceRange tokens = type.getSourceRange();
-  if (type.isNull() || tokens.isInvalid()) return;
+  if (type.isNull() || tokens.isInvalid() || entity.ported) return;
   if (const auto qualified = type.getAs<clang::QualifiedTypeLoc>())
     return retype(unit, qualified.getUnqualifiedLoc(), entity);
   if (const auto pointer = type.getAs<clang::PointerTypeLoc>())

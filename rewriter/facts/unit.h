@@ -154,6 +154,9 @@ void collect_object_birth(Unit& unit, const clang::Expr* expr, const Key& key, c
 void collect_publish(Unit& unit, const clang::CXXMemberCallExpr* call);
 void collect_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const MethodCall& rule);
 void collect_subscribe(Unit& unit, const clang::CXXMemberCallExpr* call, const MethodCall& rule);
+/// What `rule` wrote in an earlier run: tzc::advertise<M>(nh, ...), tzc::subscribe(nh, ...).
+void collect_ported_advertise(Unit& unit, const clang::CallExpr* call, const MethodCall& rule);
+void collect_ported_subscribe(Unit& unit, const clang::CallExpr* call, const MethodCall& rule);
 /// subscribe() of a filter object.
 void collect_filter(Unit& unit, const clang::CXXMemberCallExpr* call);
 void collect_filter(Unit& unit, const clang::CXXConstructExpr* construct, const Key& filter);

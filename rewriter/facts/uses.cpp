@@ -144,7 +144,7 @@ bool Follower::into_method(const clang::MemberExpr* member) {
   const auto parents = unit_.ast().getParents(*member);
   const auto* call = parents.empty() ? nullptr : parents[0].get<clang::CXXMemberCallExpr>();
   if (!call) return refuse(codes::TZC1001, "a member function of it is named but not called");
-  if (unit_.rules.find_class(qualified_name_of(call->getRecordDecl()))) return done();
+  if (unit_.rules.find_class_or_ported(qualified_name_of(call->getRecordDecl()))) return done();
   const std::string method = member->getMemberDecl()->getNameAsString();
   for (const clang::Expr* argument : call->arguments())
     if (carried_by(argument->getType(), unit_.rules)) check_source(argument);

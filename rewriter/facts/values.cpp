@@ -57,6 +57,7 @@ Sources of_call(Unit& unit, const clang::CallExpr* call) {
   if (makes_object(call)) return one(declare_temporary(unit, call));
   if (passes_through(function)) return sources_of(unit, call->getArg(0));
   if (is_package_function(unit, function)) return one(declare_result(unit, function));
+  if (unit.rules.find_ported_function(qualified_name_of(function))) return one(declare_temporary(unit, call));
   return foreign();
 }
 

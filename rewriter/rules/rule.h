@@ -56,9 +56,15 @@ struct RuleSet {
   std::vector<const MethodCall*> methods;
 
   const ClassRename* find_class(const std::string& name) const;
+  /// The publisher or filter class that an earlier run wrote.
+  const ClassRename* find_ported_class(const std::string& name) const;
+  /// Either of them.
+  const ClassRename* find_class_or_ported(const std::string& name) const;
   const LibraryCall* find_call(const std::string& function, unsigned argument) const;
   const MethodCall* find_method(const std::string& object, const std::string& method,
                                 unsigned arguments) const;
+  /// The advertise or subscribe function that an earlier run wrote.
+  const MethodCall* find_ported_function(const std::string& function) const;
 };
 
 /// Every rule of the rewriter but those named.

@@ -44,6 +44,17 @@ const ClassRename* RuleSet::find_class(const std::string& name) const {
   return nullptr;
 }
 
+const ClassRename* RuleSet::find_ported_class(const std::string& name) const {
+  for (const ClassRename* rule : classes)
+    if (name == rule->to && rule->role != ClassRename::Role::accessor) return rule;
+  return nullptr;
+}
+
+const ClassRename* RuleSet::find_class_or_ported(const std::string& name) const {
+  const ClassRename* rule = find_class(name);
+  return rule ? rule : find_ported_class(name);
+}
+
 const LibraryCall* RuleSet::find_call(const std::string& function, unsigned argument) const {
   for (const LibraryCall* rule : calls)
     if (function == rule->function && argument == rule->argument) return rule;
@@ -55,6 +66,14 @@ const MethodCall* RuleSet::find_method(const std::string& object, const std::str
   for (const MethodCall* rule : methods)
     if (object == rule->object && method == rule->method &&
         (rule->arguments < 0 || static_cast<unsigned>(rule->arguments) == arguments))
+      return rule;
+  return nullptr;
+}
+
+const MethodCall* RuleSet::find_ported_function(const std::string& function) const {
+  for (const MethodCall* rule : methods)
+    if (function == rule->to && rule->role != MethodCall::Role::builds_message &&
+        rule->role != MethodCall::Role::fills_message)
       return rule;
   return nullptr;
 }

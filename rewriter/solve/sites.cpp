@@ -84,6 +84,11 @@ void Decider::decide_message(const Publish& fact, Site& site) {
     return;
   }
   site.rule = "stock-message";
+  if (fact.twin) {
+    site.level = Level::zero_copy;
+    site.rule = "shared-message";
+    return;
+  }
   if (!fact.obstacles.empty()) return refuse(site, fact.obstacles.front(), Level::one_copy);
   bool all_zero = !fact.messages.empty();
   for (const Key& key : fact.messages) {
@@ -173,7 +178,8 @@ bool Decider::refuse_subscribe(const std::string& id, const Subscribe& fact, Sit
     refuse(site, fact.obstacles.front(), Level::plain);
   } else if (demoted != demotions_.end()) {
     refuse(site, demoted->second, Level::plain);
-  } else if (options_.max_level == Level::plain || (options_.wanted && !options_.wanted(site))) {
+  } else if (!fact.ported &&
+             (options_.max_level == Level::plain || (options_.wanted && !options_.wanted(site)))) {
     refuse(site, {codes::TZC2007, "left out by --only, --except or --level", site.where}, Level::plain);
   } else if (!fact.filter.empty() && !solution_.filters.at(components_.of(fact.filter)->id).ported) {
     refuse(site, solution_.filters.at(components_.of(fact.filter)->id).why_not, Level::plain);
@@ -261,6 +267,8 @@ std::optional<std::string> topic_of(const Facts& facts, const Neighbours& neighb
 }
 
 MemorySize memory_size(const Advertise& fact, const EngineOptions& options) {
+  if (fact.memory && *fact.memory != "0") return {*fact.memory, "set to " + *fact.memory + " in the source"};
+  if (fact.memory) return {"0", "sized at run time by the first message and the queue"};
   if (options.mem_size)
     return {std::to_string(*options.mem_size),
             "set to " + std::to_string(*options.mem_size) + " bytes by --mem-size"};

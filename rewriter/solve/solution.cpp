@@ -77,7 +77,7 @@ void Solver::index_sites() {
 
 bool Solver::blocked(const Component& component, Obstacle& why, Key& at) const {
   for (const Entity* entity : component.entities)
-    if (!entity->obstacles.empty()) {
+    if (!entity->obstacles.empty() && !entity->ported) {
       why = entity->obstacles.front();
       at = entity->key;
       return true;
@@ -110,6 +110,12 @@ bool Solver::unwanted(const Component& component, Obstacle& why) const {
   });
 }
 
+/// By an earlier run, or by hand.
+bool is_ported_already(const Component& component) {
+  return std::all_of(component.entities.begin(), component.entities.end(),
+                     [](const Entity* entity) { return entity->ported; });
+}
+
 void Solver::solve_publisher(const Component& component) {
   Solution::Publisher& publisher = solution_.publishers[component.id];
   const bool heavy = std::any_of(published_by_[component.id].begin(), published_by_[component.id].end(),
@@ -117,6 +123,10 @@ void Solver::solve_publisher(const Component& component) {
                      std::any_of(advertised_[component.id].begin(), advertised_[component.id].end(),
                                  [](const Advertise* a) { return a->heavy; });
   if (!heavy) return;
+  if (is_ported_already(component)) {
+    publisher.ported = true;
+    return;
+  }
   if (options_.max_level == Level::plain) {
     publisher.why_not = {codes::TZC1015, "this run leaves everything on TCPROS",
                          component.entities[0]->where};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "golden/case.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -178,6 +179,15 @@ std::map<std::string, std::string> ported(const Package& package, const Case& on
     files[name] = content ? *content : to_string(content.error());
   }
   return files;
+}
+
+std::vector<std::string> lasting_sites(const PortPlan& plan) {
+  std::vector<std::string> sites;
+  for (const Site& site : plan.report.sites)
+    sites.push_back(site.id + " " + name(site.kind) + " " + site.message_type + " " +
+                    site.topic.value_or("(no constant)") + " " + name(site.level) + " " + site.code);
+  std::sort(sites.begin(), sites.end());
+  return sites;
 }
 
 std::string describe(const Package& package, const Case& one, const PortPlan& plan) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "engine.h"
 
@@ -50,6 +51,9 @@ class Package {
 
 /// Sites, notes and changed lines, as they stand in a case.
 std::string describe(const Package& package, const Case& one, const PortPlan& plan);
+
+/// What each site keeps when the port is applied: id, kind, type, topic, level, code. Sorted.
+std::vector<std::string> lasting_sites(const PortPlan& plan);
 
 /// The files with the plan's edits, by relative path.
 std::map<std::string, std::string> ported(const Package& package, const Case& one, const PortPlan& plan);

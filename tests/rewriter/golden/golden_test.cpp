@@ -39,13 +39,14 @@ TEST_P(Golden, is_ported_as_written) {
     EXPECT_EQ(found, one.expected) << GetParam();
   if (!plan || plan->edits.empty()) return;
 
-  // The output compiles on its own, and a second run finds nothing to do.
+  // The output compiles on its own, and a second run finds nothing to do, and the same sites.
   Case after = one;
   after.files = ported(package, one, *plan);
   const Package ported_package(after.files);
   const Expected<PortPlan> again = plan_port(ported_package.options(one.settings));
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_TRUE(again->edits.empty()) << "the second run edits again: " << again->edits[0].text;
+  EXPECT_EQ(lasting_sites(*again), lasting_sites(*plan)) << "the second run reports other sites";
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Golden, ::testing::ValuesIn(all_cases()), test_name);

@@ -55,6 +55,12 @@ class CameraPair : public ::testing::Test {
     return text.str();
   }
 
+  static std::set<std::string> ids(const json& document) {
+    std::set<std::string> all;
+    for (const json& site : document["sites"]) all.insert(site["id"]);
+    return all;
+  }
+
   test::TempDir folder_;
 };
 
@@ -66,12 +72,23 @@ TEST_F(CameraPair, every_site_is_ported_as_far_as_possible) {
   EXPECT_THAT(result.output, HasSubstr("+  tzc::Publisher publisher_;\n"));
 }
 
-TEST_F(CameraPair, the_second_run_changes_nothing) {
+TEST_F(CameraPair, the_second_run_changes_nothing_and_reports_the_same) {
   ASSERT_EQ(rewrite({"--apply"}).status, 0);
+  const json first = report();
   const ProcessResult second = rewrite({});
   EXPECT_EQ(second.status, 0) << second.errors;
   EXPECT_EQ(second.output, "");
   EXPECT_EQ(report()["summary"]["files_changed"], 0);
+  for (const char* kind : {"publish", "subscribe"})
+    EXPECT_EQ(report()["summary"][kind], first["summary"][kind]) << kind;
+  EXPECT_EQ(ids(report()), ids(first));
+}
+
+TEST_F(CameraPair, a_report_from_before_the_port_is_a_baseline_after_it) {
+  rewrite({"--report", folder_ / "baseline.json"});
+  ASSERT_EQ(rewrite({"--apply"}).status, 0);
+  const ProcessResult check = rewrite({"--check", "--baseline", folder_ / "baseline.json"});
+  EXPECT_EQ(check.status, 0) << check.output << check.errors;
 }
 
 TEST_F(CameraPair, a_file_that_does_not_parse_is_named_and_nothing_is_written) {
