@@ -102,7 +102,10 @@ Expected<PortPlan> Engine::run() {
                           read_file);
   Expected<Porter::Result> result = Porter(facts_, components, options_, verifier, read_file).run();
   if (!result) return result.error();
-  return finish(std::move(*result));
+  PortPlan plan = finish(std::move(*result));
+  if (Expected<void> complete = check_complete(plan.report, facts_.api_calls); !complete)
+    return complete.error();
+  return plan;
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ struct PortPlan {
   std::set<std::string> tzc_types;             ///< "sensor_msgs/Image": twins the ported code uses
 };
 
-/// Parses, solves, edits, verifies, demotes. Writes nothing. An error when a file does not parse.
+/// Parses, solves, edits, verifies, demotes. Writes nothing. An error when a file does not parse, or when the
+/// report does not hold every call of the package that advertises, publishes or subscribes.
 Expected<PortPlan> plan_port(const EngineOptions& options);
 
 }  // namespace tzc::rewriter

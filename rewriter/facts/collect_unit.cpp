@@ -7,6 +7,7 @@
 #include <regex>
 #include <sstream>
 
+#include "facts/api_calls.h"
 #include "facts/unit.h"
 #include "report/codes.h"
 
@@ -56,6 +57,7 @@ std::vector<Diagnostic> collect_unit(const CompileUnit& unit, const CollectOptio
     note_files(collected, unit, options);
     limit_to_package(collected);
     collect(collected);
+    facts.api_calls = api_calls(ast, options.package_dir);
     facts.calls[unit.id()] = package_calls(ast, options.package_dir);
   });
   note_branches(parsed, options, facts);

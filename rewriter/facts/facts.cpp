@@ -59,6 +59,7 @@ void Facts::merge(Facts&& other) {
   append(notes, other.notes);
   append(skipped, other.skipped);
   calls.merge(other.calls);
+  api_calls.merge(other.api_calls);
   advertises.merge(other.advertises);
   publishes.merge(other.publishes);
   subscribes.merge(other.subscribes);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "facts/callees.h"
+#include "report/completeness.h"
 #include "report/model.h"
 
 namespace tzc::rewriter {
@@ -169,6 +170,7 @@ struct Facts {
   std::map<std::string, Publish> publishes;
   std::map<std::string, Subscribe> subscribes;
   std::vector<DataUse> data_uses;
+  std::set<ApiCall> api_calls;                                 ///< what the report is held against
   std::map<std::string, std::set<std::string>> bases;          ///< record USR -> USRs of its base classes
   std::map<std::string, std::set<std::string>> units_of_file;  ///< package file -> main files that include it
   std::map<std::string, std::vector<PackageCall>> calls;       ///< unit id -> what overload resolution picked

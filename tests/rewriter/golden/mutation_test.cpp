@@ -66,6 +66,21 @@ TEST_P(Rule, is_needed_by_a_case) {
 
 INSTANTIATE_TEST_SUITE_P(Mutation, Rule, ::testing::ValuesIn(rule_names()), test_name);
 
+/// Without its rule a call is not collected: the second look must notice, whatever else the case compares.
+TEST(Mutation, a_call_that_is_not_collected_is_named) {
+  for (const std::string rule : {"advertise", "subscribe"}) {
+    const Case one = read_case(case_path(rule == "advertise" ? "publish/local_resize" : "subscribe/forms"));
+    const Package package(one.files);
+    EngineOptions options = package.options(one.settings);
+    options.without_rules.insert(rule);
+    const Expected<PortPlan> plan = plan_port(options);
+    ASSERT_FALSE(plan) << rule;
+    EXPECT_NE(plan.error().what.find("this " + rule + " call is not in it"), std::string::npos)
+        << plan.error().what;
+    EXPECT_EQ(plan.error().where.rfind("src/node.cpp:", 0), 0u) << plan.error().where;
+  }
+}
+
 TEST(Mutation, verification_is_needed) {
   EXPECT_TRUE(notices(case_path("refuse/library_takes_vector"), "verification"));
   EXPECT_TRUE(notices(case_path("refuse/another_overload_pointer"), "verification"));

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/api_calls.h"
+
+#include <clang/AST/RecursiveASTVisitor.h>
+
+#include "facts/source.h"
+
+namespace tzc::rewriter {
+namespace {
+
+std::string space_of(const clang::DeclContext* context) {
+  std::string space;
+  for (; context && !context->isTranslationUnit(); context = context->getParent())
+    if (const auto* named = llvm::dyn_cast<clang::NamedDecl>(context))
+      if (!context->isInlineNamespace()) space = named->getNameAsString() + "::" + space;
+  return space;
+}
+
+/// Functions by name; the classes or namespaces that have them.
+const std::map<std::string, SiteKind> kinds = {{"advertise", SiteKind::advertise},
+                                               {"advertiseCamera", SiteKind::advertise},
+                                               {"publish", SiteKind::publish},
+                                               {"subscribe", SiteKind::subscribe},
+                                               {"subscribeCamera", SiteKind::subscribe}};
+
+const std::set<std::string> filters = {
+    "message_filters::Subscriber::", "image_transport::SubscriberFilter::",
+    "tzc::message_filters::Subscriber::", "tzc::image_transport::SubscriberFilter::"};
+
+const std::set<std::string> owners = {"ros::NodeHandle::",
+                                      "ros::Publisher::",
+                                      "ros::SingleSubscriberPublisher::",
+                                      "image_transport::ImageTransport::",
+                                      "image_transport::Publisher::",
+                                      "image_transport::CameraPublisher::",
+                                      "image_transport::SingleSubscriberPublisher::",
+                                      "tzc::",
+                                      "tzc::Publisher::",
+                                      "tzc::image_transport::",
+                                      "tzc::image_transport::Publisher::",
+                                      "tzc::image_transport::CameraPublisher::"};
+
+const clang::TemplateArgumentList* template_arguments(const clang::FunctionDecl* function) {
+  return function->getTemplateSpecializationArgs();
+}
+
+/// sensor_msgs::Image_<A> and tzc::sensor_msgs::Image are "sensor_msgs/Image", by pointer as well.
+std::string message_name(clang::QualType type) {
+  if (type.isNull()) return "";
+  const clang::CXXRecordDecl* record = type.getNonReferenceType().getCanonicalType()->getAsCXXRecordDecl();
+  if (!record) return "";
+  const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
+  if (made && record->getName() == "shared_ptr") return message_name(made->getTemplateArgs()[0].getAsType());
+  std::string space = space_of(record->getDeclContext()), name = record->getNameAsString();
+  if (space.rfind("tzc::", 0) == 0)
+    space.erase(0, 5);
+  else if (made && name.back() == '_')
+    name.pop_back();
+  else
+    return "";
+  const std::size_t colons = space.find("::");
+  return colons + 2 == space.size() ? space.substr(0, colons) + "/" + name : "";
+}
+
+class ApiCalls : public clang::RecursiveASTVisitor<ApiCalls> {
+ public:
+  explicit ApiCalls(const Source& source) : source_(source) {}
+  bool shouldVisitTemplateInstantiations() const { return true; }
+  std::set<ApiCall> calls;
+
+  bool VisitCallExpr(clang::CallExpr* call) {
+    const clang::FunctionDecl* function = call->getDirectCallee();
+    if (!function || !function->getIdentifier() || call->isTypeDependent()) return true;
+    if (function->getName() == "make_shared") return note_made_filter(call, function);
+    const auto kind = kinds.find(function->getNameAsString());
+    if (kind == kinds.end() || written(call) == 0) return true;
+    const std::string owner = space_of(function->getDeclContext());
+    if (owners.count(owner) != 0) note(kind->second, call, type_at(kind->second, call, function));
+    if (filters.count(owner) != 0 && written(call) >= 2) note(SiteKind::subscribe, call, "");
+    return true;
+  }
+
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) {
+    const clang::CXXRecordDecl* record = construct->getConstructor()->getParent();
+    if (construct->getNumArgs() >= 2 && is_filter(record)) note(SiteKind::subscribe, construct, "");
+    return true;
+  }
+
+ private:
+  static unsigned written(const clang::CallExpr* call) {
+    return static_cast<unsigned>(llvm::count_if(
+        call->arguments(), [](const clang::Expr* e) { return !llvm::isa<clang::CXXDefaultArgExpr>(e); }));
+  }
+  static bool is_filter(const clang::CXXRecordDecl* record) {
+    return record &&
+           filters.count(space_of(record->getDeclContext()) + record->getNameAsString() + "::") != 0;
+  }
+  static std::string type_at(SiteKind kind, const clang::CallExpr* call,
+                             const clang::FunctionDecl* function) {
+    if (kind == SiteKind::publish) return message_name(call->getArg(0)->IgnoreImplicit()->getType());
+    const clang::TemplateArgumentList* arguments = template_arguments(function);
+    const bool named = kind == SiteKind::advertise && arguments && arguments->size() > 0 &&
+                       (*arguments)[0].getKind() == clang::TemplateArgument::Type;
+    return named ? message_name((*arguments)[0].getAsType()) : "";
+  }
+
+  bool note_made_filter(const clang::CallExpr* call, const clang::FunctionDecl* function) {
+    const clang::TemplateArgumentList* arguments = template_arguments(function);
+    if (call->getNumArgs() < 2 || !arguments || arguments->size() == 0) return true;
+    const clang::TemplateArgument& made = (*arguments)[0];
+    if (made.getKind() == clang::TemplateArgument::Type && is_filter(made.getAsType()->getAsCXXRecordDecl()))
+      note(SiteKind::subscribe, call, "");
+    return true;
+  }
+
+  void note(SiteKind kind, const clang::Expr* call, const std::string& type) {
+    const Place where = source_.where(call->getExprLoc());
+    if (source_.in_package(call->getExprLoc())) calls.insert({kind, location_of(where), type});
+  }
+
+  const Source& source_;
+};
+
+}  // namespace
+
+std::set<ApiCall> api_calls(clang::ASTContext& ast, const std::string& package_dir) {
+  const Source source(ast, package_dir);
+  ApiCalls visitor(source);
+  for (clang::Decl* decl : ast.getTranslationUnitDecl()->decls())
+    if (source.in_package(decl->getLocation())) visitor.TraverseDecl(decl);
+  return std::move(visitor.calls);
+}
+
+}  // namespace tzc::rewriter
