@@ -13,6 +13,14 @@ std::shared_ptr<segment::Ledger> AnnouncedSegments::ledger_of(std::uint64_t segm
   return nullptr;
 }
 
+BufferPtr AnnouncedSegments::revive(const segment::BlockRef& ref) const {
+  for (const Entry& entry : entries_) {
+    if (entry.segment->id() == ref.segment)
+      return entry.segment->revive(ref.offset, segment::BlockName{ref.segment, ref.slot, ref.generation});
+  }
+  return nullptr;
+}
+
 Expected<AnnouncedSegments::Entry> AnnouncedSegments::add(segment::Segment& segment,
                                                           const std::weak_ptr<segment::Revoker>& revoker) {
   auto ledger = segment::Ledger::create(segment.slots());

@@ -7,6 +7,7 @@
 
 #include "posix/hot.h"
 #include "segment/ledger.h"
+#include "segment/received_segment.h"
 #include "segment/segment.h"
 #include "segment/segment_ptr.h"
 
@@ -30,6 +31,8 @@ class AnnouncedSegments {
   std::size_t size() const { return entries_.size(); }
   /// Null: not announced yet.
   TZC_HOT std::shared_ptr<segment::Ledger> ledger_of(std::uint64_t segment_id) const;
+  /// Null: not announced, or the block is no more.
+  BufferPtr revive(const segment::BlockRef& ref) const;
   Expected<Entry> add(segment::Segment& segment, const std::weak_ptr<segment::Revoker>& revoker);
   /// Lets go of segments that no block will ever be allocated in again and that the subscriber holds nothing
   /// of; returns their ids.

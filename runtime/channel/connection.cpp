@@ -2,6 +2,7 @@
 #include "channel/connection.h"
 
 #include "channel/hub.h"
+#include "channel/received_message.h"
 #include "posix/fork_epoch.h"
 #include "posix/socket.h"
 #include "posix/step.h"
@@ -19,12 +20,13 @@ constexpr std::chrono::milliseconds pause_when_exhausted{20};
 }  // namespace
 
 ConnectionImpl::ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPage page,
-                               std::size_t queue_size, std::weak_ptr<Hub> hub)
+                               std::size_t queue_size, std::weak_ptr<Hub> hub, bool keeps_undelivered)
     : peer_(std::move(peer)),
       queue_size_(queue_size == 0 || queue_size > segment::max_ack_count ? segment::max_ack_count
                                                                          : queue_size),
       hub_(std::move(hub)),
       epoch_(posix::fork_epoch()),
+      keeps_undelivered_(keeps_undelivered),
       socket_(std::move(socket)),
       page_(std::move(page)),
       last_sequence_(first_sequence) {}
@@ -51,7 +53,7 @@ bool ConnectionImpl::send(const RecordPtr& record) {
   revoke_oldest_down_to(queue_size_ - 1);
   if (!accepts_records()) return false;
   posix::step("publish: before mark");
-  claim(*record);
+  claim(record);
   ++stats_.sent;
   Outgoing item;
   item.record = record;
@@ -99,9 +101,10 @@ void ConnectionImpl::retire_segments() {
 }
 
 // The marks come before the write: once the subscriber can know of a block, the block is its own.
-void ConnectionImpl::claim(const Record& record) {
+void ConnectionImpl::claim(const RecordPtr& record) {
   Undecided::Entry& entry = undecided_.push(++last_sequence_);
-  for (const BufferPtr& buffer : record.buffers()) {
+  if (keeps_undelivered_) keep(record, entry);
+  for (const BufferPtr& buffer : record->buffers()) {
     const segment::BlockName block = segment::Segment::name_of(*buffer);
     auto ledger = segments_.ledger_of(block.segment);
     if (ledger->mark(block.slot, block.generation)) entry.claims.push_back(Claim{std::move(ledger), block});
@@ -179,6 +182,42 @@ void ConnectionImpl::revoke_through(std::uint32_t sequence) {
     drop_oldest_undecided(is_after(undecided_.oldest().sequence, taken));
 }
 
+// The subscriber takes nothing more. What it did not take is wanted back, before the marks that keep it go.
+void ConnectionImpl::end_deliveries() {
+  std::uint32_t taken = 0;
+  if (!undecided_.empty()) win_revoke(page_.verdict(), last_sequence_, taken);
+  settle();
+  while (!undecided_.empty()) {
+    const bool comes_back = keeps_undelivered_ && recall(undecided_.oldest());
+    drop_oldest_undecided(true);
+    if (comes_back) --stats_.dropped;
+  }
+  outbox_.clear();
+}
+
+void ConnectionImpl::keep(const RecordPtr& record, Undecided::Entry& entry) {
+  if (record->buffers().empty())
+    entry.record = record;
+  else
+    entry.body.assign(record->data(), record->data() + record->size());
+}
+
+bool ConnectionImpl::recall(const Undecided::Entry& entry) {
+  if (entry.record) {
+    undelivered_.push_back(entry.record);
+    return true;
+  }
+  ParsedBody parsed{};
+  parse_body(entry.body.data(), entry.body.size(), parsed);
+  std::vector<BufferPtr> buffers;
+  for (std::uint32_t i = 0; i < parsed.header.block_count; ++i) {
+    buffers.push_back(segments_.revive(parsed.refs[i]));
+    if (!buffers.back()) return false;
+  }
+  undelivered_.push_back(std::make_shared<const Record>(parsed.header, parsed.control, std::move(buffers)));
+  return true;
+}
+
 void ConnectionImpl::drop_oldest_undecided(bool revoked) {
   if (revoked) {
     const Undecided::Entry& entry = undecided_.oldest();
@@ -238,9 +277,7 @@ void ConnectionImpl::unsubscribed() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     state_ = State::draining;
-    settle();
-    if (!undecided_.empty()) revoke_through(last_sequence_);
-    outbox_.clear();
+    end_deliveries();
     if (result == posix::ReceiveResult::closed) service_->change(socket_.get(), key_, false, false);
   }
   if (const auto hub = hub_.lock()) hub->disconnected(shared_from_this());
@@ -250,11 +287,8 @@ void ConnectionImpl::hung_up() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (state_ == State::gone) return;
-    settle();
-    stats_.dropped += undecided_.size();
-    while (!undecided_.empty()) undecided_.drop_oldest();
+    end_deliveries();
     state_ = State::gone;
-    outbox_.clear();
     segments_.clear();
     service_->remove(socket_.get(), key_);
     socket_.reset();
@@ -265,6 +299,18 @@ void ConnectionImpl::hung_up() {
 Error ConnectionImpl::last_failure() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return failure_;
+}
+
+std::size_t ConnectionImpl::untaken() {
+  if (posix::forked_since(epoch_)) return 0;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (accepts_records()) settle();
+  return undecided_.size();
+}
+
+std::vector<RecordPtr> ConnectionImpl::take_undelivered() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::move(undelivered_);
 }
 
 ConnectionStats ConnectionImpl::stats() const {

@@ -36,7 +36,7 @@ class ConnectionImpl final : public Connection,
   };
 
   ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPage page, std::size_t queue_size,
-                 std::weak_ptr<Hub> hub);
+                 std::weak_ptr<Hub> hub, bool keeps_undelivered);
 
   Credentials peer() const override { return peer_.credentials; }
   const std::string& hello() const override { return peer_.hello; }
@@ -45,6 +45,8 @@ class ConnectionImpl final : public Connection,
   Error last_failure() const override;
   void close() override;
   ConnectionStats stats() const override;
+  std::size_t untaken() override;
+  std::vector<RecordPtr> take_undelivered() override;
 
   /// Hands the socket to the service; until uncork() records only queue.
   Status start(Service& service);
@@ -62,13 +64,16 @@ class ConnectionImpl final : public Connection,
   TZC_HOT bool announce_segments(const Record& record);
   Status announce(segment::Segment& segment);
   void retire_segments();
-  TZC_HOT void claim(const Record& record);
+  TZC_HOT void claim(const RecordPtr& record);
+  TZC_HOT static void keep(const RecordPtr& record, Undecided::Entry& entry);
   TZC_HOT void transmit(Outgoing item);
   void flush();
   void try_again(posix::SendResult result);
   void watch_writable(bool wanted);
   TZC_HOT void settle();
   void revoke_through(std::uint32_t sequence);
+  void end_deliveries();
+  bool recall(const Undecided::Entry& entry);
   TZC_HOT void revoke_oldest_down_to(std::size_t most);
   void drop_oldest_undecided(bool revoked);
   void break_off();
@@ -79,6 +84,7 @@ class ConnectionImpl final : public Connection,
   const std::size_t queue_size_;
   const std::weak_ptr<Hub> hub_;
   const std::uint32_t epoch_;
+  const bool keeps_undelivered_;
   Service* service_ = nullptr;
   std::uint64_t key_ = 0;
 
@@ -91,6 +97,7 @@ class ConnectionImpl final : public Connection,
   SharedPage page_;
   std::uint32_t last_sequence_;
   Undecided undecided_;
+  std::vector<RecordPtr> undelivered_;
   Outbox outbox_;
   AnnouncedSegments segments_;
   ConnectionStats stats_;

@@ -161,8 +161,9 @@ std::shared_ptr<ConnectionImpl> Hub::connect(posix::FileDescriptor& socket, Conn
     failure = page.error();
     return nullptr;
   }
-  auto connection = std::make_shared<ConnectionImpl>(std::move(socket), std::move(peer), std::move(*page),
-                                                     options_.queue_size, weak_from_this());
+  auto connection =
+      std::make_shared<ConnectionImpl>(std::move(socket), std::move(peer), std::move(*page),
+                                       options_.queue_size, weak_from_this(), options_.keeps_undelivered);
   const Status started = connection->start(service_);
   return started ? connection : nullptr;
 }

@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "channel/received_message.h"
 #include "channel/wire.h"
 #include "segment/segment.h"
 
@@ -69,6 +70,19 @@ TZC_HOT RecordPtr make_record(std::uint32_t tag, const void* control, std::size_
   header.block_count = static_cast<std::uint32_t>(buffers.size());
   for (const BufferPtr& buffer : buffers) buffer->seal();
   return std::make_shared<const Record>(header, control, std::move(buffers));
+}
+
+RecordParts parts_of(const Record& record) {
+  ParsedBody parsed{};
+  parse_body(record.data(), record.size(), parsed);
+  RecordParts parts{
+      parsed.header.tag, parsed.control, static_cast<std::size_t>(parsed.header.control_size), {}};
+  for (const BufferPtr& buffer : record.buffers())
+    parts.blocks.push_back(ConstBlock{buffer->data(), buffer->size()});
+  if (parts.control != nullptr) return parts;
+  parts.control = parts.blocks.back().data;
+  parts.blocks.pop_back();
+  return parts;
 }
 
 }  // namespace channel

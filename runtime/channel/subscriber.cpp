@@ -31,6 +31,7 @@ struct Session {
     open = false;
     if (stopping || reported) return;
     reported = true;
+    link->say_goodbye();  // at once: what the publisher has sent meanwhile is wanted by other means
     if (options.on_disconnect) options.on_disconnect(reader.reason());
   }
 

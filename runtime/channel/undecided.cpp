@@ -34,6 +34,8 @@ void Undecided::drop_newest() {
 
 void Undecided::drop_oldest() {
   Entry& entry = entries_.front();
+  entry.body.clear();
+  entry.record.reset();
   entry.claims.clear();
   if (spare_.size() < most_spare) spare_.push_back(std::move(entry));
   entries_.pop_front();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "channel/record.h"
 #include "posix/hot.h"
 #include "segment/block.h"
 #include "segment/ledger.h"
@@ -25,6 +26,8 @@ class Undecided {
  public:
   struct Entry {
     std::uint32_t sequence = 0;
+    std::vector<std::uint8_t> body;  // what it says, if that is kept; its blocks are only named there
+    RecordPtr record;                // instead of the body of a record without blocks, which may be large
     std::vector<Claim> claims;
   };
 

@@ -226,6 +226,17 @@ BufferPtr Segment::find(const std::uint8_t* address, std::size_t bytes) const {
   return nullptr;
 }
 
+BufferPtr Segment::revive(std::uint64_t data_offset, const BlockName& name) const {
+  if (posix::forked_since(epoch_)) return nullptr;
+  const std::lock_guard<std::mutex> lock(live_mutex_);
+  const auto found = live_.find(data_offset - block_header_bytes);
+  if (found == live_.end()) return nullptr;
+  Block& block = *found->second;
+  if (block.slot_ != name.slot || block.generation_ != name.generation) return nullptr;
+  if (block.references_.fetch_add(1, std::memory_order_acq_rel) == 0) block.segment_->add_user();
+  return handle(block);
+}
+
 BlockName Segment::name_of(const Buffer& buffer) {
   return BlockName{buffer.segment_->id_, buffer.slot_, buffer.generation_};
 }

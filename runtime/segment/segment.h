@@ -59,6 +59,9 @@ class Segment {
 
   /// The live block that contains the bytes.
   BufferPtr find(const std::uint8_t* address, std::size_t bytes) const;
+  /// A new handle of the block, although it may have none left. Only for whoever has the block in flight:
+  /// that keeps it from being reclaimed. Null: not that block any more.
+  BufferPtr revive(std::uint64_t data_offset, const BlockName& name) const;
   static BlockName name_of(const Buffer& buffer);
   static Segment& of(const Buffer& buffer) { return *buffer.segment_; }
 

@@ -35,6 +35,15 @@ using RecordPtr = std::shared_ptr<const Record>;
 RecordPtr make_record(std::uint32_t tag, const void* control, std::size_t control_size,
                       std::vector<BufferPtr> buffers = {}, MemorySource* memory = nullptr);
 
+/// What a record says. Valid for as long as the record lives.
+struct RecordParts {
+  std::uint32_t tag;
+  const std::uint8_t* control;
+  std::size_t control_size;
+  std::vector<ConstBlock> blocks;
+};
+RecordParts parts_of(const Record& record);
+
 /// Counters of one subscriber, seen from the publisher. A record counts as dropped when it left the queue
 /// unread: the queue was full, the memory was needed (best_effort), or the subscriber went.
 struct ConnectionStats {
@@ -63,6 +72,12 @@ class Connection {
   /// Ends the subscription. Records already sent still arrive; blocks that the subscriber holds stay valid.
   virtual void close() = 0;
   virtual ConnectionStats stats() const = 0;
+  /// Records that were sent and that the subscriber has not taken yet.
+  virtual std::size_t untaken() = 0;
+  /// After the end, with PublisherOptions::keeps_undelivered: the records that were sent and not taken,
+  /// oldest first, but for those that the queue or a policy revoked. The subscriber will never take them.
+  /// Gives each of them once.
+  virtual std::vector<RecordPtr> take_undelivered() = 0;
 };
 using ConnectionPtr = std::shared_ptr<Connection>;
 
@@ -74,6 +89,8 @@ struct PublisherOptions {
   std::size_t queue_size = 10;
   /// Shared by several publishers if you like. Null: created with its default options for this queue size.
   std::shared_ptr<SegmentMemory> memory{};
+  /// Keeps what a subscriber had not taken when its connection ended, for Connection::take_undelivered().
+  bool keeps_undelivered = false;
   /// Asked on the service thread for each subscriber. Null: only processes of the same user.
   std::function<bool(const Credentials&, const std::string& hello)> authorize{};
   /// Called on the service thread, before the subscriber is told that it is accepted: what is sent here comes
@@ -92,9 +109,10 @@ struct PublisherStats {
   std::size_t subscribers = 0;        ///< alive now
 };
 
-/// Listens for subscribers and sends them records. Thread-safe. The end of the last shared_ptr waits for a callback
-/// that is running, unless it happens inside one: hold no lock then that a callback takes. Afterwards no callback runs
-/// any more; what is queued for live subscribers is still tried for up to a second.
+/// Listens for subscribers and sends them records. Thread-safe. The end of the last shared_ptr waits for a
+/// callback that is running, unless it happens inside one: hold no lock then that a callback takes.
+/// Afterwards no callback runs any more; what is queued for live subscribers is still tried for up to a
+/// second.
 class Publisher {
  public:
   virtual ~Publisher() = default;
