@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tzc/detail/attachment.h>
+#include <tzc/message.h>
+#include <tzc/options.h>
+
+#include <boost/shared_ptr.hpp>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <typeinfo>
+#include <utility>
+
+namespace tzc {
+namespace detail {
+
+/// What all publishers share: a stock publisher that does the work (ros::Publisher, one of
+/// image_transport's), and the shared memory attached beside it. Copies share both; the last copy ends them.
+/// Thread-safe like the stock publisher.
+template <class Stock>
+class PublisherBase {
+ public:
+  PublisherBase() {}
+  /// `attachment` null: a plain publisher.
+  PublisherBase(const Stock& publisher, std::shared_ptr<Attachment> attachment)
+      : publisher_(publisher), attachment_(std::move(attachment)) {}
+
+  /// Binds the message's arrays to this publisher's shared memory, now or as they grow. May be called before
+  /// or after the sizes are set. False: no memory left (or TZC is off); the message stays usable and
+  /// publish() delivers it.
+  template <class M>
+  bool allocate(M& message) const {
+    return attachment_ && message::allocate(message, attachment_->memory());
+  }
+  template <class M>
+  bool allocate(const boost::shared_ptr<M>& message) const {
+    return allocate(*message);
+  }
+
+  /// The shared memory behind this publisher; null when TZC is off or the publisher is not advertised.
+  std::shared_ptr<MemorySource> memory() const {
+    return attachment_ ? attachment_->memory() : std::shared_ptr<MemorySource>();
+  }
+  PublisherStatistics statistics() const {
+    return attachment_ ? attachment_->statistics() : PublisherStatistics();
+  }
+
+  /// \name As in the stock publisher
+  /// @{
+  void shutdown() {
+    if (attachment_) attachment_->shutdown();
+    publisher_.shutdown();
+    attachment_.reset();
+  }
+  std::string getTopic() const { return publisher_.getTopic(); }
+  std::uint32_t getNumSubscribers() const { return publisher_.getNumSubscribers(); }
+  operator void*() const { return publisher_; }
+  bool operator<(const PublisherBase& rhs) const { return publisher_ < rhs.publisher_; }
+  bool operator==(const PublisherBase& rhs) const { return publisher_ == rhs.publisher_; }
+  bool operator!=(const PublisherBase& rhs) const { return publisher_ != rhs.publisher_; }
+  /// @}
+
+  /// The stock publisher, for interfaces that ask for one. What is published through it goes to every
+  /// subscriber too.
+  const Stock& stock() const { return publisher_; }
+
+ protected:
+  /// Calls `publish`, which publishes a message of roscpp type M by reference, unless somebody takes such
+  /// messages by pointer: then nothing is done, and it returns false.
+  template <class M, class Publish>
+  bool publish_by_reference(Publish publish) const {
+    if (attachment_)
+      return !attachment_->wants_pointer(typeid(M)) && attachment_->publish_by_reference(typeid(M), publish);
+    publish();
+    return true;
+  }
+
+  Stock publisher_;
+  std::shared_ptr<Attachment> attachment_;
+};
+
+}  // namespace detail
+}  // namespace tzc
