@@ -8,8 +8,8 @@ namespace posix {
 
 using StepHook = void (*)(const char* step);
 
-/// A test may have itself called between any two steps of allocate, publish, take and release, for example to
-/// be killed there. Null in production: one predicted branch on a cached load.
+/// A test may have itself called between any two steps of allocate, publish, take, release and the move between TCPROS
+/// and shared memory, for example to be killed there, or to hold one thread until another has come to some step. Null in production: one predicted branch on a cached load.
 extern std::atomic<StepHook> step_hook;
 
 inline void step(const char* name) {

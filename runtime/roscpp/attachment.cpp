@@ -4,6 +4,7 @@
 #include <ros/publication.h>
 #include <ros/topic_manager.h>
 
+#include "posix/step.h"
 #include "roscpp/configuration.h"
 #include "roscpp/port.h"
 #include "roscpp/roscpp_access.h"
@@ -70,6 +71,7 @@ bool Attachment::publish_by_reference(const std::type_info& type,
   const boost::recursive_mutex::scoped_lock lock(
       roscpp_access::advertised_topics_mutex_(*ros::TopicManager::instance()));
   if (wants_pointer(type)) return false;
+  posix::step("publish: by reference");
   publish();
   return true;
 }

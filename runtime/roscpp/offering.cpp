@@ -8,6 +8,7 @@
 
 #include <random>
 
+#include "posix/step.h"
 #include "roscpp/connection_name.h"
 #include "roscpp/host_identity.h"
 #include "roscpp/offer.h"
@@ -23,6 +24,10 @@ namespace access = roscpp_access;
 
 /// Longer than any healthy node takes; a stopped one must not keep the worker from the others for long.
 constexpr std::chrono::milliseconds kCallTimeout(2000);
+
+/// Who has not come to the channel by then gets another offer, so many times.
+constexpr std::chrono::seconds kPatience(3);
+constexpr int kOffers = 4;
 
 std::string random_token() {
   std::random_device random;
@@ -45,7 +50,7 @@ std::string node_uri(const std::string& caller_id) {
 
 void Port::on_connect(const ros::SingleSubscriberPublisher& subscriber) {
   const ros::SubscriberLinkPtr& link = access::link_(const_cast<ros::SingleSubscriberPublisher&>(subscriber));
-  if (const auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link)) offer(tcp);
+  if (const auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link)) offer(tcp, kOffers);
 }
 
 void Port::offer_again(const std::string& caller_id) {
@@ -58,11 +63,11 @@ void Port::offer_again(const std::string& caller_id) {
   }
   for (const ros::SubscriberLinkPtr& link : links) {
     const auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link);
-    if (tcp && tcp->getDestinationCallerID() == caller_id) offer(tcp);
+    if (tcp && tcp->getDestinationCallerID() == caller_id) offer(tcp, kOffers);
   }
 }
 
-void Port::offer(const TcpLink& link) {
+void Port::offer(const TcpLink& link, int offers_left) {
   if (link->getTransportType() != "TCPROS" || host_identity().empty()) return;
   const std::string& subscriber = link->getDestinationCallerID();
   const std::string uri = node_uri(subscriber);
@@ -76,10 +81,27 @@ void Port::offer(const TcpLink& link) {
   offer.connection = connection_name(*link->getConnection(), End::publisher);
   if (offer.connection.empty()) return;
   offer.token = expect(link);
+  posix::step("offer: calls");
   const XmlRpcReply reply = call_node(uri, kOfferMethod, to_xmlrpc(offer), kCallTimeout);
-  if (reply.succeeded()) return;
+  const bool refused = reply.unknown || (reply.answered && !reply.succeeded());
+  if (!refused) return check_later(link, offer.token, offers_left - 1);
   expected(offer.token, true);
   ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << subscriber << " stays on TCPROS: " << reply.status);
+}
+
+// An answer may be late, or the way to the channel may fail, on a machine that has a lot to do.
+void Port::check_later(const TcpLink& link, const std::string& token, int offers_left) {
+  const std::weak_ptr<Port> weak = weak_from_this();
+  const boost::weak_ptr<ros::TransportSubscriberLink> weak_link = link;
+  const auto check = [weak, weak_link, token, offers_left] {
+    const std::shared_ptr<Port> port = weak.lock();
+    const TcpLink waiting = weak_link.lock();
+    if (!port || !waiting || waiting->getConnection()->isDropped()) return;
+    const bool has_come = !port->expected(token, true);
+    if (!has_come && offers_left > 0) port->offer(waiting, offers_left);
+  };
+  worker_.post(check, kPatience);
+  posix::step("offer: waits");
 }
 
 std::string Port::expect(const TcpLink& link) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "roscpp/port.h"
 
-#include <ros/connection.h>
 #include <ros/console.h>
 #include <ros/poll_manager.h>
 #include <ros/publication.h>
@@ -22,9 +21,6 @@ namespace access = roscpp_access;
 
 namespace {
 
-/// How often a link that waits for TCPROS to drain is looked at again.
-constexpr std::chrono::milliseconds kDrainPoll(1);
-
 /// In the row of messages that roscpp has yet to number: one that went out with its number, which roscpp's
 /// count has to skip when it gets there.
 constexpr const void* kNumberedAlready = nullptr;
@@ -36,8 +32,8 @@ struct Ports {
 };
 
 Ports& ports() {
-  static Ports instance;
-  return instance;
+  static auto* const instance = new Ports;  // outlives every publication
+  return *instance;
 }
 
 }  // namespace
@@ -96,6 +92,7 @@ bool Port::listen(std::size_t queue_size) {
   channel::PublisherOptions options;
   options.queue_size = queue_size;
   options.memory = segments_;
+  options.keeps_undelivered = true;
   options.authorize = [weak](const channel::Credentials& peer, const std::string& hello) {
     const std::shared_ptr<Port> port = weak.lock();
     return port && peer.uid == geteuid() && port->expected(hello, false);
@@ -113,12 +110,13 @@ bool Port::listen(std::size_t queue_size) {
 
 PublisherStatistics Port::statistics() const {
   PublisherStatistics statistics = records_.statistics();
-  statistics.shared_subscribers = shared_subscribers_;
+  statistics.shared_subscribers = links_;
+  if (channel_) statistics.revoked = channel_->stats().dropped;
   return statistics;
 }
 
 bool Port::wants_pointer(const std::type_info& type) const {
-  if (shared_subscribers_ > 0 && records_.knows(type)) return true;  // spares the walk over all links
+  if (links_ > 0 && records_.knows(type)) return true;  // spares the walk over all links
   const ros::PublicationPtr publication = publication_.lock();
   bool serialize = false, by_pointer = false;
   if (publication) publication->getPublishTypes(serialize, by_pointer, type);
@@ -164,6 +162,13 @@ void Port::saw_serialized(const ros::SerializedMessage& message) {
   count_numbered();
 }
 
+void Port::track_queue(const std::vector<ros::SerializedMessage>& queue) {
+  const auto known = std::count_if(unnumbered_.begin(), unnumbered_.end(),
+                                   [](const void* message) { return message != kNumberedAlready; });
+  for (std::size_t i = static_cast<std::size_t>(known); i < queue.size(); ++i)
+    unnumbered_.push_back(queue[i].buf.get());
+}
+
 void Port::forget_queue() {
   unnumbered_.erase(std::remove_if(unnumbered_.begin(), unnumbered_.end(),
                                    [](const void* message) { return message != kNumberedAlready; }),
@@ -175,88 +180,6 @@ void Port::count_numbered() {
   const ros::PublicationPtr publication = publication_.lock();
   for (; !unnumbered_.empty() && unnumbered_.front() == kNumberedAlready; unnumbered_.pop_front())
     if (publication) publication->incrementSequence();
-}
-
-void Port::connected(const channel::ConnectionPtr& connection) {
-  const TcpLink tcp = expected(connection->hello(), true);
-  const SharedLinkPtr link = tcp ? park(tcp, connection) : SharedLinkPtr();
-  if (!link) return connection->close();
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    by_connection_[connection] = link;
-  }
-  watch(link);
-  ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << tcp->getDestinationCallerID()
-                           << " goes through shared memory");
-  go_live(link);
-}
-
-void Port::watch(const SharedLinkPtr& link) {
-  const std::weak_ptr<Port> weak = weak_from_this();
-  const boost::weak_ptr<SharedLink> weak_link = link;
-  link->on_end([weak, weak_link] {
-    const std::shared_ptr<Port> port = weak.lock();
-    const SharedLinkPtr gone = weak_link.lock();
-    if (port && gone) port->ended(gone);
-  });
-  if (link->parked()->getConnection()->isDropped()) ended(link);  // before the listener stood
-}
-
-SharedLinkPtr Port::park(const TcpLink& tcp, const channel::ConnectionPtr& connection) {
-  const ros::PublicationPtr publication = publication_.lock();
-  if (!publication) return SharedLinkPtr();
-  const Standstill standstill(*publication);
-  const auto link =
-      boost::make_shared<SharedLink>(weak_from_this(), publication, tcp, connection, standstill.queued());
-  if (!swap_link_locked(*publication, tcp, link)) return SharedLinkPtr();
-  if (links_++ == 0)
-    for (const ros::SerializedMessage& message : access::publish_queue_(*publication))
-      unnumbered_.push_back(message.buf.get());
-  ++shared_subscribers_;
-  return link;
-}
-
-void Port::put_back(const SharedLinkPtr& link) {
-  const ros::PublicationPtr publication = publication_.lock();
-  if (!publication) return;
-  const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(*publication));
-  if (!swap_link_locked(*publication, link, link->parked())) return;
-  if (--links_ == 0) forget_queue();
-  --shared_subscribers_;
-}
-
-void Port::disconnected(const channel::ConnectionPtr& connection) {
-  SharedLinkPtr link;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = by_connection_.find(connection);
-    if (found == by_connection_.end()) return;
-    link = found->second.lock();
-    by_connection_.erase(found);
-  }
-  if (!link) return;
-  put_back(link);
-  ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << link->getDestinationCallerID() << " is back on TCPROS");
-}
-
-void Port::ended(const SharedLinkPtr& link) {
-  // With the TCPROS link in its old place, roscpp's own removal tells the user's disconnect callbacks.
-  put_back(link);
-  if (const ros::PublicationPtr publication = publication_.lock())
-    publication->removeSubscriberLink(link->parked());
-  link->connection()->close();
-}
-
-void Port::go_live(const SharedLinkPtr& link) {
-  if (!link->connection()->alive() || link->try_go_live()) return;
-  const std::weak_ptr<Port> weak = weak_from_this();
-  const boost::weak_ptr<SharedLink> weak_link = link;
-  const auto again = [weak, weak_link] {
-    const std::shared_ptr<Port> port = weak.lock();
-    const SharedLinkPtr waiting = weak_link.lock();
-    if (port && waiting) port->go_live(waiting);
-  };
-  worker_.post(again, kDrainPoll);
 }
 
 std::shared_ptr<Port> find_port(const std::string& topic) {

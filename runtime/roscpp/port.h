@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "roscpp/record_maker.h"
 #include "roscpp/shared_link.h"
@@ -71,9 +72,11 @@ class Port : public std::enable_shared_from_this<Port> {
   bool listen(std::size_t queue_size);
   std::uint32_t take_sequence(const ros::SerializedMessage& message);
   void count_numbered();
+  void track_queue(const std::vector<ros::SerializedMessage>& queue);
   void forget_queue();
 
-  void offer(const TcpLink& link);
+  void offer(const TcpLink& link, int offers_left);
+  void check_later(const TcpLink& link, const std::string& token, int offers_left);
   std::string expect(const TcpLink& link);
   TcpLink expected(const std::string& token, bool take);
 
@@ -81,9 +84,11 @@ class Port : public std::enable_shared_from_this<Port> {
   void disconnected(const channel::ConnectionPtr& connection);
   void watch(const SharedLinkPtr& link);
   SharedLinkPtr park(const TcpLink& tcp, const channel::ConnectionPtr& connection);
-  void put_back(const SharedLinkPtr& link);
-  void ended(const SharedLinkPtr& link);
   void go_live(const SharedLinkPtr& link);
+  void come_back(const SharedLinkPtr& link);
+  void put_back_locked(ros::Publication& publication, const SharedLinkPtr& link);
+  void ended(const SharedLinkPtr& link);
+  void look_again(const SharedLinkPtr& link, void (Port::*act)(const SharedLinkPtr&));
 
   const ros::PublicationWPtr publication_;
   const std::string topic_;
@@ -95,9 +100,12 @@ class Port : public std::enable_shared_from_this<Port> {
   RecordMaker records_;
   std::shared_ptr<channel::Publisher> channel_;
 
-  std::size_t links_ = 0;               ///< SharedLinks in the publication; under subscriber_links_mutex_
-  std::deque<const void*> unnumbered_;  ///< messages in roscpp's queue, which it has yet to number; likewise
-  std::atomic<std::size_t> shared_subscribers_{0};
+  /// \name Changed under subscriber_links_mutex_
+  /// @{
+  std::atomic<std::size_t> links_{0};   ///< SharedLinks that take what is published
+  std::size_t standing_ = 0;            ///< all in the publication, also those that have returned to TCPROS
+  std::deque<const void*> unnumbered_;  ///< messages in roscpp's queue, which it has yet to number
+  /// @}
 
   std::mutex mutex_;
   std::map<std::string, boost::weak_ptr<ros::TransportSubscriberLink>> expected_;  ///< by token

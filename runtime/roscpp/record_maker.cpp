@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "roscpp/offer.h"
+#include "roscpp/wire_form.h"
 
 namespace tzc {
 namespace {
@@ -106,6 +107,11 @@ Shipment RecordMaker::of_bytes(const ros::SerializedMessage& message, std::size_
     by_bytes_.start(owner, whole_record(message.buf.get() + length_prefix, message.num_bytes - length_prefix), links);
   }
   return by_bytes_.take();
+}
+
+ros::SerializedMessage RecordMaker::wire_form(const channel::RecordPtr& record) const {
+  const std::lock_guard<std::mutex> lock(codecs_mutex_);
+  return codecs_.empty() ? ros::SerializedMessage() : tzc::wire_form(record, codecs_.front());
 }
 
 PublisherStatistics RecordMaker::statistics() const {

@@ -50,6 +50,9 @@ class RecordMaker {
   /// The record of a message that roscpp has serialized and numbered.
   Shipment of_bytes(const ros::SerializedMessage& message, std::size_t links);
 
+  /// A record of this topic as TCPROS sends it. Any thread.
+  ros::SerializedMessage wire_form(const channel::RecordPtr& record) const;
+
   /// Any thread.
   void count_sent(const Shipment& shipment) { ++(shipment.shared ? shared_ : serialized_); }
   /// Any thread.

@@ -14,7 +14,8 @@ void append_statistics(const std::string& topic, const PublisherStatistics& stat
   line << "{\"topic\": \"" << topic << "\", \"messages\": " << statistics.messages
        << ", \"shared\": " << statistics.shared << ", \"serialized\": " << statistics.serialized
        << ", \"copied_bytes\": " << statistics.copied_bytes << ", \"control_bytes\": " << statistics.control_bytes
-       << ", \"exhausted\": " << statistics.exhausted << ", \"dropped\": " << statistics.dropped << "}\n";
+       << ", \"exhausted\": " << statistics.exhausted << ", \"dropped\": " << statistics.dropped
+       << ", \"revoked\": " << statistics.revoked << "}\n";
   std::ofstream(path, std::ios::app) << line.str() << std::flush;
 }
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "posix/step.h"
 #include "roscpp/roscpp_access.h"
 
 namespace tzc {
@@ -33,7 +34,9 @@ void wait_until_drained(ros::Connection& connection) {
   if (!wait_until_empty(connection, Clock::now() + std::chrono::seconds(5))) return;
   // Whoever reads, and that is not always the poll thread, holds this from before it reads until what it read
   // has been handed over.
+  posix::step("switch: waits for the reader");
   const boost::recursive_mutex::scoped_lock lock(roscpp_access::read_mutex_(connection));
+  posix::step("switch: the reader is done");
 }
 
 }  // namespace tzc

@@ -29,7 +29,7 @@ Worker::~Worker() {
     thread_.join();
 }
 
-void Worker::post(Job job, std::chrono::milliseconds delay) {
+void Worker::post(Job job, std::chrono::microseconds delay) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (stopping_) return;
   jobs_.emplace(Clock::now() + delay, std::move(job));

@@ -24,7 +24,7 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  void post(Job job, std::chrono::milliseconds delay = std::chrono::milliseconds(0));
+  void post(Job job, std::chrono::microseconds delay = std::chrono::microseconds(0));
 
  private:
   using Clock = std::chrono::steady_clock;

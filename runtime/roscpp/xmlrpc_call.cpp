@@ -48,8 +48,10 @@ XmlRpcReply call_node(const std::string& uri, const char* method, const XmlRpc::
   if (!client.executeNonBlock(method, params)) return no_answer("cannot connect to " + uri);
   XmlRpc::XmlRpcValue result;
   if (!wait_for_answer(client, result, Clock::now() + timeout)) return no_answer("no answer from " + uri);
-  if (client.isFault()) return no_answer("the node at " + uri + " does not know the method " + method);
-  return parse(result);
+  if (!client.isFault()) return parse(result);
+  XmlRpcReply fault = no_answer("the node at " + uri + " does not know the method " + method);
+  fault.unknown = true;
+  return fault;
 }
 
 }  // namespace tzc

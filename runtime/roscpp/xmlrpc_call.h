@@ -11,6 +11,7 @@ namespace tzc {
 /// What became of a call: a reply in ROS's [code, status, value] form, or the reason why there is none.
 struct XmlRpcReply {
   bool answered = false;  ///< the peer replied with a well-formed ROS response
+  bool unknown = false;   ///< the peer does not know the method
   int code = 0;           ///< 1: success; other: the peer refused
   std::string status;     ///< the peer's words, or why there was no answer
   XmlRpc::XmlRpcValue value;

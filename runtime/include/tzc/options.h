@@ -32,6 +32,8 @@ struct PublisherStatistics {
   std::uint64_t copied_bytes = 0;  ///< bytes of data parts that had to be copied into shared memory
   std::uint64_t exhausted = 0;     ///< messages for which no shared memory was left
   std::uint64_t dropped = 0;       ///< messages dropped by OnExhausted::drop
+  std::uint64_t revoked = 0;       ///< messages sent and taken back unread, per subscriber: its queue was full, or
+                                   ///< best_effort needed their memory, or it left
   std::uint64_t control_bytes = 0; ///< bytes of control parts, per message
   std::size_t shared_subscribers = 0;  ///< subscribers on shared memory now
 };

@@ -9,24 +9,33 @@ from topic_case import TopicCase, main
 class ManyUpgrades(TopicCase):
     HOPS = int(os.environ.get("TZC_HOPS", 100))
 
-    def hop(self, talkers_mode, **parameters):
-        talker = self.start_talker(talkers_mode, count=0, rate=2000, bytes=2000, queue=10000, subscribers=0, settle=0,
-                                   memory=200000000)
+    def hop(self, talker_parameters, **parameters):
+        talker = self.start_talker("twin", count=0, rate=2000, bytes=2000, subscribers=0, settle=0, memory=200000000,
+                                   **dict({"queue": 10000}, **talker_parameters))
         hopper = self.node("hopper", "hopper", parameters)
         self.assertEqual(hopper.wait(120), 0, hopper.tail())
         self.assertTrue(talker.alive(), talker.tail())
         lines = [line for line in hopper.log().splitlines() if line.startswith("{")]
         return [json.loads(line) for line in lines]
 
-    def test_shared(self):
-        hops = self.hop("twin", hops=self.HOPS, shared=50, patience=10)
+    def assert_complete(self, hops):
         self.assertEqual(len(hops), self.HOPS)
         self.assertEqual([hop["jumps"] for hop in hops if hop["jumps"]], [], "lost, doubled or out of order")
         self.assertEqual([hop["misnumbered"] for hop in hops if hop["misnumbered"]], [], "[number, header.seq]")
         self.assertTrue(all(hop["right"] for hop in hops))
+
+    def test_up(self):
+        hops = self.hop({}, hops=self.HOPS, shared=50, patience=10)
+        self.assert_complete(hops)
         self.assertEqual([hop for hop in hops if hop["shared"] < 50], [], "not upgraded")
         before = sum(hop["count"] - hop["shared"] for hop in hops)
         self.assertGreater(before, self.HOPS / 2, "the upgrades met no traffic on TCPROS")
+
+    def test_up_and_down_again(self):
+        """The subscriber runs out of descriptors, so that it can't take the next segment; the process lives on."""
+        hops = self.hop({"fresh": 20}, hops=self.HOPS, shared=50, returned=50, patience=10)
+        self.assert_complete(hops)
+        self.assertEqual([hop for hop in hops if hop["shared"] < 50 or hop["returned"] < 50], [], "not both ways")
 
 
 if __name__ == "__main__":

@@ -31,6 +31,29 @@ class Many(TopicCase):
             self.assert_got(listener, range(50), shared=True, topic=topic)
 
 
+class Unreliable(TopicCase):
+    def test_who_asks_for_udpros_gets_it(self):
+        unreliable, shared = self.listen("unreliable", queue=200), self.listen(queue=200)
+        talker = self.start_talker(count=50, rate=50, bytes=1000, subscribers=2, queue=200, linger=3)
+        self.ros.wait_until(lambda: self.transports(self.name("talker")) == {"UDPROS", "TZC"}, 20, "both transports")
+        self.assertEqual(talker.wait(30), 0, talker.tail())
+        self.assert_got(unreliable, range(50), shared=False)
+        self.assert_got(shared, range(50), shared=True)
+        self.assert_seq_as_tcpros(unreliable)
+
+
+class TwoPublishersOfANode(TopicCase):
+    def test_the_ported_one_ends_and_the_plain_one_goes_on(self):
+        """Who is on shared memory stays there."""
+        shared, plain = self.listen(queue=1000), self.listen("plain", queue=1000)
+        talker = self.start_talker("handover", count=100, subscribers=2, queue=200)
+        self.assertEqual(talker.wait(30), 0, talker.tail())
+        self.assert_got(shared, range(100))
+        self.assert_got(plain, range(100), shared=False)
+        self.assertEqual([m["number"] for m in shared.messages() if m["shared"]], list(range(50)))
+        self.assert_seq_as_tcpros(shared)
+
+
 class Names(TopicCase):
     def test_remapped(self):
         listener = self.listen(remaps=["image:=camera/picture"], topic="camera/picture")

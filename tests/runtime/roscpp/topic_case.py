@@ -109,6 +109,11 @@ class TopicCase(unittest.TestCase):
         """Runs a talker to its end; its counters."""
         talker = self.start_talker(mode, **parameters)
         self.assertEqual(talker.wait(timeout), 0, talker.tail())
+        return self.counters(talker)
+
+    @staticmethod
+    def counters(talker):
+        """What a talker that came to its end has counted."""
         return json.loads([line for line in talker.log().splitlines() if line.startswith("{")][-1])
 
     def wait_for(self, listener, count, timeout=20, topic=None, callback=None):
@@ -129,8 +134,8 @@ class TopicCase(unittest.TestCase):
             wrong = [message["number"] for message in messages if message["shared"] != shared]
             self.assertEqual(wrong, [], f"messages that were {'not ' if shared else ''}in shared memory")
 
-    def shared_transports(self, node):
-        """Topics that a node sends through shared memory, by its own word (getBusInfo)."""
+    def connections(self, node):
+        """(transport, topic) of each connection of a node, by its own word (getBusInfo)."""
         code, _, uri = self.ros.master.lookupNode("/tzc_test", node)
         if code != 1:
             return []
@@ -139,7 +144,15 @@ class TopicCase(unittest.TestCase):
                 _, _, connections = proxy.getBusInfo("/tzc_test")
         except OSError:
             return []  # it has ended
-        return [topic for _, _, _, transport, topic, *_ in connections if transport == "TZC"]
+        return [(transport, topic) for _, _, _, transport, topic, *_ in connections]
+
+    def shared_transports(self, node):
+        """Topics that a node sends through shared memory."""
+        return [topic for transport, topic in self.connections(node) if transport == "TZC"]
+
+    def transports(self, node, topic="image"):
+        """The transports of a node's connections of one topic."""
+        return {transport for transport, name in self.connections(node) if name == self.name(topic)}
 
     def assert_seq_as_tcpros(self, listener, first=0):
         seqs = [message["seq"] for message in listener.messages()]

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Prints a line for each image it gets (image_line.h).
 ///
-/// Private parameters: mode (pointer, reference, value, mutable, event, direct, filter, late_attach, plain),
-/// topics (several, separated by blanks), queue, spinner (spin, multi, async, own: a callback queue of its
-/// own).
+/// Private parameters: mode (pointer, reference, value, mutable, event, direct, filter, late_attach,
+/// unreliable, plain), topics (several, separated by blanks), queue, spinner (spin, multi, async, own: a
+/// callback queue of its own).
 #include <message_filters/simple_filter.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -53,6 +53,8 @@ ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& mode, const 
   if (mode == "mutable") return tzc::subscribe(node, topic, queue, on_mutable);
   if (mode == "event") return tzc::subscribe(node, topic, queue, on_event);
   if (mode == "direct") return tzc::subscribe_direct(node, topic, queue, on_pointer);
+  if (mode == "unreliable")
+    return tzc::subscribe(node, topic, queue, on_pointer, ros::TransportHints().unreliable());
   const ros::Subscriber subscriber = node.subscribe(topic, queue, on_pointer);
   if (mode == "late_attach") tzc::attach<sensor_msgs::Image>(node, topic);
   return subscriber;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Publishes images whose bytes follow from their number, in one of the ways a node may publish.
 ///
-/// Private parameters: mode (twin, twin_pointer, stock, stock_pointer, plain), topics (several, separated by
-/// blanks), first (number), count, rate (Hz), bytes, latch, subscribers (wait for so many), settle (seconds
-/// to wait then), linger (seconds to stay), queue, memory.
+/// Private parameters: mode (twin, twin_pointer, stock, stock_pointer, plain, handover: a twin's publisher
+/// and a plain one, the former ends after half of the images), fresh (every so many images lie in a segment
+/// of their own), topics (several, separated by blanks), first (number), count, rate (Hz), bytes, latch,
+/// subscribers (wait for so many), settle (seconds to wait then), linger (seconds to stay), queue, memory.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <tzc/ros.h>
@@ -25,39 +26,46 @@ class Talker {
     const int queue = options.param("queue", 10);
     const bool latch = options.param("latch", false);
     const int memory = options.param("memory", 0);
-    if (mode_ == "plain")
+    fresh_ = static_cast<std::uint32_t>(options.param("fresh", 0));
+    half_ = static_cast<std::uint32_t>(options.param("count", 100) / 2);
+    if (mode_ == "plain" || mode_ == "handover")
       plain_ = node.advertise<sensor_msgs::Image>(topic, queue, latch);
-    else
+    if (mode_ != "plain")
       shared_ = tzc::advertise<tzc::sensor_msgs::Image>(node, topic, queue, memory, latch);
   }
 
   void publish(std::uint32_t number) {
-    if (mode_ == "twin" || mode_ == "twin_pointer") return publish_twin(number);
+    if (mode_ == "twin" || mode_ == "twin_pointer" || (mode_ == "handover" && number < half_))
+      return publish_twin(number);
+    if (mode_ == "handover" && number == half_) shared_.shutdown();
     const auto image = boost::make_shared<sensor_msgs::Image>();
     tzc_test::fill_image(*image, number, bytes_);
-    if (mode_ == "plain") return plain_.publish(*image);
+    if (mode_ == "plain" || mode_ == "handover") return plain_.publish(*image);
     if (mode_ == "stock_pointer") return shared_.publish(image);
     shared_.publish(*image);
   }
 
   std::uint32_t subscribers() const {
-    return mode_ == "plain" ? plain_.getNumSubscribers() : shared_.getNumSubscribers();
+    return mode_ == "plain" || mode_ == "handover" ? plain_.getNumSubscribers() : shared_.getNumSubscribers();
   }
 
   void report() const {
     const tzc::PublisherStatistics s = shared_.statistics();
     std::printf(
         "{\"shared\": %llu, \"serialized\": %llu, \"copied_bytes\": %llu, \"exhausted\": %llu, \"dropped\": "
-        "%llu}\n",
+        "%llu, \"revoked\": %llu}\n",
         (unsigned long long)s.shared, (unsigned long long)s.serialized, (unsigned long long)s.copied_bytes,
-        (unsigned long long)s.exhausted, (unsigned long long)s.dropped);
+        (unsigned long long)s.exhausted, (unsigned long long)s.dropped, (unsigned long long)s.revoked);
     std::fflush(stdout);
   }
 
  private:
   void publish_twin(std::uint32_t number) {
     const auto image = boost::make_shared<tzc::sensor_msgs::Image>();
-    shared_.allocate(*image);
+    if (fresh_ != 0 && number % fresh_ == 0)
+      tzc::message::allocate(*image, fresh_memory());
+    else
+      shared_.allocate(*image);
     tzc_test::fill_image(*image, number, bytes_);
     if (mode_ == "twin_pointer")
       shared_.publish(image);
@@ -65,8 +73,15 @@ class Talker {
       shared_.publish(*image);
   }
 
+  std::shared_ptr<tzc::MemorySource> fresh_memory() const {
+    tzc::MemoryOptions memory;
+    memory.size = bytes_ + 4096;
+    return *tzc::SegmentMemory::create(memory);
+  }
+
   std::string mode_;
   std::size_t bytes_;
+  std::uint32_t fresh_, half_;
   ros::Publisher plain_;
   tzc::Publisher shared_;
 };

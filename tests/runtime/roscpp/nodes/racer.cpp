@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Takes each of the transport's races by the turn that once went wrong. Prints what happened as a line of
+/// JSON ("event"), a subscriber also its images.
+///
+/// Private parameters: pid (of the subscriber), race, one of
+///   by_reference  a publisher: a message goes by reference, since nobody takes pointers, while a subscriber
+///                 moves over
+///   late_header   a publisher: the subscriber is offered shared memory before its TCPROS header is written
+///   slow_reader   a subscriber: the last TCPROS message is read and not handed over yet when the first
+///                 shared one comes
+///   busy_queue    a publisher: a subscriber goes back to TCPROS while roscpp's queue is full of what it has
+///                 already
+///   silent        a publisher: the subscriber (pid) is stopped when it is called with the offer, and goes on
+///                 when the call is given up
+///   planted       a subscriber with a data race of its own, for ThreadSanitizer to find
+#include <ros/callback_queue_interface.h>
+#include <ros/poll_manager.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <signal.h>
+#include <tzc/ros.h>
+#include <tzc/sensor_msgs/Image.h>
+
+#include <atomic>
+#include <deque>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "gate.h"
+#include "image_line.h"
+#include "posix/step.h"
+
+namespace {
+
+using tzc_test::Gate;
+
+Gate& gate() {
+  static auto* const instance = new Gate;
+  return *instance;
+}
+
+void print_event(const std::string& event, bool happened) {
+  std::printf("{\"event\": \"%s\", \"happened\": %s}\n", event.c_str(), happened ? "true" : "false");
+  std::fflush(stdout);
+}
+
+/// Keeps roscpp's poll thread from everything between "hold" and "let go".
+void hold_poll_thread() {
+  if (!gate().happened("hold") || gate().happened("let go")) return;
+  gate().tell("held");
+  gate().wait_for({"let go"});
+}
+
+tzc::sensor_msgs::Image make_image(const tzc::Publisher& publisher, std::uint32_t number) {
+  tzc::sensor_msgs::Image image;
+  publisher.allocate(image);
+  tzc_test::fill_image(image, number, 20000);
+  return image;
+}
+
+void publish(const tzc::Publisher& publisher, std::uint32_t from, std::uint32_t to) {
+  for (std::uint32_t number = from; number < to; ++number) publisher.publish(make_image(publisher, number));
+}
+
+/// With the poll thread held: what was published goes on its way, and the node may end.
+void let_go_and_end() {
+  gate().tell("let go");
+  ros::WallDuration(1.0).sleep();
+}
+
+template <class Condition>
+bool eventually(Condition holds) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(20);
+  while (ros::ok() && !holds() && ros::WallTime::now() < end) ros::WallDuration(0.001).sleep();
+  return holds();
+}
+
+void hold_poll_thread_now() {
+  gate().tell("hold");
+  ros::PollManager::instance()->getPollSet().signal();
+  gate().wait_for({"held"});
+}
+
+// The service thread comes to the move while the main thread has decided for TCPROS and not published yet. It
+// must not get through in between: the message would wait in roscpp's queue for a link that has moved, and be
+// overtaken.
+void by_reference(ros::NodeHandle& node) {
+  tzc::posix::step_hook = [](const char* step) {
+    const std::string name = step;
+    if (name == "move: begins") {
+      gate().tell("moving");
+      gate().wait_for({"chosen"});
+    } else if (name == "move: parked") {
+      gate().tell("parked");
+    } else if (name == "publish: by reference" && gate().happened("moving") && !gate().happened("chosen")) {
+      gate().tell("chosen");
+      print_event("moved in between", gate().wait_for({"parked"}, std::chrono::milliseconds(500)));
+    }
+  };
+  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 100);
+  gate().wait_for({"moving"});
+  hold_poll_thread_now();
+  publish(publisher, 0, 1);
+  print_event("parked", gate().wait_for({"parked"}));
+  publish(publisher, 1, 10);
+  let_go_and_end();
+}
+
+/// Holds whoever adds a callback, which is the thread that adds a subscriber.
+class HoldingQueue : public ros::CallbackQueueInterface {
+ public:
+  void addCallback(const ros::CallbackInterfacePtr&, std::uint64_t) override {
+    gate().tell("connecting");
+    gate().wait_for({"let go"});
+  }
+  void removeByID(std::uint64_t) override {}
+};
+
+// The poll thread is held after it has told of the subscriber and before it writes the TCPROS header.
+void late_header(ros::NodeHandle& node) {
+  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 100);
+  HoldingQueue queue;
+  ros::AdvertiseOptions options = ros::AdvertiseOptions::create<sensor_msgs::Image>(
+      "image", 100, [](const ros::SingleSubscriberPublisher&) {}, ros::SubscriberStatusCallback(),
+      ros::VoidConstPtr(), &queue);
+  const ros::Publisher second = node.advertise(options);
+  print_event("connecting", gate().wait_for({"connecting"}));
+  print_event("parked", eventually([&] { return publisher.statistics().shared_subscribers == 1; }));
+  gate().tell("let go");
+  publish(publisher, 0, 10);
+  let_go_and_end();
+}
+
+// Messages are in the channel, and as bytes in roscpp's queue for a plain subscriber, when the channel
+// breaks: one more segment than a connection takes.
+void busy_queue(ros::NodeHandle& node) {
+  tzc::posix::step_hook = [](const char* step) {
+    if (std::string(step) == "move: returned") gate().tell("returned");
+  };
+  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 1000);
+  eventually(
+      [&] { return publisher.getNumSubscribers() == 2 && publisher.statistics().shared_subscribers == 1; });
+  ros::WallDuration(0.5).sleep();  // the move's end; what is published before it would only be less of a test
+  publish(publisher, 0, 10);
+  hold_poll_thread_now();
+  std::vector<tzc::sensor_msgs::Image> hoard(300);
+  std::uint32_t number = 10;
+  for (tzc::sensor_msgs::Image& image : hoard) {
+    tzc::MemoryOptions memory;
+    memory.size = 65536;
+    tzc::message::allocate(image, std::shared_ptr<tzc::MemorySource>(*tzc::SegmentMemory::create(memory)));
+    tzc_test::fill_image(image, number++, 20000);
+    publisher.publish(image);
+  }
+  print_event("returned", gate().wait_for({"returned"}));
+  publish(publisher, 310, 330);
+  let_go_and_end();
+}
+
+pid_t subscriber_pid = 0;
+
+void silent(ros::NodeHandle& node) {
+  tzc::posix::step_hook = [](const char* step) {
+    const std::string name = step;
+    if (name == "offer: calls" && !gate().happened("called")) {
+      kill(subscriber_pid, SIGSTOP);
+      gate().tell("called");
+    } else if (name == "offer: waits") {
+      gate().tell("unanswered");
+    }
+  };
+  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 100);
+  print_event("unanswered", gate().wait_for({"unanswered"}));
+  kill(subscriber_pid, SIGCONT);
+  print_event("parked", eventually([&] { return publisher.statistics().shared_subscribers == 1; }));
+  publish(publisher, 0, 10);
+  let_go_and_end();
+}
+
+/// A callback queue that lets the first message in when it is told to.
+class SlowQueue : public ros::CallbackQueueInterface {
+ public:
+  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t) override {
+    if (first_.exchange(false)) gate().wait_for({"let in"});
+    const std::lock_guard<std::mutex> lock(mutex_);
+    callbacks_.push_back(callback);
+  }
+  void removeByID(std::uint64_t) override {}
+  void call_available() {
+    for (ros::CallbackInterfacePtr callback = take(); callback; callback = take()) callback->call();
+  }
+
+ private:
+  ros::CallbackInterfacePtr take() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (callbacks_.empty()) return ros::CallbackInterfacePtr();
+    const ros::CallbackInterfacePtr callback = callbacks_.front();
+    callbacks_.pop_front();
+    return callback;
+  }
+
+  std::atomic<bool> first_{true};
+  std::mutex mutex_;
+  std::deque<ros::CallbackInterfacePtr> callbacks_;
+};
+
+// With a publisher by_reference: its first message surely comes over TCPROS, after this node has agreed to move.
+void slow_reader(ros::NodeHandle& node) {
+  tzc::posix::step_hook = [](const char* step) {
+    const std::string name = step;
+    if (name == "switch: waits for the reader") gate().tell("waiting");
+    if (name == "switch: the reader is done") gate().tell("done");
+  };
+  static auto* const queue = new SlowQueue;
+  node.setCallbackQueue(queue);
+  const boost::function<void(const sensor_msgs::ImageConstPtr&)> print =
+      [](const sensor_msgs::ImageConstPtr& image) { tzc_test::print_image(*image); };
+  const ros::Subscriber subscriber = tzc::subscribe<sensor_msgs::Image>(node, "image", 100, print);
+  print_event("waited", gate().wait_for({"waiting"}));
+  print_event("went on at once", gate().wait_for({"done"}, std::chrono::milliseconds(500)));
+  gate().tell("let in");
+  while (ros::ok()) {
+    queue->call_available();
+    ros::WallDuration(0.01).sleep();
+  }
+}
+
+int planted_counter = 0;
+
+// The transport's reader thread writes what the main thread reads.
+void planted(ros::NodeHandle& node) {
+  const boost::function<void(const sensor_msgs::ImageConstPtr&)> count =
+      [](const sensor_msgs::ImageConstPtr& image) {
+        ++planted_counter;
+        tzc_test::print_image(*image);
+      };
+  const ros::Subscriber subscriber = tzc::subscribe_direct<sensor_msgs::Image>(node, "image", 100, count);
+  eventually([] { return planted_counter >= 20; });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "racer");
+  ros::NodeHandle node, options("~");
+  ros::PollManager::instance()->addPollThreadListener(hold_poll_thread);
+  const std::string race = options.param<std::string>("race", "");
+  if (race == "by_reference") by_reference(node);
+  if (race == "late_header") late_header(node);
+  subscriber_pid = options.param("pid", 0);
+  if (race == "silent") silent(node);
+  if (race == "busy_queue") busy_queue(node);
+  if (race == "slow_reader") slow_reader(node);
+  if (race == "planted") planted(node);
+  tzc::posix::step_hook = nullptr;
+}

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The races of the move between TCPROS and shared memory, each held at the turn that once went wrong."""
+from topic_case import Listener, TopicCase, main
+
+
+class Races(TopicCase):
+    def race(self, race, **parameters):
+        """A publisher that holds its threads (nodes/racer.cpp) and comes to its end; what it says happened."""
+        racer = self.node("racer", "racer", dict(parameters, race=race))
+        self.assertEqual(racer.wait(60), 0, racer.tail())
+        return self.events(Listener(racer))
+
+    @staticmethod
+    def events(racer):
+        return {line["event"]: line["happened"] for line in racer.lines() if "event" in line}
+
+    def test_a_message_by_reference_is_not_overtaken_at_the_move(self):
+        listener = self.listen()
+        events = self.race("by_reference")
+        self.assertEqual(events, {"moved in between": False, "parked": True})
+        self.assert_got(listener, range(10))
+        self.assertEqual([m["shared"] for m in listener.messages()], [False] + 9 * [True])
+        self.assert_seq_as_tcpros(listener)
+
+    def test_an_offer_that_comes_before_the_tcpros_header(self):
+        listener = self.listen()
+        self.assertEqual(self.race("late_header"), {"connecting": True, "parked": True})
+        self.assert_got(listener, range(10), shared=True)
+        self.assert_seq_as_tcpros(listener)
+
+    def test_a_shared_message_waits_for_the_handing_over_of_the_last_tcpros_one(self):
+        reader = Listener(self.node("racer", "reader", {"race": "slow_reader"}))
+        self.race("by_reference")
+        self.assert_got(reader, range(10))
+        self.assertEqual([m["shared"] for m in reader.messages()], [False] + 9 * [True])
+        self.assertEqual(self.events(reader), {"waited": True, "went on at once": False})
+
+    def test_back_on_tcpros_with_a_full_queue_nothing_comes_twice(self):
+        shared, plain = self.listen(queue=1000), self.listen("plain", queue=1000)
+        self.assertEqual(self.race("busy_queue"), {"returned": True})
+        for listener in (shared, plain):
+            self.assert_got(listener, range(330))
+            self.assert_seq_as_tcpros(listener)
+        self.assertGreater(sum(m["shared"] for m in shared.messages()), 100)
+        self.assertFalse(any(m["shared"] for m in shared.messages()[-20:]))
+
+    def test_a_subscriber_that_does_not_answer_the_offer_in_time(self):
+        listener = self.listen()
+        self.assertEqual(self.race("silent", pid=listener.process.pid), {"unanswered": True, "parked": True})
+        self.assert_got(listener, range(10), shared=True)
+
+
+if __name__ == "__main__":
+    main()
