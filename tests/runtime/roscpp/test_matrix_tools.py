@@ -23,6 +23,26 @@ class ToolCase(TopicCase):
     def rospy(self, **parameters):
         return ROSPY_NODE + [f"__ns:={self.ns}"] + [f"_{key}:={value}" for key, value in parameters.items()]
 
+    def image_saver(self):
+        """The binary of image_view that needs no display, unmodified; it writes a picture of each image."""
+        pictures = os.path.join(self.scratch, f"{self.ns[1:]}_%04d.pgm")
+        return self.tool(TZC_RUN + ["/usr/lib/image_view/image_saver", f"image:={self.name('image')}", "_encoding:=mono8",
+                                    f"_filename_format:={pictures}"], name="image_saver")
+
+    def pictures(self):
+        return sorted(glob.glob(os.path.join(self.scratch, f"{self.ns[1:]}_*.pgm")))
+
+    def numbers_in_pictures(self):
+        """The images' numbers, modulo 256, after a look at every pixel."""
+        numbers = []
+        for path in self.pictures():
+            with open(path, "rb") as picture:
+                pixels = picture.read().split(b"255\n", 1)[1]
+            numbers.append((pixels[0] * pow(7, -1, 256)) % 256)  # the pattern's first byte is 7 n
+            expected = bytes((i * 31 + i // 256 + numbers[-1] * 7) & 0xff for i in range(len(pixels)))
+            self.assertEqual(pixels, expected, path)
+        return numbers
+
     def record(self, bag):
         return self.tool(["rosbag", "record", "-O", bag, self.name("image")])
 
@@ -89,27 +109,15 @@ class PortedToTools(ToolCase):
 
     def test_image_saver_under_tzc_run(self):
         """An unmodified binary of image_view, without a display: reads shared memory, writes right pictures."""
-        pictures = os.path.join(self.scratch, f"{self.ns[1:]}_%04d.pgm")
-        saver = self.tool(TZC_RUN + ["/usr/lib/image_view/image_saver", f"image:={self.name('image')}", "_encoding:=mono8",
-                                     f"_filename_format:={pictures}"], name="image_saver")
+        saver = self.image_saver()
         talker = self.start_talker(count=0, rate=20, bytes=30000)
         self.ros.wait_until(lambda: len(self.pictures()) >= 20, 20, "20 pictures")
         self.assertEqual(self.shared_transports(self.name("talker")), [self.name("image")])
         talker.stop()
         self.ros.wait_until(lambda: time.sleep(0.5) is None, 5, "the last picture")
-        contents = []
-        for path in self.pictures():
-            with open(path, "rb") as picture:
-                contents.append(picture.read().split(b"255\n", 1)[1])
-        number = lambda pixels: (pixels[0] * pow(7, -1, 256)) % 256  # noqa: E731  the pattern's first byte is 7 n
-        for pixels in contents:
-            expected = bytes((i * 31 + i // 256 + number(pixels) * 7) & 0xff for i in range(30000))
-            self.assertEqual(pixels, expected)
-        self.assertEqual([number(pixels) for pixels in contents], [i % 256 for i in range(len(contents))])
+        numbers = self.numbers_in_pictures()
+        self.assertEqual(numbers, [i % 256 for i in range(len(numbers))])
         self.assertTrue(saver.alive())
-
-    def pictures(self):
-        return sorted(glob.glob(os.path.join(self.scratch, f"{self.ns[1:]}_*.pgm")))
 
 
 class ToolsToPorted(ToolCase):
@@ -134,10 +142,14 @@ class ToolsToPorted(ToolCase):
 class Together(ToolCase):
     def test_all_at_once(self):
         bag = os.path.join(self.scratch, f"all{self.ns[1:]}.bag")
-        talker = self.start_talker(count=100, rate=50, bytes=5000, subscribers=9, settle=1.5, queue=200)
+        talker = self.start_talker(count=100, rate=50, bytes=5000, subscribers=13, settle=1.5, queue=200)
         recorder = self.record(bag)
         echo = self.tool(["rostopic", "echo", "--noarr", self.name("image")])
+        hz = self.tool(["rostopic", "hz", self.name("image")])
+        bandwidth = self.tool(["rostopic", "bw", self.name("image")])
+        saver = self.image_saver()
         self.tool(["/usr/lib/topic_tools/relay", "image", "relayed", f"__ns:={self.ns}"])
+        self.tool(["/usr/lib/topic_tools/throttle", "messages", "image", "10", "throttled", f"__ns:={self.ns}"])
         rospy = Listener(self.tool(self.rospy()))
         plain = self.listen("plain")
         preloaded = self.listen("plain", runner=TZC_RUN)
@@ -146,6 +158,11 @@ class Together(ToolCase):
         self.end_recording(recorder, bag)
         self.assert_bag(bag, range(100))
         self.assertEqual(re.findall(r'frame_id: "(\d+)"', echo.log()), [str(i) for i in range(100)])
+        self.assertIn("average rate", hz.log())
+        self.assertIn("mean: 5.", bandwidth.log())
+        pictures = self.numbers_in_pictures()  # its queue holds one image
+        self.assertTrue(pictures and saver.alive())
+        self.assertEqual(pictures, sorted(set(pictures)))
         self.assert_got(rospy, range(100))
         self.assert_got(plain, range(100), shared=False)
         self.assert_got(preloaded, range(100), shared=True)
