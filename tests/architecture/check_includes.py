@@ -13,7 +13,7 @@ USES = {
     "runtime/segment": ["runtime/posix"],
     "runtime/channel": ["runtime/segment", "runtime/posix"],
     "runtime/message": ["runtime/segment"],
-    "runtime/roscpp": ["runtime/channel", "runtime/message", "runtime/segment"],
+    "runtime/roscpp": ["runtime/channel", "runtime/message", "runtime/segment", "runtime/posix"],
     "runtime/adapters": ["runtime/roscpp", "runtime/message", "runtime/segment"],
     "runtime/preload": ["runtime/roscpp", "runtime/message", "runtime/segment"],
     "msggen/model": [],
