@@ -3,6 +3,8 @@
 #include <pcl/console/print.h>
 #include <pcl/point_types.h>
 #include <pcl_ros/point_cloud.h>
+#include <tzc/std_msgs/Float32MultiArray.h>  // makes a namespace tzc::std_msgs, which must not hide the stock one
+//
 #include <tzc/pcl.h>
 
 #include "copies.h"

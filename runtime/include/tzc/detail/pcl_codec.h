@@ -85,7 +85,7 @@ struct Codec< ::pcl::PointCloud<Point> > {
   template <class Stream>
   static void write(Stream& stream, const ::pcl::PointCloud<Point>& cloud) {
     const ::pcl::PCLPointCloud2 description = detail::describe(cloud);
-    std_msgs::Header header;
+    ::std_msgs::Header header;
     ::pcl_conversions::fromPCL(description.header, header);
     std::vector< ::sensor_msgs::PointField> fields;
     ::pcl_conversions::fromPCL(description.fields, fields);
@@ -103,7 +103,7 @@ struct Codec< ::pcl::PointCloud<Point> > {
   template <class Stream>
   static void read(Stream& stream, ::pcl::PointCloud<Point>& cloud) {
     ::pcl::PCLPointCloud2 message;
-    std_msgs::Header header;
+    ::std_msgs::Header header;
     std::vector< ::sensor_msgs::PointField> fields;
     stream.next(header);
     stream.next(message.height);
