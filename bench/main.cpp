@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
-#include <cstring>
+#include <string>
 
 #include "commands.h"
 
@@ -21,17 +21,24 @@ const Command commands[] = {
 #endif
 };
 
-int usage() {
-  std::fprintf(stderr, "usage: tzc-bench COMMAND [options]\n");
-  for (const Command& command : commands) std::fprintf(stderr, "  %-10s %s\n", command.name, command.help);
-  return 2;
+int usage(std::FILE* to, int status) {
+  std::fputs("Usage: tzc-bench COMMAND [OPTIONS]\n\nCommands:\n", to);
+  for (const Command& command : commands) std::fprintf(to, "  %-10s %s\n", command.name, command.help);
+  std::fputs(
+      "\nEach prints a table and takes --json FILE; tzc-bench COMMAND --help tells its options.\n\n"
+      "Examples:\n  tzc-bench core --json core.json\n  tzc-bench roscpp --sizes 4m --subscribers 8\n",
+      to);
+  return status;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::string name = argc > 1 ? argv[1] : "";
   for (const Command& command : commands) {
-    if (argc > 1 && std::strcmp(argv[1], command.name) == 0) return command.run(argc - 1, argv + 1);
+    if (name == command.name) return command.run(argc - 1, argv + 1);
   }
-  return usage();
+  const bool asked = name == "--help" || name == "-h";
+  if (!asked && !name.empty()) std::fprintf(stderr, "tzc-bench: no command %s\n", name.c_str());
+  return asked ? usage(stdout, 0) : usage(stderr, 2);
 }

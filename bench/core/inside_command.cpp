@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "commands.h"
+#include "inside_report.h"
 #include "tzc/channel.h"
 
 namespace tzc {
@@ -31,10 +32,17 @@ void publish_one(channel::Publisher& out, std::size_t bytes) {
   out.publish(channel::make_record(0, control, sizeof control, {out.memory()->allocate(bytes)}));
 }
 
+// For the JSON file's rows.
+void describe(benchmark::State& state, std::size_t size_bytes, std::size_t subscribers) {
+  state.counters["size_bytes"] = static_cast<double>(size_bytes);
+  state.counters["subscribers"] = static_cast<double>(subscribers);
+}
+
 void allocate(benchmark::State& state) {
   const auto out = publisher(64 * mb);
   for (auto _ : state)
     benchmark::DoNotOptimize(out->memory()->allocate(static_cast<std::size_t>(state.range(0))));
+  describe(state, static_cast<std::size_t>(state.range(0)), 0);
 }
 BENCHMARK(allocate)->Arg(4096)->Arg(4 * mb);
 
@@ -51,6 +59,7 @@ void allocate_publish_to_stopped(benchmark::State& state) {
   }
   for (int i = 0; i < 2000; ++i) publish_one(*out, 4 * mb);  // fills the sockets, warms the segment
   for (auto _ : state) publish_one(*out, 4 * mb);
+  describe(state, 4 * mb, static_cast<std::size_t>(state.range(0)));
 }
 BENCHMARK(allocate_publish_to_stopped)->Arg(0)->Arg(1)->Arg(8);
 
@@ -70,6 +79,7 @@ void allocate_publish_to_reader(benchmark::State& state) {
     while (received + in->stats().lost < sent) std::this_thread::yield();
     state.ResumeTiming();
   }
+  describe(state, 4 * mb, 1);
 }
 BENCHMARK(allocate_publish_to_reader)->Iterations(20000);
 
@@ -120,10 +130,7 @@ BENCHMARK(find_buffer_of_an_address)->Arg(1)->Arg(1000);
 }  // namespace
 
 int run_inside(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return run_and_report(argc, argv);
 }
 
 }  // namespace bench

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""usage: test_bench.py TZC_BENCH core|roscpp|sustained
+"""usage: test_bench.py TZC_BENCH core|roscpp|sustained|inside
 
 A short run of the command delivers messages, writes the JSON file that is promised, and mistakes are told."""
 import json
@@ -40,8 +40,25 @@ def check_rows(rows, command):
         assert 0 < row["median_us"] <= row["p99_us"], row
 
 
+def check_inside(bench):
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "figures.json")
+        done = run(bench, "inside", "--json", path, "--benchmark_filter=allocate/|to_stopped", "--benchmark_min_time=0.01")
+        assert done.returncode == 0, done.stderr
+        with open(path) as file:
+            rows = json.load(file)["rows"]
+    assert {("allocate/4194304", 4 << 20, 0), ("allocate_publish_to_stopped/8", 4 << 20, 8)} <= {
+        (row["contender"], row["size_bytes"], row["subscribers"]) for row in rows}, rows
+    assert all(set(row) == set(FIELDS) and 0 < row["median_us"] <= row["p99_us"] for row in rows), rows
+    assert run(bench, "inside", "--json").returncode == 2
+    assert "Examples:" in run(bench, "inside", "--help").stdout
+    assert run(bench, "--help").returncode == 0 and run(bench).returncode == 2 and run(bench, "fast").returncode == 2
+
+
 def main():
     bench, command = sys.argv[1:]
+    if command == "inside":
+        return check_inside(bench)
     table, figures = short_run(bench, command)
     assert set(figures) == {"machine", "rows"} and figures["machine"]["cpus"] > 0, figures
     check_rows(figures["rows"], command)
