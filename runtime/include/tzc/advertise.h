@@ -16,19 +16,40 @@ void add_foreign_codec(Attachment& attachment, std::true_type) {
 }
 template <class M>
 void add_foreign_codec(Attachment&, std::false_type) {}
+
+/// As ros::NodeHandle::advertise<M> makes them, with the stock type for a tzc:: one. Whether header.seq is
+/// counted is M's own affair: roscpp leaves it alone in a pcl::PointCloud.
+template <class M>
+ros::AdvertiseOptions advertise_options(
+    const std::string& topic, std::uint32_t queue_size,
+    const ros::SubscriberStatusCallback& connect_cb = ros::SubscriberStatusCallback(),
+    const ros::SubscriberStatusCallback& disconnect_cb = ros::SubscriberStatusCallback()) {
+  ros::AdvertiseOptions options;
+  options.init<typename message::StockOf<M>::type>(topic, queue_size, connect_cb, disconnect_cb);
+  options.has_header = ros::message_traits::hasHeader<M>();
+  return options;
+}
+
+/// How messages of the stock type travel on this topic, with header.seq counted or not, as for every other
+/// link.
+template <class M>
+MessageCodec codec_for(const ros::AdvertiseOptions& options) {
+  MessageCodec codec = make_codec<typename message::StockOf<M>::type>();
+  codec.has_header = options.has_header;
+  return codec;
+}
 }  // namespace detail
 
-/// Advertises `options` through roscpp and attaches shared memory to it. The forms below are shorthands for this one.
-/// M: the tzc:: message type, or the stock type where only stock messages are published.
-/// Errors are roscpp's own (exceptions for bad names, an empty publisher for a conflicting type).
+/// Advertises `options` through roscpp and attaches shared memory to it. The forms below are shorthands for
+/// this one. M: the tzc:: message type, or the stock type where only stock messages are published. Errors are
+/// roscpp's own (exceptions for bad names, an empty publisher for a conflicting type).
 template <class M>
 Publisher advertise(ros::NodeHandle& node, ros::AdvertiseOptions& options,
                     const PublisherOptions& publisher_options) {
-  typedef typename message::StockOf<M>::type Stock;
   ros::Publisher publisher = node.advertise(options);
   std::shared_ptr<detail::Attachment> attachment;
   if (publisher)
-    attachment = detail::Attachment::create(node, options, detail::make_codec<Stock>(), publisher_options);
+    attachment = detail::Attachment::create(node, options, detail::codec_for<M>(options), publisher_options);
   if (attachment) detail::add_foreign_codec<M>(*attachment, typename detail::IsForeign<M>::type());
   return Publisher(publisher, attachment);
 }
@@ -45,20 +66,18 @@ Publisher advertise(ros::NodeHandle& node, ros::AdvertiseOptions& options, std::
 template <class M>
 Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
                     std::size_t memory_size = 0, bool latch = false) {
-  ros::AdvertiseOptions options;
-  options.init<typename message::StockOf<M>::type>(topic, queue_size);
+  ros::AdvertiseOptions options = detail::advertise_options<M>(topic, queue_size);
   options.latch = latch;
   return advertise<M>(node, options, memory_size);
 }
 
 /// ros::NodeHandle::advertise with connect callbacks.
 template <class M>
-Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size, std::size_t memory_size,
-                    const ros::SubscriberStatusCallback& connect_cb,
+Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
+                    std::size_t memory_size, const ros::SubscriberStatusCallback& connect_cb,
                     const ros::SubscriberStatusCallback& disconnect_cb = ros::SubscriberStatusCallback(),
                     const ros::VoidConstPtr& tracked_object = ros::VoidConstPtr(), bool latch = false) {
-  ros::AdvertiseOptions options;
-  options.init<typename message::StockOf<M>::type>(topic, queue_size, connect_cb, disconnect_cb);
+  ros::AdvertiseOptions options = detail::advertise_options<M>(topic, queue_size, connect_cb, disconnect_cb);
   options.tracked_object = tracked_object;
   options.latch = latch;
   return advertise<M>(node, options, memory_size);

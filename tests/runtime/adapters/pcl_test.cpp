@@ -5,6 +5,7 @@
 #include <pcl_ros/point_cloud.h>
 #include <tzc/std_msgs/Float32MultiArray.h>  // makes a namespace tzc::std_msgs, which must not hide the stock one
 //
+#include <tzc/advertise.h>
 #include <tzc/pcl.h>
 
 #include "copies.h"
@@ -59,6 +60,17 @@ class Pcl : public ::testing::Test {
 
   test::FakePublisher publisher_;
 };
+
+/// roscpp does not count header.seq of clouds; a subscriber must not be able to tell that the node was ported.
+TEST(Advertise, header_seq_is_counted_as_by_roscpp) {
+  ros::AdvertiseOptions stock;
+  stock.init<Cloud>("points", 1);
+  EXPECT_FALSE(stock.has_header);
+  EXPECT_FALSE(tzc::detail::advertise_options<Cloud>("points", 1).has_header);
+  EXPECT_FALSE(tzc::detail::codec_for<Cloud>(stock).has_header);
+  EXPECT_TRUE(tzc::detail::advertise_options<sensor_msgs::PointCloud2>("points", 1).has_header);
+  EXPECT_TRUE(tzc::detail::advertise_options< ::sensor_msgs::PointCloud2>("points", 1).has_header);
+}
 
 TEST_F(Pcl, ToRosMsgBuildsTheLibrarysMessage) {
   for (const Cloud& cloud : {cloud_of(10, 20), cloud_of(300, 1), Cloud()}) {
