@@ -22,6 +22,13 @@ class Races(TopicCase):
         self.assertEqual([m["shared"] for m in listener.messages()], [False] + 9 * [True])
         self.assert_seq_as_tcpros(listener)
 
+    def test_more_messages_than_the_queue_holds_wait_for_the_move(self):
+        """TCPROS had room for them in its sockets. The channel gets them as the subscriber takes them."""
+        listener = self.listen()
+        self.race("by_reference", queue=2)
+        self.assert_got(listener, range(10))
+        self.assertEqual([m["shared"] for m in listener.messages()], [False] + 9 * [True])
+
     def test_an_offer_that_comes_before_the_tcpros_header(self):
         listener = self.listen()
         self.assertEqual(self.race("late_header"), {"connecting": True, "parked": True})

@@ -2,7 +2,7 @@
 /// Takes each of the transport's races by the turn that once went wrong. Prints what happened as a line of
 /// JSON ("event"), a subscriber also its images.
 ///
-/// Private parameters: pid (of the subscriber), race, one of
+/// Private parameters: pid (of the subscriber), queue (by_reference), race, one of
 ///   by_reference  a publisher: a message goes by reference, since nobody takes pointers, while a subscriber
 ///                 moves over
 ///   late_header   a publisher: the subscriber is offered shared memory before its TCPROS header is written
@@ -85,7 +85,7 @@ void hold_poll_thread_now() {
 // The service thread comes to the move while the main thread has decided for TCPROS and not published yet. It
 // must not get through in between: the message would wait in roscpp's queue for a link that has moved, and be
 // overtaken.
-void by_reference(ros::NodeHandle& node) {
+void by_reference(ros::NodeHandle& node, std::uint32_t queue_size) {
   tzc::posix::step_hook = [](const char* step) {
     const std::string name = step;
     if (name == "move: begins") {
@@ -98,7 +98,7 @@ void by_reference(ros::NodeHandle& node) {
       print_event("moved in between", gate().wait_for({"parked"}, std::chrono::milliseconds(500)));
     }
   };
-  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 100);
+  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", queue_size);
   gate().wait_for({"moving"});
   hold_poll_thread_now();
   publish(publisher, 0, 1);
@@ -246,7 +246,7 @@ int main(int argc, char** argv) {
   ros::NodeHandle node, options("~");
   ros::PollManager::instance()->addPollThreadListener(hold_poll_thread);
   const std::string race = options.param<std::string>("race", "");
-  if (race == "by_reference") by_reference(node);
+  if (race == "by_reference") by_reference(node, options.param("queue", 100));
   if (race == "late_header") late_header(node);
   subscriber_pid = options.param("pid", 0);
   if (race == "silent") silent(node);
