@@ -53,7 +53,7 @@ class Ends(TopicCase):
     def test_messages_outlive_subscriber_and_publisher(self):
         keeper = self.keep(wait=4)
         bystander = self.listen()
-        talker = self.start_talker(count=0, rate=100, subscribers=2)
+        talker = self.start_talker(count=0, rate=100, subscribers=2, queue=10)
         self.wait_for(bystander, 60)  # far more than the talker's memory holds: blocks would have been reused
         talker.kill()
         self.assertEqual(keeper.wait(30), 0, keeper.tail())

@@ -113,7 +113,7 @@ class Death(TopicCase):
 
     def test_stopped_subscriber_disturbs_nobody(self):
         sleeper, survivor = self.listen(), self.listen()
-        talker = self.start_talker(count=600, rate=200, subscribers=2, memory=4000000)
+        talker = self.start_talker(count=600, rate=200, subscribers=2, memory=4000000, queue=20)
         self.wait_for(sleeper, 50)
         sleeper.process.popen.send_signal(signal.SIGSTOP)
         time.sleep(1.5)

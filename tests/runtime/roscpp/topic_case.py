@@ -102,8 +102,9 @@ class TopicCase(unittest.TestCase):
         self.ros.wait_until(lambda: len(self.ros.subscribers(topic)) >= count, 20, f"{count} subscribers of {topic}")
 
     def start_talker(self, mode="twin", name="talker", remaps=(), env=None, runner=(), **parameters):
-        # The upgrade takes a few ms; tests of it set settle to 0.
-        return self.node("talker", name, dict({"settle": 0.5}, mode=mode, **parameters), remaps, env, runner)
+        # The upgrade takes a few ms; tests of it set settle to 0. The queue is for a machine that is busy with others.
+        return self.node("talker", name, dict({"settle": 0.5, "queue": 200}, mode=mode, **parameters), remaps, env,
+                         runner)
 
     def talk(self, mode="twin", timeout=60, **parameters):
         """Runs a talker to its end; its counters."""
