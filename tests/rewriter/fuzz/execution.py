@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs a package's programs under a roscore of their own and compares what was received."""
+import collections
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../support"))
+from ros_session import RosSession  # noqa: E402
+
+LOGS = ("recorder.log", "listener.log")
+
+
+def execute(program, recorder, folder, topics):
+    """{(log, topic): [what was received]}"""
+    os.makedirs(folder, exist_ok=True)
+    with RosSession(folder, env={"FUZZ_FOLDER": folder, "ROS_VERSION": "1"}) as ros:
+        ros.start([recorder, *topics], name="recorder")
+        ros.start([program, "listener"], name="listener")
+        talker = ros.start([program, "talker"], name="talker")
+        status = talker.wait(180)
+        if status != 0:
+            raise RuntimeError(f"{program} ends with {status}; its output ends:\n{talker.tail()}")
+    return {(name, topic): lines for name in LOGS for topic, lines in read_log(f"{folder}/{name}").items()}
+
+
+def read_log(path):
+    """topic -> length, checksum and first bytes of each message"""
+    received = collections.defaultdict(list)
+    with open(path) as file:
+        for line in file:
+            topic, length, checksum, first_bytes, _ = line.split()
+            received[topic].append(f"{length}:{checksum}:{first_bytes}")
+    return received
+
+
+def shared_messages(folder):
+    """How many messages the listener found in shared memory."""
+    with open(f"{folder}/listener.log") as file:
+        return sum(line.split()[4] == "shared" for line in file)
+
+
+def differences(before, after):
+    """One line for each topic whose messages are not equal."""
+    lines = []
+    for key in sorted(set(before) | set(after)):
+        one, other = before.get(key, []), after.get(key, [])
+        if one != other:
+            at = next((i for i, pair in enumerate(zip(one, other)) if pair[0] != pair[1]), min(len(one), len(other)))
+            lines.append(f"  {key[1]} ({key[0]}): {len(one)} messages before, {len(other)} after; message {at}: "
+                         f"{one[at:at + 1]} before, {other[at:at + 1]} after")
+    return lines

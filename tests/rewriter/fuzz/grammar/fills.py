@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ways to fill one array of a message. Each is given the array's expression, its element type and the name of a count,
+and returns statements."""
+
+
+def resize_and_index(rng, array, element, n):
+    return [f"{array}.resize({n});", f"for (int i = 0; i < {n}; ++i) {{", f"  {element.put(array + '[i]')}", "}"]
+
+
+def resize_one_line(rng, array, element, n):
+    return [f"{array}.resize({n});", f"for (int i = 0; i < {n}; ++i) {element.put(array + '[i]').split(';')[0]};"]
+
+
+def resize_and_part(rng, array, element, n):
+    """What is not written stays zero."""
+    return [f"{array}.resize({n});", f"for (int i = 0; i < {n}; i += 2) {{ {element.put(array + '[i]')} }}"]
+
+
+def resize_only(rng, array, element, n):
+    return [f"{array}.resize({n});"]
+
+
+def resize_and_copy(rng, array, element, n):
+    return [f"const std::vector<{element.cpp}> source = fuzz::elements<{element.cpp}>({n}, k);",
+            f"{array}.resize({n});",
+            f"if ({n} > 0) std::memcpy(&{array}[0], &source[0], {n} * sizeof({element.cpp}));"]
+
+
+def resize_and_copy_part(rng, array, element, n):
+    return [f"const std::vector<{element.cpp}> source = fuzz::elements<{element.cpp}>({n}, k);",
+            f"{array}.resize({n} + 3);",
+            f"std::memcpy({array}.data(), source.data(), {n} * sizeof({element.cpp}));"]
+
+
+def push_back(rng, array, element, n):
+    return [f"for (int i = 0; i < {n}; ++i) {{", f"  if (fuzz::value(i, k) % 3 == 0) continue;",
+            f"  {array}.push_back({element.value()});", "}"]
+
+
+def clear_reserve_push(rng, array, element, n):
+    return [f"{array}.clear();", f"{array}.reserve({n});", f"for (int i = 0; i < {n}; ++i)",
+            f"  {array}.push_back({element.value()});"]
+
+
+def assign_value(rng, array, element, n):
+    return [f"{array}.assign({n}, {element.value('7')});", f"if (!{array}.empty()) {element.put(array + '[0]', '1')}"]
+
+
+def assign_range(rng, array, element, n):
+    return [f"const std::vector<{element.cpp}> source = fuzz::elements<{element.cpp}>({n}, k);",
+            f"{array}.assign(source.begin(), source.end());"]
+
+
+def whole_vector(rng, array, element, n):
+    return [f"{array} = fuzz::elements<{element.cpp}>({n}, k);"]
+
+
+def swap_vector(rng, array, element, n):
+    return [f"std::vector<{element.cpp}> built = fuzz::elements<{element.cpp}>({n}, k);", f"{array}.swap(built);"]
+
+
+def insert_range(rng, array, element, n):
+    return [f"const std::vector<{element.cpp}> more = fuzz::elements<{element.cpp}>({n}, k);",
+            f"{array}.insert({array}.end(), more.begin(), more.end());"]
+
+
+def shrinks(rng, array, element, n):
+    return [f"{array}.resize({n} + 5);", "int valid = 0;", f"for (int i = 0; i < {n}; ++i) {{",
+            f"  if (fuzz::value(i, k) % 2) continue;", f"  {element.put(array + '[valid]')}", "  ++valid;", "}",
+            f"{array}.resize(valid);"]
+
+
+def raw_pointer(rng, array, element, n):
+    return [f"{array}.resize({n} + 1);", f"{element.cpp}* cursor = &{array}[0];",
+            f"for (int i = 0; i < {n}; ++i, ++cursor) {{ {element.put('(*cursor)')} }}"]
+
+
+def iterator_loop(rng, array, element, n):
+    return [f"{array}.resize({n});", "int i = 0;",
+            f"for (auto it = {array}.begin(); it != {array}.end(); ++it, ++i) {{",
+            f"  {element.put('(*it)')}", "}"]
+
+
+def range_loop(rng, array, element, n):
+    return [f"{array}.resize({n});", "int i = 0;",
+            f"for ({element.cpp}& one : {array}) {{ {element.put('one')} ++i; }}"]
+
+
+def transform(rng, array, element, n):
+    return [f"const std::vector<{element.cpp}> source = fuzz::elements<{element.cpp}>({n}, k);",
+            f"{array}.resize({n});",
+            f"std::copy(source.begin(), source.end(), {array}.begin());"]
+
+
+def back_inserter(rng, array, element, n):
+    return [f"const std::vector<{element.cpp}> source = fuzz::elements<{element.cpp}>({n}, k);",
+            f"std::copy(source.begin(), source.end(), std::back_inserter({array}));"]
+
+
+def at_and_back(rng, array, element, n):
+    return [f"{array}.resize({n} + 2);", f"{element.put(array + '.at(1)', '1')}",
+            f"{element.put(array + '.back()', '2')}"]
+
+
+def reference_to_array(rng, array, element, n):
+    return [f"auto& filled = {array};", f"filled.resize({n});",
+            f"for (std::size_t i = 0; i < filled.size(); ++i) {{ {element.put('filled[i]')} }}"]
+
+
+def vector_reference(rng, array, element, n):
+    return [f"std::vector<{element.cpp}>& filled = {array};", f"filled.resize({n});",
+            f"for (std::size_t i = 0; i < filled.size(); ++i) {{ {element.put('filled[i]')} }}"]
+
+
+def library_takes_vector(rng, array, element, n):
+    return [f"fuzz::fill({array}, {n}, k);"]
+
+
+def emplace_back(rng, array, element, n):
+    return [f"for (int i = 0; i < {n}; ++i) {array}.emplace_back({element.value()});"]
+
+
+WAYS = {resize_and_index: 6, resize_one_line: 2, resize_and_part: 3, resize_only: 1, resize_and_copy: 3,
+        resize_and_copy_part: 2, push_back: 4, clear_reserve_push: 2, assign_value: 2, assign_range: 2, whole_vector: 3,
+        swap_vector: 1, insert_range: 1, shrinks: 2, raw_pointer: 2, iterator_loop: 1, range_loop: 1, transform: 1,
+        back_inserter: 1, at_and_back: 1, reference_to_array: 1, vector_reference: 1, library_takes_vector: 1,
+        emplace_back: 1}
+
+
+def in_block(lines):
+    return ["{"] + ["  " + line for line in lines] + ["}"]
+
+
+def fill(rng, message, access, size_seed):
+    """Statements that fill the arrays of a message, each in a block of its own."""
+    lines = [f"const int n{size_seed} = fuzz::size(k, {size_seed});"]
+    for field, element in message.arrays:
+        if field != message.arrays[0][0] and rng.random() < 0.3:
+            continue
+        way = rng.choices(list(WAYS), list(WAYS.values()))[0]
+        lines += in_block(way(rng, access + field, element, f"n{size_seed}"))
+    return lines
+
+
+def change(rng, message, access):
+    """Statements that change a message after it was published."""
+    field, element = rng.choice(message.arrays)
+    array = access + field
+    ways = [
+        [f"{array}.push_back({element.value('5')});"],
+        [f"if (!{array}.empty()) {{ {element.put(array + '[0]', '9')} }}"],
+        [f"{array}.clear();"],
+        [f"{array}.resize({array}.size() + 3);"],
+        [f"{array}.resize({array}.size() / 2);"],
+        [f"{array}.assign(6, {element.value('8')});"],
+        [f"for (auto& one : {array}) {{ {element.put('one', '4')} }}"],
+        fill(rng, message, access, rng.randrange(100, 200)),
+    ]
+    if message.header:
+        ways.append([f'{access}header.frame_id = "again";'])
+    return rng.choice(ways)

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The fuzzer's own promises: programs are reproducible, every pattern occurs, and what differs is noticed."""
+import os
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from execution import differences  # noqa: E402
+from grammar import builders, libraries, package, publishers, subscribers  # noqa: E402
+from port import check_sites  # noqa: E402
+from toolchain import Failure  # noqa: E402
+
+
+class Programs(unittest.TestCase):
+    def test_a_program_does_not_depend_on_its_neighbours(self):
+        alone = package.make_program("7", 12)
+        among_others = [package.make_program("7", index) for index in range(20)][12]
+        self.assertEqual(alone.render(), among_others.render())
+
+    def test_another_seed_makes_other_programs(self):
+        self.assertNotEqual(package.make_program("7", 12).render(), package.make_program("8", 12).render())
+
+    def test_every_pattern_occurs(self):
+        seen = set()
+        for index in range(500):
+            seen.update(package.make_program("1", index).traits)
+        ways = [*builders.WAYS, *publishers.HOMES, *libraries.SENSORS, *libraries.VISION, *libraries.CLOUDS]
+        missing = {way.__name__ for way in ways} | {"relay: " + way.__name__ for way in subscribers.RELAYS}
+        self.assertEqual(missing - seen, set())
+
+
+class Comparison(unittest.TestCase):
+    BEFORE = {("recorder.log", "/p001/topic1"): ["10:aa", "12:bb"], ("listener.log", "/p001/topic1"): ["10:aa",
+                                                                                                       "12:bb"]}
+
+    def test_equal(self):
+        self.assertEqual(differences(self.BEFORE, dict(self.BEFORE)), [])
+
+    def test_another_message_is_named(self):
+        after = {**self.BEFORE, ("listener.log", "/p001/topic1"): ["10:aa", "12:bc"]}
+        self.assertIn("/p001/topic1 (listener.log): 2 messages before, 2 after; message 1",
+                      differences(self.BEFORE, after)[0])
+
+    def test_a_missing_message_is_named(self):
+        after = {**self.BEFORE, ("recorder.log", "/p001/topic1"): ["10:aa"]}
+        self.assertIn("2 messages before, 1 after; message 1", differences(self.BEFORE, after)[0])
+
+    def test_a_missing_topic_is_named(self):
+        self.assertEqual(len(differences(self.BEFORE, {})), 2)
+
+
+class Sites(unittest.TestCase):
+    def test_a_site_that_the_report_misses_is_noticed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            package.write_package(folder, [package.make_program("1", index) for index in range(6)])
+            with self.assertRaisesRegex(Failure, "publish sites are written, 0 are in the report"):
+                check_sites(folder, {"sites": []})
+
+
+if __name__ == "__main__":
+    unittest.main()
