@@ -62,6 +62,19 @@ void publish(ConnectionImpl& connection, SegmentMemory& memory, fuzz::Input& inp
   connection.send(make_record(1, control.data(), control.size(), std::move(buffers)));
 }
 
+// What comes back says what was sent, whatever the peer wrote meanwhile.
+void read(const Record& record) {
+  const RecordParts parts = parts_of(record);
+  if (parts.tag != 1 || (parts.control_size != 10 && parts.control_size != 40'000)) __builtin_trap();
+  for (std::size_t i = 0; i < parts.control_size; ++i) {
+    if (parts.control[i] != 1) __builtin_trap();
+  }
+  for (const ConstBlock& block : parts.blocks) {
+    volatile std::uint8_t last = block.size > 0 ? block.data[block.size - 1] : std::uint8_t{0};
+    (void)last;
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -76,9 +89,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   memory_options.policy = input.take<std::uint8_t>() & 1 ? Policy::best_effort() : Policy::medium_effort();
   const auto memory = *SegmentMemory::create(memory_options);
   auto page = SharedPage::create(first_sequence);
-  auto connection =
-      std::make_shared<ConnectionImpl>(std::move(sockets.ours), ConnectionImpl::Peer{}, std::move(*page),
-                                       input.take<std::uint8_t>() % 8 + 1, std::weak_ptr<Hub>());
+  auto connection = std::make_shared<ConnectionImpl>(
+      std::move(sockets.ours), ConnectionImpl::Peer{}, std::move(*page), input.take<std::uint8_t>() % 8 + 1,
+      std::weak_ptr<Hub>(), (input.take<std::uint8_t>() & 1) != 0);
   connection->start(**Service::instance());
   connection->uncork();
   {
@@ -105,6 +118,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (int i = 0; i < 10'000 && connection->stats().in_flight + connection->alive() > 0; ++i)
     std::this_thread::yield();
   while (connection.use_count() > 1) std::this_thread::yield();
+  for (const RecordPtr& record : connection->take_undelivered()) read(*record);
   connection.reset();
   if (!memory->allocate(256 << 10)) __builtin_trap();
   return 0;
