@@ -133,8 +133,27 @@ def returned(program, topic):
     return Publisher(f"{name}.", topic), as_it_is
 
 
+def by_options(program, topic):
+    name = program.variable("ros::Publisher", "pub")
+    program.setup += in_block(["ros::AdvertiseOptions options;",
+                               f'options.init<{topic.message.cpp}>("{topic.name}", 50);',
+                               f"{name} = nh.advertise(options);"])
+    return Publisher(f"{name}.", topic), as_it_is
+
+
+def with_status_callback(program, topic):
+    name = program.variable("ros::Publisher", "pub")
+    status = program.helper("void", "connected", "const ros::SingleSubscriberPublisher& subscriber",
+                            ["(void)subscriber;"])
+    bound = f"boost::bind(&Node::{status}, this, boost::placeholders::_1)" if program.is_class else status
+    program.setup += in_block([f"ros::SubscriberStatusCallback callback = {bound};",
+                               f'{name} = nh.advertise<{topic.message.cpp}>("{topic.name}", 50, callback);'])
+    return Publisher(f"{name}.", topic), as_it_is
+
+
 HOMES = {member: 8, initialized_member: 3, in_vector: 1, in_map: 1, in_array: 1, by_shared_pointer: 2, in_struct: 1,
-         in_base_class: 1, local: 1, parameter: 3, in_lambda: 1, returned: 1}
+         in_base_class: 1, local: 1, parameter: 3, in_lambda: 1, returned: 1, by_options: 1,
+         with_status_callback: 1}
 
 
 def choose(program, topic):
