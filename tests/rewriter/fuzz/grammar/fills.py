@@ -43,7 +43,8 @@ def clear_reserve_push(rng, array, element, n):
 
 
 def assign_value(rng, array, element, n):
-    return [f"{array}.assign({n}, {element.value('7')});", f"if (!{array}.empty()) {{ {element.put(array + '[0]', '1')} }}"]
+    return [f"{array}.assign({n}, {element.value('7')});",
+            f"if (!{array}.empty()) {{ {element.put(array + '[0]', '1')} }}"]
 
 
 def assign_range(rng, array, element, n):

@@ -156,7 +156,8 @@ HOMES = {member: 8, initialized_member: 3, in_vector: 1, in_map: 1, in_array: 1,
          with_status_callback: 1}
 
 
-def choose(program, topic):
-    home = program.rng.choices(list(HOMES), list(HOMES.values()))[0]
+def choose(program, topic, without=()):
+    homes = [home for home in HOMES if home not in without]
+    home = program.rng.choices(homes, [HOMES[one] for one in homes])[0]
     program.traits.append(home.__name__)
     return home(program, topic)
