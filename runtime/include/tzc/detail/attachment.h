@@ -33,7 +33,7 @@ class Attachment {
   /// Messages of this type are published by pointer, too.
   void add_codec(const MessageCodec& codec);
 
-  /// Ends the attachment: connections go back to plain TCPROS or end with the publisher. Idempotent.
+  /// Ends the attachment: no further subscriber is moved over; who was moved stays so while the topic lives. Idempotent.
   void shutdown();
 
   const std::shared_ptr<MemorySource>& memory() const;
