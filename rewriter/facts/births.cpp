@@ -136,9 +136,9 @@ bool nameable_at(Unit& unit, const SeenPublisher& publisher, unsigned at) {
 }
 
 void name_publishers(Unit& unit, SeenBirth& seen) {
-  const unsigned at = seen.birth.at        ? seen.birth.at->begin
-                      : seen.birth.adapter ? seen.birth.changes[0].where.begin
-                                           : 0;
+  const unsigned at = seen.birth.at                ? seen.birth.at->begin
+                      : seen.birth.changes.empty() ? 0
+                                                   : seen.birth.changes[0].where.begin;
   if (at == 0) return;
   for (const SeenPublisher& publisher : unit.publishers)
     if (publisher.function == seen.function && !publisher.key.empty() && nameable_at(unit, publisher, at))

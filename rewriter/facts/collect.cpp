@@ -25,6 +25,7 @@ class Collector : public clang::RecursiveASTVisitor<Collector> {
   }
   bool VisitFunctionDecl(clang::FunctionDecl* function) {
     if (!llvm::isa<clang::CXXDestructorDecl>(function)) declare_result(unit_, function);
+    collect_helper(unit_, function);
     if (function->isThisDeclarationADefinition() && !function->isDependentContext() && !is_lambda(function))
       functions_.push_back(function);
     return true;
@@ -64,6 +65,7 @@ class Collector : public clang::RecursiveASTVisitor<Collector> {
     return carried_by(cast->getType(), unit_.rules) ? object(cast, cast->getTypeInfoAsWritten()) : true;
   }
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) {
+    if (in_package(construct)) collect_library_construction(unit_, construct);
     const std::string name = qualified_name_of(construct->getConstructor()->getParent());
     const ClassRename* rename = unit_.rules.find_class_or_ported(name);
     if (rename && rename->role == ClassRename::Role::filter && in_package(construct))
@@ -173,6 +175,8 @@ void Collector::note_publisher_arguments(clang::CallExpr* call) {
 
 bool Collector::VisitCallExpr(clang::CallExpr* call) {
   if (call->isTypeDependent() || !in_package(call)) return true;
+  collect_wait_for_message(unit_, call);
+  collect_helper_call(unit_, call);
   if (makes_object(call)) made_object(call);
   if (auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
   note_publisher_arguments(call);
@@ -200,6 +204,7 @@ void Collector::member_call(clang::CXXMemberCallExpr* call) {
   const std::string object = qualified_name_of(method->getParent());
   const std::string name = method->getNameAsString();
   if (name == "publish" && is_publisher_class(object)) return collect_publish(unit_, call);
+  collect_library_member_call(unit_, call);
   if (name == "registerCallback") collect_registered_callback(unit_, call);
   const ClassRename* rename = unit_.rules.find_class_or_ported(object);
   if (rename && rename->role == ClassRename::Role::filter && name == "subscribe")

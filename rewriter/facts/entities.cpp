@@ -51,6 +51,8 @@ Entity& entity_at(Unit& unit, const Key& key, const Carried& carried, Home home,
     entity.key = key;
     entity.carrier = carried.carrier;
     entity.ported = carried.ported;
+    if (carried.rename) entity.ported_class = carried.rename->to;
+    if (carried.rename) entity.ported_header = carried.rename->header;
     entity.home = home;
     entity.name = name;
     entity.where = location_of(unit.source.where(where));

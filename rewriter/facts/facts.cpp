@@ -43,6 +43,12 @@ void unite(std::map<Key, Entity>& into, std::map<Key, Entity>& from) {
   }
 }
 
+void unite(std::map<std::string, Helper>& into, std::map<std::string, Helper>& from) {
+  for (auto& [usr, helper] : from)
+    if (auto [known, is_new] = into.emplace(usr, helper); !is_new)
+      unite(known->second.declarations, helper.declarations);
+}
+
 void unite(std::map<std::string, std::set<std::string>>& into,
            std::map<std::string, std::set<std::string>>& from) {
   for (auto& [key, values] : from) into[key].insert(values.begin(), values.end());
@@ -55,6 +61,7 @@ void Facts::merge(Facts&& other) {
   append(flows, other.flows);
   append(uses, other.uses);
   append(births, other.births);
+  unite(helpers, other.helpers);
   append(data_uses, other.data_uses);
   append(notes, other.notes);
   append(skipped, other.skipped);

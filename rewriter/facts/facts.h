@@ -56,11 +56,13 @@ struct Entity {
   Key key;
   Carrier carrier = Carrier::message;
   Home home = Home::local;
-  std::string type;     ///< "sensor_msgs/Image", empty for publishers
-  std::string name;     ///< as written
-  std::string record;   ///< USR of the class of a member
-  bool plain = false;   ///< the publisher itself, not a pointer to it or a container of it
-  bool ported = false;  ///< a publisher or filter that has TZC's class already
+  std::string type;           ///< "sensor_msgs/Image", empty for publishers
+  std::string name;           ///< as written
+  std::string record;         ///< USR of the class of a member
+  std::string ported_class;   ///< of a publisher: "tzc::Publisher"
+  std::string ported_header;  ///< "tzc/ros.h"
+  bool plain = false;         ///< the publisher itself, not a pointer to it or a container of it
+  bool ported = false;        ///< a publisher or filter that has TZC's class already
   Location where;
   std::vector<Change> changes;  ///< its declared types
   std::vector<Obstacle> obstacles;
@@ -99,9 +101,17 @@ struct Birth {
   bool adapter = false;         ///< the message is built by a library call that is replaced (uses $PUB)
   std::vector<Change> changes;  ///< of an adapter
   std::vector<PublisherName> publishers;  ///< that publish it in this function and can be named here
+  std::string calls;                      ///< USR of the helper that this call has it built by
   std::string record;                     ///< USR of the class whose `this` can be used here
   std::string function;                   ///< USR
   Location where;
+};
+
+/// A function that builds a message for its callers and could be given the publisher as first parameter.
+struct Helper {
+  std::vector<Place> declarations;  ///< behind the parenthesis of each
+  bool has_parameters = false;
+  std::string parameter;  ///< the publisher's name in it
 };
 
 struct Advertise {
@@ -115,6 +125,7 @@ struct Advertise {
   bool heavy = true;
   bool no_twin = false;
   std::optional<std::string> memory;  ///< as written; set where the call is ported already
+  bool pcl = false;                   ///< advertised as a pcl::PointCloud
   std::string rule;
   std::vector<Obstacle> obstacles;
 };
@@ -166,6 +177,7 @@ struct Facts {
   std::vector<Flow> flows;
   std::vector<Use> uses;
   std::vector<Birth> births;
+  std::map<std::string, Helper> helpers;        ///< by USR
   std::map<std::string, Advertise> advertises;  ///< by place and type
   std::map<std::string, Publish> publishes;
   std::map<std::string, Subscribe> subscribes;

@@ -15,6 +15,8 @@
 #include <memory>
 #include <thread>
 
+#include "facts/gcc_headers.h"
+
 namespace tzc::rewriter {
 namespace {
 
@@ -130,6 +132,7 @@ std::vector<std::string> command_line(const CompileUnit& unit, const ParseOption
     line.push_back("-idirafter");
     line.push_back(dir);
   }
+  line.insert(line.end(), {"-idirafter", gcc_header_dir, "-include", gcc_prelude});
   return line;
 }
 
@@ -140,6 +143,8 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> files_of(const CompileUnit& unit
   auto memory = llvm::makeIntrusiveRefCnt<llvm::vfs::InMemoryFileSystem>();
   for (const auto& [path, content] : options.overlay)
     memory->addFile(path, 0, llvm::MemoryBuffer::getMemBufferCopy(content, path));
+  for (const auto& [path, content] : gcc_headers())
+    memory->addFile(path, 0, llvm::MemoryBuffer::getMemBuffer(content, path));
   files->pushOverlay(memory);
   files->setCurrentWorkingDirectory(unit.directory);
   return files;

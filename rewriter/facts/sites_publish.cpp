@@ -109,7 +109,7 @@ void describe_type(clang::QualType type, Advertise& site) {
     site.no_twin = !message->has_data || message->service;
   } else if (is_pcl_cloud(type)) {
     site.type = "sensor_msgs/PointCloud2";
-    site.no_twin = true;
+    site.no_twin = site.pcl = true;
   } else {
     site.type = type.getAsString();
     site.no_twin = true;
@@ -135,13 +135,23 @@ std::optional<Place> behind_argument(Unit& unit, const clang::CallExpr* call, un
   return place;
 }
 
+/// advertise<T>(...) in a template: T stays written, and stands for the stock message.
+bool is_template_parameter(const clang::CXXMemberCallExpr* call) {
+  const auto* callee = llvm::dyn_cast<clang::MemberExpr>(call->getCallee()->IgnoreParens());
+  if (!callee || callee->getNumTemplateArgs() == 0) return false;
+  const clang::TemplateArgument& first = callee->getTemplateArgs()[0].getArgument();
+  return first.getKind() == clang::TemplateArgument::Type &&
+         first.getAsType()->getAs<clang::SubstTemplateTypeParmType>() != nullptr;
+}
+
 void change_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const MethodCall& rule,
                       Advertise& site) {
   std::string to = rule.to;
   if (rule.role == MethodCall::Role::advertise) {
     const std::string written = written_template_arguments(unit, call);
     const std::string stock = written.empty() ? stock_name(site.type) : written;
-    to += "<" + (site.no_twin ? stock : twin_name(site.type)) + ">";
+    const bool as_written = site.no_twin || is_template_parameter(call);
+    to += "<" + (as_written ? stock : twin_name(site.type)) + ">";
   }
   site.changes = receiver_first(unit, call, to, rule.rule, rule.header);
   if (site.changes.empty()) {

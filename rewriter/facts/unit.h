@@ -168,6 +168,13 @@ void collect_made_filter(Unit& unit, const clang::CallExpr* call, const clang::C
 /// registerCallback() of a filter: whether the callback may write.
 void collect_registered_callback(Unit& unit, const clang::CXXMemberCallExpr* call);
 void note_writing_callback(Unit& unit, const clang::Stmt* stmt, const std::string& scope);
+/// Functions that build messages for others, and their calls.
+void collect_helper(Unit& unit, const clang::FunctionDecl* function);
+void collect_helper_call(Unit& unit, const clang::CallExpr* call);
+/// Classes and functions of libraries that publish or subscribe by themselves: named in the report.
+void collect_library_construction(Unit& unit, const clang::CXXConstructExpr* construct);
+void collect_library_member_call(Unit& unit, const clang::CXXMemberCallExpr* call);
+void collect_wait_for_message(Unit& unit, const clang::CallExpr* call);
 void collect_declaration_birth(Unit& unit, const clang::VarDecl* variable);
 /// Pointers into data that live longer than the data stays where it is.
 void collect_aliases(Unit& unit, const clang::FunctionDecl* function);

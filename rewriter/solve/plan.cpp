@@ -28,6 +28,7 @@ class Planner {
       if (const Component* component = components_.of(use.entity))
         if (is_ported(component->id)) add(use.change, component->id);
     for (const Solution::Bound& bound : solution_.births) add_birth(bound);
+    for (const Solution::GivenPublisher& given : solution_.helpers) add_parameter(given);
     for (const auto& item : facts_.advertises) add_advertise(item.second);
     for (const std::string& id : solution_.subscribes)
       for (const Change& change : facts_.subscribes.at(id).changes)
@@ -57,6 +58,7 @@ class Planner {
   }
   void add(const Change& change, int component);
   void add_birth(const Solution::Bound& bound);
+  void add_parameter(const Solution::GivenPublisher& given);
   void add_advertise(const Advertise& site);
   void add_condition(const Publish& site);
   void add_includes();
@@ -98,6 +100,14 @@ void Planner::add_birth(const Solution::Bound& bound) {
   const std::string space = birth.own_line ? "\n" + birth.indent : " ";
   const std::string text = birth.before ? call + space : space + call;
   add({*birth.at, text, "allocate", {}}, component);
+}
+
+void Planner::add_parameter(const Solution::GivenPublisher& given) {
+  const Helper& helper = facts_.helpers.at(given.helper);
+  const std::string text =
+      "const " + given.type + "& " + helper.parameter + (helper.has_parameters ? ", " : "");
+  for (const Place& at : helper.declarations)
+    add({at, text, "helper", {given.header}}, components_.of(given.message)->id);
 }
 
 void Planner::add_advertise(const Advertise& site) {

@@ -58,6 +58,7 @@ class Decider {
   Site decide(const std::string& id, const Subscribe& fact);
   void decide_message(const Publish& fact, Site& site);
   bool refuse_subscribe(const std::string& id, const Subscribe& fact, Site& site);
+  bool advertised_as_cloud(const Key& publisher) const;
   const Solution::Publisher* publisher_of(const Key& key) const;
   void order();
 
@@ -80,7 +81,9 @@ const Solution::Publisher* Decider::publisher_of(const Key& key) const {
 void Decider::decide_message(const Publish& fact, Site& site) {
   site.level = Level::one_copy;
   if (fact.pcl) {
+    // Where roscpp writes the points into its buffer, the adapter writes them into shared memory.
     site.rule = "pcl-cloud";
+    if (advertised_as_cloud(fact.publisher)) site.level = Level::zero_copy;
     return;
   }
   site.rule = "stock-message";
@@ -113,6 +116,13 @@ void Decider::decide_message(const Publish& fact, Site& site) {
     refuse(site, {codes::TZC1001, "where the message comes from is not understood", site.where},
            Level::one_copy);
   }
+}
+
+bool Decider::advertised_as_cloud(const Key& publisher) const {
+  const Component* component = components_.of(publisher);
+  return component && std::any_of(facts_.advertises.begin(), facts_.advertises.end(), [&](const auto& item) {
+           return item.second.pcl && components_.of(item.second.publisher) == component;
+         });
 }
 
 Site Decider::decide(const Publish& fact) {
@@ -154,8 +164,11 @@ Site Decider::decide(const Advertise& fact) {
   }
   if (!publisher || !publisher->ported) {
     if (publisher) site.chain = chain_between(facts_, fact.publisher, publisher->at);
+    const Obstacle not_kept{codes::TZC1010, "the publisher is not kept", site.where};
     refuse(site,
-           publisher ? publisher->why_not : Obstacle{codes::TZC1010, "the publisher is not kept", site.where},
+           publisher                ? publisher->why_not
+           : fact.obstacles.empty() ? not_kept
+                                    : fact.obstacles.front(),
            Level::plain);
     return site;
   }

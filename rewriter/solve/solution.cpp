@@ -2,8 +2,10 @@
 #include "solve/solution.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "report/codes.h"
+#include "solve/binding.h"
 #include "solve/sites.h"
 
 namespace tzc::rewriter {
@@ -36,12 +38,10 @@ class Solver {
   void leave_idle_publishers();
   bool blocked(const Component& component, Obstacle& why, Key& at) const;
   bool unwanted(const Component& component, Obstacle& why) const;
+  bool contradicted(const Component& component, Obstacle& why) const;
   bool shape_allows(const Component& component, Solution::Message& message) const;
   bool bind_births(const Component& component, Solution::Message& message);
-  std::optional<Solution::Bound> bind(const Birth& birth, const std::set<int>& publishers) const;
-  bool visible(const Birth& birth, const Entity& publisher) const;
   bool all_local(const Component& component) const;
-  bool inherits(const std::string& record, const std::string& base) const;
 
   const Facts& facts_;
   const Components& components_;
@@ -140,7 +140,23 @@ void Solver::solve_publisher(const Component& component) {
         component.entities[0]->where};
     return;
   }
+  if (contradicted(component, publisher.why_not)) return;
   publisher.ported = true;
+}
+
+/// One advertise call of a template that each instance would need changed differently.
+bool Solver::contradicted(const Component& component, Obstacle& why) const {
+  std::map<std::tuple<std::string, unsigned, unsigned>, std::string> texts;
+  for (const Advertise* site : advertised_.at(component.id))
+    for (const Change& change : site->changes) {
+      const auto [known, is_new] = texts.emplace(
+          std::make_tuple(change.where.file, change.where.begin, change.where.end), change.text);
+      if (is_new || known->second == change.text) continue;
+      why = {codes::TZC1007, "the instances of a template advertise different types here",
+             location_of(site->where)};
+      return true;
+    }
+  return false;
 }
 
 void Solver::solve_filter(const Component& component) {
@@ -202,38 +218,6 @@ bool Solver::all_local(const Component& component) const {
          });
 }
 
-bool Solver::inherits(const std::string& record, const std::string& base) const {
-  if (record.empty() || base.empty()) return false;
-  if (record == base) return true;
-  const auto bases = facts_.bases.find(record);
-  return bases != facts_.bases.end() && std::any_of(bases->second.begin(), bases->second.end(),
-                                                    [&](const std::string& b) { return inherits(b, base); });
-}
-
-bool Solver::visible(const Birth& birth, const Entity& publisher) const {
-  if (publisher.home == Home::member) return inherits(birth.record, publisher.record);
-  return publisher.home == Home::global && publisher.where.file == birth.where.file &&
-         publisher.where.line < birth.where.line;
-}
-
-std::optional<Solution::Bound> Solver::bind(const Birth& birth, const std::set<int>& publishers) const {
-  const auto bound = [&](const std::string& text, bool pointer) {
-    return Solution::Bound{&birth, pointer ? "*" + text : text, text + (pointer ? "->" : ".") + "allocate"};
-  };
-  // First one that is named together with this very message.
-  for (const bool together : {true, false})
-    for (const PublisherName& name : birth.publishers) {
-      const Component* publisher = components_.of(name.publisher);
-      const bool with_it = std::count(name.messages.begin(), name.messages.end(), birth.entity) != 0;
-      if (publisher && publishers.count(publisher->id) && (with_it || !together))
-        return bound(name.text, name.pointer);
-    }
-  for (const int id : publishers)
-    for (const Entity* entity : components_.all()[static_cast<std::size_t>(id)].entities)
-      if (visible(birth, *entity) && entity->plain) return bound(entity->name, false);
-  return {};
-}
-
 bool Solver::bind_births(const Component& component, Solution::Message& message) {
   std::set<int> publishers;
   for (const Publish* site : publishes_of_[component.id])
@@ -243,24 +227,10 @@ bool Solver::bind_births(const Component& component, Solution::Message& message)
     message.why_not = {codes::TZC1009, "its publisher stays on TCPROS", component.entities[0]->where};
     return false;
   }
-  std::vector<Solution::Bound> births;
-  for (const Birth* birth : births_[component.id]) {
-    const auto bound = bind(*birth, publishers);
-    if (!bound || birth->filled || (!birth->adapter && !birth->at)) {
-      message.why_not = {birth->filled ? codes::TZC1020 : codes::TZC1019,
-                         birth->filled ? "it starts as a copy of another message"
-                                       : "it is built where its publisher can not be named",
-                         birth->where};
-      message.at = birth->entity;
-      return false;
-    }
-    births.push_back(*bound);
-  }
-  if (births.empty()) {
-    message.why_not = {codes::TZC1019, "where it is built was not found", component.entities[0]->where};
-    return false;
-  }
-  solution_.births.insert(solution_.births.end(), births.begin(), births.end());
+  Binder binder(facts_, components_, component, std::move(publishers));
+  if (!binder.bind(births_[component.id], message)) return false;
+  solution_.births.insert(solution_.births.end(), binder.births().begin(), binder.births().end());
+  solution_.helpers.insert(solution_.helpers.end(), binder.helpers().begin(), binder.helpers().end());
   return true;
 }
 

@@ -31,14 +31,23 @@ struct Solution {
   };
   struct Bound {
     const Birth* birth;
-    std::string publisher;  ///< expression: "pub_", "*pub"
-    std::string call;       ///< "pub_.allocate"
+    std::string publisher;           ///< expression: "pub_", "*pub"
+    std::string call;                ///< "pub_.allocate"
+    const Entity* entity = nullptr;  ///< none: the helper's own parameter
+  };
+  /// A helper that is given the publisher.
+  struct GivenPublisher {
+    std::string helper;  ///< USR
+    Key message;         ///< that it builds
+    std::string type;    ///< "tzc::Publisher"
+    std::string header;
   };
 
   std::map<int, Publisher> publishers;  ///< by component
   std::map<int, Message> messages;
   std::map<int, Publisher> filters;
   std::vector<Bound> births;
+  std::vector<GivenPublisher> helpers;
   std::vector<Site> sites;
   std::set<std::string> subscribes;  ///< that are ported, by their id in the facts
 };

@@ -134,6 +134,7 @@ Expected<Verification> Verifier::run(const Edits& edits,
   result.contents = std::move(*contents);
   ParseOptions options = options_;
   options.overlay = result.contents;
+  options.skip_bodies_outside = package_dir_;  // edits can not break what system headers define
   std::vector<const CompileUnit*> units;
   const std::set<std::string> files = touched(result.contents);
   for (const CompileUnit& unit : units_)

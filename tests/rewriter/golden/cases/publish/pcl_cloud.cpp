@@ -9,9 +9,9 @@ void run(ros::NodeHandle& nh) {
   pub.publish(*cloud);
 }
 //===
-// advertise src/node.cpp:5 sensor_msgs/PointCloud2 one_copy 'points'
-// publish src/node.cpp:8 sensor_msgs/PointCloud2 one_copy 'points'
-// publish src/node.cpp:9 sensor_msgs/PointCloud2 one_copy 'points'
+// advertise src/node.cpp:5 sensor_msgs/PointCloud2 zero_copy 'points'
+// publish src/node.cpp:8 sensor_msgs/PointCloud2 zero_copy 'points'
+// publish src/node.cpp:9 sensor_msgs/PointCloud2 zero_copy 'points'
 //
 // +++ src/node.cpp
 // +#include <tzc/pcl.h>

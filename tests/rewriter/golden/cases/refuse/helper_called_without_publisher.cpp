@@ -1,4 +1,4 @@
-// A free function builds the message, far from its publisher.
+// The helper is also called where no publisher is known.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
@@ -8,13 +8,15 @@ sensor_msgs::Image make() {
   return image;
 }
 
+unsigned size() { return make().data.size(); }
+
 void run(ros::NodeHandle& nh) {
   ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
   pub.publish(make());
 }
 //===
-// advertise src/node.cpp:12 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:13 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher can not be named
+// advertise src/node.cpp:14 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:15 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher can not be named
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
