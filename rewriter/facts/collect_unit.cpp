@@ -2,7 +2,9 @@
 #include "facts/collect_unit.h"
 
 #include <clang/AST/ASTContext.h>
+#include <llvm/Support/FileSystem.h>
 
+#include <algorithm>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -38,6 +40,24 @@ void limit_to_package(Unit& unit) {
   unit.ast().setTraversalScope(own);
 }
 
+/// Where the unit finds headers, TZC's among them.
+std::vector<std::string> include_dirs_of(const CompileUnit& unit, const CollectOptions& options) {
+  std::vector<std::string> dirs = options.include_dirs;
+  const auto add = [&](const std::string& dir) {
+    dirs.push_back(dir[0] == '/' ? dir : unit.directory + "/" + dir);
+  };
+  for (std::size_t i = 0; i < unit.arguments.size(); ++i) {
+    const std::string& argument = unit.arguments[i];
+    const bool last = i + 1 == unit.arguments.size();
+    if (argument.rfind("-I", 0) == 0 && argument.size() > 2)
+      add(argument.substr(2));
+    else if (!last && (argument == "-I" || argument == "-isystem" || argument == "-idirafter"))
+      add(unit.arguments[i + 1]);
+  }
+  dirs.insert(dirs.end(), {"/usr/local/include", "/usr/include"});
+  return dirs;
+}
+
 void note_branches(const ParseResult& parsed, const CollectOptions& options, Facts& facts) {
   for (const SkippedBranch& branch : parsed.skipped)
     if (lies_in(branch.file, options.package_dir) && !lies_in(branch.file, options.build_dir))
@@ -46,14 +66,26 @@ void note_branches(const ParseResult& parsed, const CollectOptions& options, Fac
 
 }  // namespace
 
+bool has_twin(const Unit& unit, const std::string& message) {
+  return std::any_of(unit.include_dirs.begin(), unit.include_dirs.end(), [&](const std::string& dir) {
+    return llvm::sys::fs::exists(dir + "/" + twin_header(message));
+  });
+}
+
 std::vector<Diagnostic> collect_unit(const CompileUnit& unit, const CollectOptions& options, Facts& facts) {
   ParseOptions parse_options;
   parse_options.include_dirs = options.include_dirs;
   parse_options.skip_bodies_outside = options.package_dir;
   const ParseResult parsed = parse(unit, parse_options, [&](clang::ASTContext& ast) {
     if (ast.getDiagnostics().hasErrorOccurred()) return;
-    Unit collected{
-        Source(ast, options.package_dir), *options.rules, facts, options.exported_dirs, {}, {}, {}};
+    Unit collected{Source(ast, options.package_dir),
+                   *options.rules,
+                   facts,
+                   options.exported_dirs,
+                   include_dirs_of(unit, options),
+                   {},
+                   {},
+                   {}};
     note_files(collected, unit, options);
     limit_to_package(collected);
     collect(collected);

@@ -92,8 +92,11 @@ void check_signature(Unit& unit, const clang::FunctionDecl* function, Entity& en
          where});
 }
 
-/// A twin exists for every message that stands alone; parts of services have none.
-void check_type(const Carried& carried, Entity& entity) {
+/// A twin exists for every message that stands alone and whose package has TZC headers; parts of services
+/// have none.
+void check_type(const Unit& unit, const Carried& carried, Entity& entity) {
+  if (carried.message && !carried.message->service && !has_twin(unit, carried.message->name))
+    add(entity, {codes::TZC4004, "'" + carried.message->name + "' has no TZC header", entity.where});
   if (carried.message && carried.message->service)
     add(entity, {codes::TZC1002, "it is part of a service", entity.where});
 }
@@ -172,7 +175,7 @@ Key declare(Unit& unit, const clang::ValueDecl* decl) {
   const Key key = key_of(unit, decl);
   Entity& entity =
       entity_at(unit, key, *carried, home_of(decl), decl->getNameAsString(), decl->getLocation());
-  check_type(*carried, entity);
+  check_type(unit, *carried, entity);
   const clang::CXXRecordDecl* record = decl->getType().getNonReferenceType()->getAsCXXRecordDecl();
   entity.plain = record && unit.rules.find_class_or_ported(qualified_name_of(record)) != nullptr;
   for (const clang::Decl* redeclaration : decl->redecls()) {
@@ -191,7 +194,7 @@ Key declare_result(Unit& unit, const clang::FunctionDecl* function) {
   const Key key = function_key(unit, function) + "#r";
   Entity& entity =
       entity_at(unit, key, *carried, Home::result, function->getNameAsString(), function->getLocation());
-  check_type(*carried, entity);
+  check_type(unit, *carried, entity);
   for (const clang::FunctionDecl* redeclaration : function->redecls())
     if (redeclaration->getTypeSourceInfo())
       if (const auto type = redeclaration->getFunctionTypeLoc()) retype(unit, type.getReturnLoc(), entity);
@@ -206,7 +209,7 @@ Key declare_temporary(Unit& unit, const clang::Expr* expr) {
   const Key key = place_key(unit, expr->getBeginLoc(), "#") + expr->getStmtClassName();
   Entity& entity = entity_at(unit, key, *carried, Home::temporary, unit.source.text(expr->getSourceRange()),
                              expr->getBeginLoc());
-  check_type(*carried, entity);
+  check_type(unit, *carried, entity);
   return key;
 }
 

@@ -101,12 +101,12 @@ std::optional<std::string> written_text(Unit& unit, const clang::CallExpr* call,
   return unit.source.text(call->getArg(index)->getSourceRange());
 }
 
-void describe_type(clang::QualType type, Advertise& site) {
+void describe_type(const Unit& unit, clang::QualType type, Advertise& site) {
   const std::optional<MessageType> twin = twin_message_of(type);
   if (const auto message = twin ? twin : message_of(type)) {
     site.type = message->name;
     site.heavy = message->has_data;
-    site.no_twin = !message->has_data || message->service;
+    site.no_twin = !message->has_data || message->service || !has_twin(unit, site.type);
   } else if (is_pcl_cloud(type)) {
     site.type = "sensor_msgs/PointCloud2";
     site.no_twin = site.pcl = true;
@@ -212,7 +212,7 @@ void collect_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const M
   if (rule.role == MethodCall::Role::advertise) {
     const clang::QualType type = advertised_type(unit, call);
     if (!type.isNull())
-      describe_type(type, site);
+      describe_type(unit, type, site);
     else
       site.obstacles.push_back(
           {codes::TZC1012, "the options of this call say what is advertised", location_of(site.where)});

@@ -45,7 +45,8 @@ struct Unit {
   Source source;
   const RuleSet& rules;
   Facts& facts;
-  std::set<std::string> exported_dirs;  ///< of headers that other packages may include
+  std::set<std::string> exported_dirs;    ///< of headers that other packages may include
+  std::vector<std::string> include_dirs;  ///< where headers are looked for
   std::vector<SeenPublisher> publishers;
   std::vector<SeenBirth> births;
   std::vector<SeenMember> members;
@@ -63,6 +64,9 @@ const clang::FunctionDecl* pattern_of(const clang::FunctionDecl* function);
 /// The innermost function or lambda around a node; null outside of functions.
 const clang::FunctionDecl* function_around(Unit& unit, const clang::Stmt& stmt);
 std::string record_usr_of(const clang::FunctionDecl* function);
+
+/// Whether the TZC header of a message can be included: "sensor_msgs/Image".
+bool has_twin(const Unit& unit, const std::string& message);
 
 // Entities
 // ---------------------------------------------------------------------------------------------------------
