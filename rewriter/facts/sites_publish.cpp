@@ -233,7 +233,8 @@ void collect_ported_advertise(Unit& unit, const clang::CallExpr* call, const Met
   site.rule = rule.rule;
   site.type = "sensor_msgs/Image";
   const clang::TemplateArgumentList* arguments = call->getDirectCallee()->getTemplateSpecializationArgs();
-  if (rule.role == MethodCall::Role::advertise && arguments) describe_type((*arguments)[0].getAsType(), site);
+  if (rule.role == MethodCall::Role::advertise && arguments)
+    describe_type(unit, (*arguments)[0].getAsType(), site);
   if (written_arguments(call) > 1) site.topic = constant_string(call->getArg(1));
   site.memory = rule.role == MethodCall::Role::advertise ? written_text(unit, call, site.topic ? 3 : 2) : "0";
   site.publisher = declare_temporary(unit, call);
