@@ -181,6 +181,6 @@ def choose(program, message, publisher):
     program.traits.append(way.__name__)
     lines = way(program, message, publisher)
     guard = program.rng.random()
-    if guard < 0.1 and publisher.call != "out.":
+    if guard < 0.1 and publisher.asks and publisher.call != "out.":
         return [f"if ({publisher.call}getNumSubscribers() > 0) {{"] + ["  " + line for line in lines] + ["}"]
     return lines

@@ -5,6 +5,8 @@ from .fills import in_block
 
 
 class Publisher:
+    asks = True  # knows getNumSubscribers
+
     def __init__(self, call, topic):
         self.call, self.topic = call, topic  # "pub_." or "pub_->"
 
@@ -83,6 +85,8 @@ def in_base_class(program, topic):
 
 class BySender(Publisher):
     """Publishes through a function of the package that takes the message by reference."""
+
+    asks = False
 
     def publish(self, argument, pointer=False):
         value = f"*{argument}" if pointer else argument
