@@ -22,10 +22,12 @@ bool lies_in(const std::string& file, const std::string& dir) {
 
 void note_files(Unit& unit, const CompileUnit& compiled, const CollectOptions& options) {
   const clang::SourceManager& manager = unit.source.manager();
-  for (auto file = manager.fileinfo_begin(); file != manager.fileinfo_end(); ++file) {
-    const clang::FileID id = manager.translateFile(file->first);
-    if (id.isInvalid()) continue;
-    const std::string path = unit.source.file_of(manager.getLocForStartOfFile(id));
+  // Over the places where files were entered: to ask for each file where it was takes the square of that.
+  for (unsigned i = 1; i < manager.local_sloc_entry_size(); ++i) {
+    const clang::SrcMgr::SLocEntry& entry = manager.getLocalSLocEntry(i);
+    if (!entry.isFile()) continue;
+    const std::string path =
+        unit.source.file_of(clang::SourceLocation::getFromRawEncoding(entry.getOffset()));
     if (lies_in(path, options.package_dir) && !lies_in(path, options.build_dir))
       unit.facts.units_of_file[path].insert(compiled.file);
   }
