@@ -116,18 +116,19 @@ void ConnectionImpl::transmit(Outgoing item) {
   if (state_ == State::open && outbox_.empty()) {
     const SendResult result = Outbox::write(socket_.get(), item, stats_.bytes);
     posix::step("publish: written");
-    if (result == SendResult::gone) break_off();
-    if (result == SendResult::gone || result == SendResult::sent) return;
+    if (result == SendResult::gone) return peer_stopped();
+    if (result == SendResult::sent) return;
     try_again(result);
   }
   outbox_.push(std::move(item));
-  if (outbox_.size() > queue_size_ + 2 * max_segments) break_off();  // it stopped, and segments come and go
+  if (outbox_.size() > queue_size_ + 2 * max_segments)
+    give_up_on_peer();  // it stopped, and segments come and go
 }
 
 void ConnectionImpl::flush() {
   if (state_ == State::corked || state_ == State::gone) return;
   const SendResult result = outbox_.flush(socket_.get(), stats_.bytes);
-  if (result == SendResult::gone) return break_off();
+  if (result == SendResult::gone) return peer_stopped();
   try_again(result);
   if (result == SendResult::sent && closing_) posix::stop_sending(socket_.get());
 }
@@ -253,7 +254,21 @@ void ConnectionImpl::on_deadline() {
   flush();
 }
 
-// The service thread sees the hang-up that this causes and cleans up there.
+// It unsubscribed, or died: its goodbye or its hang-up is on the way to the service thread. Until its hang-up
+// it may hold blocks, so the socket, whose end frees them, is not ours to end.
+void ConnectionImpl::peer_stopped() {
+  state_ = State::draining;
+  end_deliveries();
+}
+
+// Its reader finds the end of the stream and says goodbye; what it holds stays its own.
+void ConnectionImpl::give_up_on_peer() {
+  peer_stopped();
+  posix::stop_sending(socket_.get());
+}
+
+// It broke the rules: nothing that it claims to hold counts any more. The service thread sees the hang-up
+// that this causes and cleans up there.
 void ConnectionImpl::break_off() {
   state_ = State::draining;
   outbox_.clear();

@@ -76,6 +76,8 @@ class ConnectionImpl final : public Connection,
   bool recall(const Undecided::Entry& entry);
   TZC_HOT void revoke_oldest_down_to(std::size_t most);
   void drop_oldest_undecided(bool revoked);
+  void peer_stopped();
+  void give_up_on_peer();
   void break_off();
   void unsubscribed();
   void hung_up();

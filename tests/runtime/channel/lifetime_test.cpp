@@ -40,6 +40,50 @@ TEST(Lifetime, AHeldMessageOutlivesItsSubscriber) {
   EXPECT_TRUE(eventually([&] { return has_room(*out, mb); }));
 }
 
+/// Keeps the service thread busy, which learns of goodbyes, for as long as it lives.
+class BusyServiceThread {
+ public:
+  BusyServiceThread() {
+    PublisherOptions options;
+    options.on_connect = [this](const ConnectionPtr&) {
+      busy_ = true;
+      while (!done_) std::this_thread::yield();
+    };
+    other_ = publish_with(options);
+    visitor_ = std::thread([this] { idle_subscriber(other_->address()); });
+    while (!busy_) std::this_thread::yield();
+  }
+  ~BusyServiceThread() {
+    done_ = true;
+    visitor_.join();
+  }
+
+ private:
+  std::atomic<bool> busy_{false}, done_{false};
+  std::shared_ptr<Publisher> other_;
+  std::thread visitor_;
+};
+
+// The write fails before the goodbye is read. Ending the socket then would free what the process still holds.
+TEST(Lifetime, AHeldMessageOutlivesAWriteThatFails) {
+  const auto out = publisher(10, mb, Policy::best_effort());
+  MessagePtr held;
+  {
+    Inbox in(out->address());
+    out->publish(text_record("x", {filled(*out->memory(), mb, 8)}));
+    ASSERT_TRUE(in.wait_for(1));
+    held = in.messages()[0];
+    const BusyServiceThread busy;
+    in.subscriber.reset();
+    out->publish(text_record("nobody reads this"));
+  }
+  ASSERT_TRUE(eventually([&] { return out->connections().empty(); }));
+  EXPECT_FALSE(has_room(*out, mb));
+  EXPECT_TRUE(all_bytes_are(held->blocks()[0], 8));
+  held.reset();
+  EXPECT_TRUE(eventually([&] { return has_room(*out, mb); }));
+}
+
 TEST(Lifetime, AHeldMessageOutlivesItsPublisher) {
   auto out = publisher();
   Inbox in(out->address());
