@@ -64,11 +64,13 @@ struct Scan {
 Scan scan(const std::string& content) {
   Scan result;
   int depth = 0;
-  bool guard_seen = false, code_seen = false, in_comment = false;
+  bool guard_seen = false, code_seen = false, in_comment = false, continues = false;
   const std::vector<Line> lines = lines_of(content);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string& text = lines[i].text;
-    const std::string directive = in_comment ? "" : directive_of(text);
+    const bool continued = continues;  // a line of the directive above it
+    const std::string directive = in_comment || continued ? "" : directive_of(text);
+    continues = (continued || !directive.empty()) && !text.empty() && text.back() == '\\';
     if (text.find("/*") != std::string::npos) in_comment = true;
     if (text.find("*/") != std::string::npos) in_comment = false;
     if (starts_with(directive, "if")) {
@@ -81,8 +83,8 @@ Scan scan(const std::string& content) {
     if (starts_with(directive, "include") && depth == 0 && !code_seen)
       result.includes.push_back({header_of(directive), lines[i].end});
     const bool comment = in_comment || starts_with(text, "//") || text.find("*/") != std::string::npos;
-    if (directive.empty() && !text.empty() && !comment) code_seen = true;
-    if (!code_seen && depth == 0) result.top = lines[i].end;
+    if (directive.empty() && !text.empty() && !comment && !continued) code_seen = true;
+    if (!code_seen && depth == 0 && !continues) result.top = lines[i].end;
   }
   return result;
 }
