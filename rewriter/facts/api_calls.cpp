@@ -40,6 +40,13 @@ const std::set<std::string> owners = {"ros::NodeHandle::",
                                       "tzc::image_transport::Publisher::",
                                       "tzc::image_transport::CameraPublisher::"};
 
+/// Functions of libraries that do it on the package's behalf, whole names.
+const std::map<std::string, SiteKind> on_behalf = {
+    {"ros::topic::waitForMessage", SiteKind::subscribe},
+    {"realtime_tools::RealtimePublisher::init", SiteKind::advertise},
+    {"realtime_tools::RealtimePublisher::unlockAndPublish", SiteKind::publish},
+    {"diagnostic_updater::DiagnosedPublisher::publish", SiteKind::publish}};
+
 const clang::TemplateArgumentList* template_arguments(const clang::FunctionDecl* function) {
   return function->getTemplateSpecializationArgs();
 }
@@ -62,6 +69,16 @@ std::string message_name(clang::QualType type) {
   return colons + 2 == space.size() ? space.substr(0, colons) + "/" + name : "";
 }
 
+/// The message that a function or the class that has it is a template of.
+std::string message_of_template(const clang::FunctionDecl* function) {
+  const clang::TemplateArgumentList* arguments = template_arguments(function);
+  if (const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(function->getDeclContext()))
+    arguments = &made->getTemplateArgs();
+  const bool named =
+      arguments && arguments->size() > 0 && (*arguments)[0].getKind() == clang::TemplateArgument::Type;
+  return named ? message_name((*arguments)[0].getAsType()) : "";
+}
+
 class ApiCalls : public clang::RecursiveASTVisitor<ApiCalls> {
  public:
   explicit ApiCalls(const Source& source) : source_(source) {}
@@ -72,9 +89,11 @@ class ApiCalls : public clang::RecursiveASTVisitor<ApiCalls> {
     const clang::FunctionDecl* function = call->getDirectCallee();
     if (!function || !function->getIdentifier() || call->isTypeDependent()) return true;
     if (function->getName() == "make_shared") return note_made_filter(call, function);
+    const std::string owner = space_of(function->getDeclContext());
+    const auto behalf = on_behalf.find(owner + function->getNameAsString());
+    if (behalf != on_behalf.end()) note_behalf(behalf->second, call, function);
     const auto kind = kinds.find(function->getNameAsString());
     if (kind == kinds.end() || written(call) == 0) return true;
-    const std::string owner = space_of(function->getDeclContext());
     if (owners.count(owner) != 0) note(kind->second, call, type_at(kind->second, call, function));
     if (filters.count(owner) != 0 && written(call) >= 2) note(SiteKind::subscribe, call, "");
     return true;
@@ -83,6 +102,8 @@ class ApiCalls : public clang::RecursiveASTVisitor<ApiCalls> {
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) {
     const clang::CXXRecordDecl* record = construct->getConstructor()->getParent();
     if (construct->getNumArgs() >= 2 && is_filter(record)) note(SiteKind::subscribe, construct, "");
+    if (construct->getNumArgs() >= 3 && space_of(record) == "realtime_tools::RealtimePublisher::")
+      note_behalf(SiteKind::advertise, construct, construct->getConstructor());
     return true;
   }
 
@@ -111,6 +132,11 @@ class ApiCalls : public clang::RecursiveASTVisitor<ApiCalls> {
     if (made.getKind() == clang::TemplateArgument::Type && is_filter(made.getAsType()->getAsCXXRecordDecl()))
       note(SiteKind::subscribe, call, "");
     return true;
+  }
+
+  void note_behalf(SiteKind kind, const clang::Expr* call, const clang::FunctionDecl* function) {
+    const std::string message = message_of_template(function);
+    if (!message.empty()) note(kind, call, message);
   }
 
   void note(SiteKind kind, const clang::Expr* call, const std::string& type) {
