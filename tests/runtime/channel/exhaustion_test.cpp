@@ -238,6 +238,7 @@ TEST(Exhaustion, MemoryLimitInAChild) {
   for (const char* mount : {"/sys/fs/cgroup/memory", "/sys/fs/cgroup"})
     ::rmdir((mount + ("/tzc-test-" + std::to_string(child)))
                 .c_str());  // it can only go when its process has gone
+  // Needs root and a mounted hierarchy; memory_limit_test.cpp has the same with files of its own, everywhere.
   if (status == skipped) GTEST_SKIP() << "no control group of version 1 or 2 may be made here";
   EXPECT_EQ(status, 0);
 }

@@ -24,6 +24,15 @@ bool has_room(Publisher& out, std::size_t bytes) {
   return static_cast<bool>(out.memory()->allocate(bytes));
 }
 
+/// The message fills the publisher's memory, with bytes of value 8; its connection is ending.
+void expect_held_until_released(Publisher& out, MessagePtr held) {
+  ASSERT_TRUE(eventually([&] { return out.connections().empty(); }));
+  EXPECT_FALSE(has_room(out, mb));
+  EXPECT_TRUE(all_bytes_are(held->blocks()[0], 8));
+  held.reset();
+  EXPECT_TRUE(eventually([&] { return has_room(out, mb); }));
+}
+
 TEST(Lifetime, AHeldMessageOutlivesItsSubscriber) {
   const auto out = publisher(10, mb, Policy::best_effort());
   MessagePtr held;
@@ -33,11 +42,7 @@ TEST(Lifetime, AHeldMessageOutlivesItsSubscriber) {
     ASSERT_TRUE(in.wait_for(1));
     held = in.messages()[0];
   }
-  ASSERT_TRUE(eventually([&] { return out->connections().empty(); }));
-  EXPECT_FALSE(has_room(*out, mb));
-  EXPECT_TRUE(all_bytes_are(held->blocks()[0], 8));
-  held.reset();
-  EXPECT_TRUE(eventually([&] { return has_room(*out, mb); }));
+  expect_held_until_released(*out, std::move(held));
 }
 
 /// Keeps the service thread busy, which learns of goodbyes, for as long as it lives.
@@ -77,11 +82,7 @@ TEST(Lifetime, AHeldMessageOutlivesAWriteThatFails) {
     in.subscriber.reset();
     out->publish(text_record("nobody reads this"));
   }
-  ASSERT_TRUE(eventually([&] { return out->connections().empty(); }));
-  EXPECT_FALSE(has_room(*out, mb));
-  EXPECT_TRUE(all_bytes_are(held->blocks()[0], 8));
-  held.reset();
-  EXPECT_TRUE(eventually([&] { return has_room(*out, mb); }));
+  expect_held_until_released(*out, std::move(held));
 }
 
 TEST(Lifetime, AHeldMessageOutlivesItsPublisher) {
