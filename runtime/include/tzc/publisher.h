@@ -75,9 +75,18 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
   void publish_exhausted(const M& message) const {
     if (attachment_
             ->delivers_exhausted())  // by pointer, as its neighbours, so that it keeps its place among them
-      publisher_.publish(boost::make_shared<Stock<M>>(message::to_stock(message)));
+      publisher_.publish(private_copy(message, detail::IsForeign<M>()));
     else
       attachment_->count_dropped();
+  }
+  template <class M>
+  static boost::shared_ptr<Stock<M>> private_copy(const M& message, std::false_type) {
+    return boost::make_shared<Stock<M>>(message::to_stock(message));
+  }
+  /// The foreign library's adapter serializes it; no conversion to the stock type is known here.
+  template <class M>
+  static boost::shared_ptr<M> private_copy(const M& message, std::true_type) {
+    return boost::make_shared<M>(message);
   }
 };
 
