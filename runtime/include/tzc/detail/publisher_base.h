@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tzc/detail/attachment.h>
+#include <tzc/detail/find_publisher.h>
 #include <tzc/message.h>
 #include <tzc/options.h>
 
