@@ -53,86 +53,8 @@ bool from_result(Unit& unit, const Sources& sources) {
                       [&](const Key& k) { return unit.facts.entities[k].home == Home::result; });
 }
 
-/// Looks for what keeps an expression from being evaluated earlier: variables declared or changed later,
-/// calls.
-class Nameable : public clang::RecursiveASTVisitor<Nameable> {
- public:
-  std::vector<const clang::VarDecl*> locals;
-  bool ok = true;
-
-  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) {
-    const auto* variable = llvm::dyn_cast<clang::VarDecl>(reference->getDecl());
-    if (variable && variable->isLocalVarDeclOrParm()) locals.push_back(variable);
-    return true;
-  }
-  bool VisitCallExpr(clang::CallExpr* call) {
-    const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call);
-    const bool plain =
-        op && (op->getOperator() == clang::OO_Arrow || op->getOperator() == clang::OO_Star ||
-               (op->getOperator() == clang::OO_Subscript && !is_map(op->getArg(0)->getType())));
-    ok = ok && plain;
-    return true;
-  }
-  bool VisitUnaryOperator(clang::UnaryOperator* op) {
-    ok = ok && !op->isIncrementDecrementOp();
-    return true;
-  }
-
- private:
-  static bool is_map(clang::QualType type) {
-    const auto* record = type.getNonReferenceType().getCanonicalType()->getAsCXXRecordDecl();
-    return record && record->getName().ends_with("map");
-  }
-};
-
-/// Whether one of the variables changes between two offsets of the function.
-class Changes : public clang::RecursiveASTVisitor<Changes> {
- public:
-  Changes(Unit& unit, const std::vector<const clang::VarDecl*>& variables, unsigned from, unsigned to)
-      : unit_(unit), variables_(variables), from_(from), to_(to) {}
-  bool found = false;
-
-  bool VisitUnaryOperator(clang::UnaryOperator* op) {
-    if (op->isIncrementDecrementOp()) check(op->getSubExpr());
-    return true;
-  }
-  bool VisitBinaryOperator(clang::BinaryOperator* op) {
-    if (op->isAssignmentOp()) check(op->getLHS());
-    return true;
-  }
-  bool VisitCXXOperatorCallExpr(clang::CXXOperatorCallExpr* call) {
-    if (call->isAssignmentOp()) check(call->getArg(0));
-    return true;
-  }
-
- private:
-  void check(const clang::Expr* target) {
-    const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(target->IgnoreParenImpCasts());
-    const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
-    if (!variable || !llvm::is_contained(variables_, variable)) return;
-    const unsigned here = unit_.source.where(target->getBeginLoc()).begin;
-    found = found || (here > from_ && here < to_);
-  }
-
-  Unit& unit_;
-  const std::vector<const clang::VarDecl*>& variables_;
-  unsigned from_, to_;
-};
-
 unsigned offset_of(Unit& unit, clang::SourceLocation location) {
   return unit.source.where(location).begin;
-}
-
-bool nameable_at(Unit& unit, const SeenPublisher& publisher, unsigned at) {
-  Nameable visitor;
-  visitor.TraverseStmt(const_cast<clang::Expr*>(publisher.object));
-  if (!visitor.ok) return false;
-  for (const clang::VarDecl* local : visitor.locals)
-    if (offset_of(unit, local->getLocation()) >= at) return false;
-  if (visitor.locals.empty() || !publisher.function || !publisher.function->getBody()) return true;
-  Changes changes(unit, visitor.locals, at, publisher.begin);
-  changes.TraverseStmt(publisher.function->getBody());
-  return !changes.found;
 }
 
 void name_publishers(Unit& unit, SeenBirth& seen) {
@@ -140,10 +62,14 @@ void name_publishers(Unit& unit, SeenBirth& seen) {
                       : seen.birth.changes.empty() ? 0
                                                    : seen.birth.changes[0].where.begin;
   if (at == 0) return;
-  for (const SeenPublisher& publisher : unit.publishers)
-    if (publisher.function == seen.function && !publisher.key.empty() && nameable_at(unit, publisher, at))
-      seen.birth.publishers.push_back({publisher.key, unit.source.text(publisher.object->getSourceRange()),
-                                       publisher.pointer, publisher.messages});
+  for (const SeenPublisher& publisher : unit.publishers) {
+    if (publisher.function != seen.function || publisher.key.empty()) continue;
+    const Naming naming = naming_at(unit, publisher, at);
+    if (naming == Naming::none) continue;
+    PublisherName name{publisher.key, name_text(unit, publisher), publisher.pointer,
+                       naming == Naming::guarded, publisher.messages};
+    seen.birth.publishers.push_back(std::move(name));
+  }
 }
 
 /// A local message before the publisher that is declared later in the same block.

@@ -86,6 +86,7 @@ struct PublisherName {
   Key publisher;
   std::string text;  ///< "pub_", "pubs_[LEFT]"
   bool pointer = false;
+  bool guarded = false;       ///< the pointer may be null here
   std::vector<Key> messages;  ///< that it is named together with
 };
 

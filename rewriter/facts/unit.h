@@ -184,6 +184,11 @@ void collect_declaration_birth(Unit& unit, const clang::VarDecl* variable);
 void collect_aliases(Unit& unit, const clang::FunctionDecl* function);
 /// The zero-fill of a resize that is not needed, because what follows writes every element.
 void collect_overwrite(Unit& unit, const clang::CXXMemberCallExpr* resize, const std::vector<Key>& keys);
+/// Whether a publisher can be named earlier in its function, at an offset.
+enum class Naming { none, guarded, safe };  ///< guarded: by a smart pointer that may be null there
+Naming naming_at(Unit& unit, const SeenPublisher& publisher, unsigned at);
+/// How it is named there.
+std::string name_text(Unit& unit, const SeenPublisher& publisher);
 /// At the end: which publishers can be named where messages are born.
 void connect_births(Unit& unit);
 

@@ -27,21 +27,25 @@ bool Binder::visible(const Birth& birth, const Entity& publisher) const {
 }
 
 std::optional<Solution::Bound> Binder::named_at(const Birth& birth) const {
-  const auto bound = [&](const std::string& text, bool pointer, const Key& publisher) {
-    return Solution::Bound{&birth, pointer ? "*" + text : text, text + (pointer ? "->" : ".") + "allocate",
-                           &facts_.entities.at(publisher)};
+  const auto bound = [&](const PublisherName& name) {
+    const std::string guard = name.guarded ? "if (" + name.text + ") " : "";
+    return Solution::Bound{&birth, name.pointer ? "*" + name.text : name.text,
+                           guard + name.text + (name.pointer ? "->" : ".") + "allocate",
+                           &facts_.entities.at(name.publisher)};
   };
+  const bool takes_reference = !birth.changes.empty();  // to the publisher, which must be there
   // First one that is named together with this very message.
   for (const bool together : {true, false})
     for (const PublisherName& name : birth.publishers) {
       const Component* publisher = components_.of(name.publisher);
       const bool with_it = std::count(name.messages.begin(), name.messages.end(), birth.entity) != 0;
-      if (publisher && publishers_.count(publisher->id) && (with_it || !together))
-        return bound(name.text, name.pointer, name.publisher);
+      if (publisher && publishers_.count(publisher->id) && (with_it || !together) &&
+          !(name.guarded && takes_reference))
+        return bound(name);
     }
   for (const int id : publishers_)
     for (const Entity* entity : components_.all()[static_cast<std::size_t>(id)].entities)
-      if (visible(birth, *entity) && entity->plain) return bound(entity->name, false, entity->key);
+      if (visible(birth, *entity) && entity->plain) return bound({entity->key, entity->name});
   return {};
 }
 

@@ -119,6 +119,39 @@ def parameter(program, topic):
     return Publisher(call, topic), wrap
 
 
+class Asked(Publisher):
+    """One that is not always there."""
+
+    asks = False
+
+    def __init__(self, condition, call, topic):
+        super().__init__(call, topic)
+        self.condition = condition
+
+    def publish(self, argument, pointer=False):
+        return [f"if ({self.condition}) {{"] + ["  " + line for line in super().publish(argument, pointer)] + ["}"]
+
+
+SHARED = "boost::shared_ptr<ros::Publisher>"
+
+
+def perhaps_missing(program, topic):
+    """The same function is called with a publisher and without one."""
+    home, parameter_type, argument, nothing, condition, call = program.rng.choice([
+        (by_shared_pointer, f"const {SHARED}& out", "{}", f"{SHARED}()", "out", "out->"),
+        (member, "ros::Publisher* out", "&{}", "nullptr", "out != nullptr", "out->"),
+        (in_vector, "std::vector<ros::Publisher>& outs", "{}", "none", "!outs.empty()", "outs[0].")])
+    stored, _ = home(program, topic)
+
+    def wrap(lines):
+        name = program.helper("void", "send", f"{parameter_type}, int k", lines)
+        there = argument.format(stored.call.rstrip("->.").replace("[0]", ""))
+        empty = ["std::vector<ros::Publisher> none;"] if nothing == "none" else []
+        return empty + [f"{name}({there}, k);", f"{name}({nothing}, k);"]
+
+    return Asked(condition, call, topic), wrap
+
+
 def in_lambda(program, topic):
     stored, _ = member(program, topic)
 
@@ -156,7 +189,7 @@ def with_status_callback(program, topic):
 
 
 HOMES = {member: 8, initialized_member: 3, in_vector: 1, in_map: 1, in_array: 1, by_shared_pointer: 2, in_struct: 1,
-         in_base_class: 1, local: 1, parameter: 3, in_lambda: 1, returned: 1, by_options: 1,
+         in_base_class: 1, local: 1, parameter: 3, perhaps_missing: 2, in_lambda: 1, returned: 1, by_options: 1,
          with_status_callback: 1}
 
 

@@ -3,7 +3,7 @@
 from . import messages
 from .builders import contents
 from .fills import change
-from .publishers import choose as choose_publisher, in_block, parameter
+from .publishers import choose as choose_publisher, in_block, parameter, perhaps_missing
 
 
 def note(topic):
@@ -167,8 +167,8 @@ def relay(program):
     access = "msg->" if by_pointer else "msg."
     program.steps += in_block([made] + contents(program, message, access) +
                               [f"{name}.publish(msg);", f'fuzz::sent("{source.name}");'])
-    # What is sent depends on the received message, which a function of its own would not know.
-    publisher, wrap = choose_publisher(program, target, without=(parameter,))
+    # What is sent depends on the received message, which functions of their own would not know.
+    publisher, wrap = choose_publisher(program, target, without=(parameter, perhaps_missing))
     body = ["const int k = static_cast<int>(in->header.stamp.sec % 10);"] + wrap(way(program, target, publisher))
     handler = program.helper("void", "relay", f"const {message.cpp}ConstPtr& in", body +
                              [f'fuzz::handled("{source.name}");'])
