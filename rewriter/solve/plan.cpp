@@ -33,7 +33,10 @@ class Planner {
     for (const std::string& id : solution_.subscribes)
       for (const Change& change : facts_.subscribes.at(id).changes)
         add(change, subscribe_component(facts_, components_, id));
-    for (const auto& item : facts_.publishes) add_condition(item.second);
+    for (const auto& item : facts_.publishes) {
+      add_condition(item.second);
+      add_cloud_adapter(item.second);
+    }
     add_includes();
     keep_line_endings();
     return std::move(plan_);
@@ -61,6 +64,7 @@ class Planner {
   void add_parameter(const Solution::GivenPublisher& given);
   void add_advertise(const Advertise& site);
   void add_condition(const Publish& site);
+  void add_cloud_adapter(const Publish& site);
   void add_includes();
   void keep_line_endings();
   const std::string& content(const std::string& file);
@@ -136,6 +140,14 @@ void Planner::add_condition(const Publish& site) {
   add({site.statement, text, "on-exhausted", {}}, message->id);
   // In braces, so that an else that follows keeps its if.
   if (!site.in_block) add({site.statement_end, " }", "on-exhausted", {}}, message->id);
+}
+
+/// Without the adapter a cloud would go out in wire format.
+void Planner::add_cloud_adapter(const Publish& site) {
+  const Component* publisher = components_.of(site.publisher);
+  if (site.pcl && site.type == "sensor_msgs/PointCloud2" && publisher &&
+      ported(solution_.publishers, publisher->id))
+    headers_[site.where.file].emplace("tzc/pcl.h", publisher->id);
 }
 
 void Planner::add_includes() {

@@ -147,7 +147,8 @@ def pcl_as_such(program):
     topic = program.topic(messages.CLOUD2)
     program.includes.add("pcl_ros/point_cloud.h")
     name = program.variable("ros::Publisher", "pub")
-    program.setup.append(f'{name} = nh.advertise<pcl::PointCloud<pcl::PointXYZ> >("{topic.name}", 50);')
+    kind = program.rng.choice(["pcl::PointCloud<pcl::PointXYZ> ", "sensor_msgs::PointCloud2"])
+    program.setup.append(f'{name} = nh.advertise<{kind}>("{topic.name}", 50);')
     lines = cloud(program.rng)
     pointer = program.rng.random() < 0.5
     argument = "boost::make_shared<pcl::PointCloud<pcl::PointXYZ> >(cloud)" if pointer else "cloud"

@@ -11,6 +11,7 @@ void run(ros::NodeHandle& nh) {
 // publish src/node.cpp:7 sensor_msgs/PointCloud2 one_copy 'image'
 //
 // +++ src/node.cpp
+// +#include <tzc/pcl.h>
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/PointCloud2.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::PointCloud2>("image", 10);
