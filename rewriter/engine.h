@@ -30,7 +30,7 @@ struct EngineOptions {
   std::vector<std::string> extra_include_dirs;  ///< generated twins of the package's own messages
   SiteFilter wanted;                            ///< empty: every site
   std::set<std::string> without_rules;          ///< not applied, to show in tests that each is needed; also
-                                                ///< "verification" and "all-or-nothing"
+                                                ///< "verification", "all-or-nothing", "completeness"
   Progress* progress = nullptr;
 };
 
