@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "support/temp_dir.h"
 #include "tool/process.h"
@@ -55,6 +58,34 @@ class CameraPair : public ::testing::Test {
     return text.str();
   }
 
+  /// Every file of the package with its content and the time of its last change.
+  std::map<std::string, std::pair<std::string, fs::file_time_type>> files() const {
+    std::map<std::string, std::pair<std::string, fs::file_time_type>> all;
+    for (const auto& entry : fs::recursive_directory_iterator(package())) {
+      const std::string name = fs::relative(entry.path(), package()).string();
+      if (entry.is_regular_file())
+        all[name] = {folder_.read("ws/src/camera_pair/" + name), entry.last_write_time()};
+    }
+    return all;
+  }
+
+  /// Applies the port a second time: not a byte changes, nor is a file written anew.
+  void apply_again() {
+    const auto once = files();
+    ASSERT_THAT(once.at("src/camera_node.cpp").first, HasSubstr("tzc::advertise"));
+    ASSERT_THAT(once.at("CMakeLists.txt").first, HasSubstr("tzc"));
+    ASSERT_THAT(once.at("package.xml").first, HasSubstr("<depend>tzc</depend>"));
+    const ProcessResult second = rewrite({"--apply"});
+    EXPECT_EQ(second.status, 0) << second.errors;
+    const auto twice = files();
+    for (const auto& [name, file] : twice) {
+      ASSERT_EQ(once.count(name), 1u) << name << " was not there";
+      EXPECT_EQ(file.first, once.at(name).first) << name;
+      EXPECT_EQ(file.second, once.at(name).second) << name << " was written again";
+    }
+    EXPECT_EQ(twice.size(), once.size());
+  }
+
   static std::set<std::string> ids(const json& document) {
     std::set<std::string> all;
     for (const json& site : document["sites"]) all.insert(site["id"]);
@@ -82,6 +113,19 @@ TEST_F(CameraPair, the_second_run_changes_nothing_and_reports_the_same) {
   for (const char* kind : {"publish", "subscribe"})
     EXPECT_EQ(report()["summary"][kind], first["summary"][kind]) << kind;
   EXPECT_EQ(ids(report()), ids(first));
+}
+
+TEST_F(CameraPair, applied_twice_is_applied_once) {
+  ASSERT_EQ(rewrite({"--apply"}).status, 0);
+  apply_again();
+}
+
+/// What the first run wrote is not committed yet; there is nothing to write over it.
+TEST_F(CameraPair, applied_twice_in_a_git_repository) {
+  const std::string git = "git -C " + (folder_ / "ws/src") + " -c user.name=n -c user.email=n@example.org ";
+  ASSERT_EQ(std::system((git + "init -q && " + git + "add -A && " + git + "commit -q -m all").c_str()), 0);
+  ASSERT_EQ(rewrite({"--apply"}).status, 0);
+  apply_again();
 }
 
 TEST_F(CameraPair, a_report_from_before_the_port_is_a_baseline_after_it) {
