@@ -8,7 +8,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from execution import differences  # noqa: E402
 from grammar import builders, libraries, package, publishers, subscribers  # noqa: E402
-from port import check_sites  # noqa: E402
+from port import check_levels, check_sites  # noqa: E402
 from toolchain import Failure  # noqa: E402
 
 
@@ -56,6 +56,18 @@ class Sites(unittest.TestCase):
             package.write_package(folder, [package.make_program("1", index) for index in range(6)])
             with self.assertRaisesRegex(Failure, "publish sites are written, 0 are in the report"):
                 check_sites(folder, {"sites": []})
+
+    def test_a_site_that_stays_plain_is_noticed(self):
+        site = {"kind": "publish", "file": "src/a.cpp", "line": 7, "level": "plain", "code": "TZC1017", "reason": "lost"}
+        with self.assertRaisesRegex(Failure, "src/a.cpp:7 publish plain TZC1017 lost"):
+            check_levels({"sites": [site]})
+        check_levels({"sites": [{**site, "level": "one_copy"}]})
+
+    def test_a_port_that_would_not_compile_is_noticed(self):
+        site = {"kind": "publish", "file": "src/a.cpp", "line": 7, "level": "one_copy", "code": "TZC1009", "reason": "no"}
+        with self.assertRaisesRegex(Failure, "src/a.cpp:7 publish one_copy TZC1009 no"):
+            check_levels({"sites": [site]})
+        check_levels({"sites": [{**site, "reason": "ported, no matching function for call to 'fill'"}]})
 
 
 if __name__ == "__main__":
