@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/connection.h"
 
+#include <algorithm>
+
 #include "channel/hub.h"
 #include "channel/received_message.h"
 #include "posix/fork_epoch.h"
@@ -63,10 +65,21 @@ bool ConnectionImpl::send(const RecordPtr& record) {
 }
 
 bool ConnectionImpl::announce_segments(const Record& record) {
+  return std::all_of(record.buffers().begin(), record.buffers().end(),
+                     [this](const BufferPtr& buffer) { return is_announced(*buffer); }) ||
+         announce_missing_segments(record);
+}
+
+bool ConnectionImpl::is_announced(const Buffer& buffer) const {
+  return segments_.ledger_of(segment::Segment::of(buffer).id()) != nullptr;
+}
+
+// Retires before it announces anything: the record itself may have blocks in a segment that nobody else needs.
+bool ConnectionImpl::announce_missing_segments(const Record& record) {
+  retire_segments();
   for (const BufferPtr& buffer : record.buffers()) {
-    segment::Segment& segment = segment::Segment::of(*buffer);
-    if (segments_.ledger_of(segment.id())) continue;
-    const Status announced = announce(segment);
+    if (is_announced(*buffer)) continue;
+    const Status announced = announce(segment::Segment::of(*buffer));
     if (announced) continue;
     failure_ = announced.error();
     return false;
@@ -75,7 +88,6 @@ bool ConnectionImpl::announce_segments(const Record& record) {
 }
 
 Status ConnectionImpl::announce(segment::Segment& segment) {
-  retire_segments();
   if (segments_.size() >= max_segments) {
     Error error;
     error.what = "offer another segment to a subscriber that already has " + std::to_string(max_segments);

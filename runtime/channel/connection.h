@@ -62,6 +62,8 @@ class ConnectionImpl final : public Connection,
 
   bool accepts_records() const { return state_ == State::corked || state_ == State::open; }
   TZC_HOT bool announce_segments(const Record& record);
+  bool is_announced(const Buffer& buffer) const;
+  bool announce_missing_segments(const Record& record);
   Status announce(segment::Segment& segment);
   void retire_segments();
   TZC_HOT void claim(const RecordPtr& record);

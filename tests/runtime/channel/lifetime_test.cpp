@@ -295,32 +295,6 @@ TEST(Lifetime, AForkedChildCanStartItsOwn) {
   EXPECT_EQ(exit_status(child), 0);
 }
 
-TEST(Lifetime, TooManyLiveSegmentsAreRefusedNotFatal) {
-  const auto out = publisher();
-  Inbox in(out->address());
-  std::vector<std::shared_ptr<SegmentMemory>> memories;
-  std::size_t refused = 0;
-  for (int i = 0; i < 260; ++i) {
-    memories.push_back(memory_of(4096));
-    refused += out->publish(text_record("x", {filled(*memories.back(), 100, 1)})) == 0 ? 1 : 0;
-  }
-  EXPECT_EQ(refused, 4u);
-  EXPECT_TRUE(in.subscriber->stats().connected) << in.reason();
-  EXPECT_EQ(out->publish(text_record("without memory")), 1u);
-}
-
-TEST(Lifetime, SegmentsOfADeadMemoryAreLetGo) {
-  const auto out = publisher();
-  Inbox in(out->address());
-  for (int i = 0; i < 600; ++i) {  // more than a connection may have at a time
-    const auto other = memory_of(mb);
-    ASSERT_EQ(out->publish(text_record("x", {filled(*other, 1000, 1)})), 1u) << i;
-    ASSERT_TRUE(in.wait_for(1));
-    in.clear();
-  }
-  EXPECT_TRUE(in.subscriber->stats().connected) << in.reason();
-}
-
 }  // namespace
 }  // namespace test
 }  // namespace channel
