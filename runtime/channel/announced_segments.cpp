@@ -6,16 +6,9 @@
 namespace tzc {
 namespace channel {
 
-std::shared_ptr<segment::Ledger> AnnouncedSegments::ledger_of(std::uint64_t segment_id) const {
-  for (const Entry& entry : entries_) {
-    if (entry.segment->id() == segment_id) return entry.ledger;
-  }
-  return nullptr;
-}
-
 BufferPtr AnnouncedSegments::revive(const segment::BlockRef& ref) const {
   for (const Entry& entry : entries_) {
-    if (entry.segment->id() == ref.segment)
+    if (entry.id == ref.segment)
       return entry.segment->revive(ref.offset, segment::BlockName{ref.segment, ref.slot, ref.generation});
   }
   return nullptr;
@@ -26,7 +19,7 @@ Expected<AnnouncedSegments::Entry> AnnouncedSegments::add(segment::Segment& segm
   auto ledger = segment::Ledger::create(segment.slots());
   if (!ledger) return ledger.error();
   segment.attach(*ledger, revoker);
-  entries_.push_back(Entry{segment::SegmentPtr(&segment), *ledger});
+  entries_.push_back(Entry{segment.id(), segment::SegmentPtr(&segment), *ledger});
   return entries_.back();
 }
 
@@ -36,7 +29,7 @@ std::vector<std::uint64_t> AnnouncedSegments::remove_retired() {
   });
   std::vector<std::uint64_t> ids;
   for (auto entry = gone; entry != entries_.end(); ++entry) {
-    ids.push_back(entry->segment->id());
+    ids.push_back(entry->id);
     entry->segment->detach(entry->ledger);
   }
   entries_.erase(gone, entries_.end());

@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "posix/hot.h"
 #include "segment/ledger.h"
 #include "segment/received_segment.h"
 #include "segment/segment.h"
@@ -19,6 +18,7 @@ namespace channel {
 class AnnouncedSegments {
  public:
   struct Entry {
+    std::uint64_t id;
     segment::SegmentPtr segment;
     std::shared_ptr<segment::Ledger> ledger;
   };
@@ -29,8 +29,13 @@ class AnnouncedSegments {
   ~AnnouncedSegments() { clear(); }
 
   std::size_t size() const { return entries_.size(); }
-  /// Null: not announced yet.
-  TZC_HOT std::shared_ptr<segment::Ledger> ledger_of(std::uint64_t segment_id) const;
+  /// Null: not announced yet. Valid until the next call that is not const.
+  segment::Ledger* ledger_of(std::uint64_t segment_id) const {
+    for (const Entry& entry : entries_) {
+      if (entry.id == segment_id) return entry.ledger.get();
+    }
+    return nullptr;
+  }
   /// Null: not announced, or the block is no more.
   BufferPtr revive(const segment::BlockRef& ref) const;
   Expected<Entry> add(segment::Segment& segment, const std::weak_ptr<segment::Revoker>& revoker);

@@ -52,15 +52,12 @@ bool ConnectionImpl::send(const RecordPtr& record) {
   if (!record || posix::forked_since(epoch_)) return false;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!accepts_records() || !announce_segments(*record)) return false;
-  revoke_oldest_down_to(queue_size_ - 1);
+  if (undecided_.size() >= queue_size_) revoke_oldest_down_to(queue_size_ - 1);
   if (!accepts_records()) return false;
   posix::step("publish: before mark");
   claim(record);
   ++stats_.sent;
-  Outgoing item;
-  item.record = record;
-  item.sequence = last_sequence_;
-  transmit(std::move(item));
+  transmit(record);
   return true;
 }
 
@@ -74,7 +71,8 @@ bool ConnectionImpl::is_announced(const Buffer& buffer) const {
   return segments_.ledger_of(segment::Segment::of(buffer).id()) != nullptr;
 }
 
-// Retires before it announces anything: the record itself may have blocks in a segment that nobody else needs.
+// Retires before it announces anything: the record itself may have blocks in a segment that nobody else
+// needs.
 bool ConnectionImpl::announce_missing_segments(const Record& record) {
   retire_segments();
   for (const BufferPtr& buffer : record.buffers()) {
@@ -118,20 +116,37 @@ void ConnectionImpl::claim(const RecordPtr& record) {
   if (keeps_undelivered_) keep(record, entry);
   for (const BufferPtr& buffer : record->buffers()) {
     const segment::BlockName block = segment::Segment::name_of(*buffer);
-    auto ledger = segments_.ledger_of(block.segment);
-    if (ledger->mark(block.slot, block.generation)) entry.claims.push_back(Claim{std::move(ledger), block});
+    if (segments_.ledger_of(block.segment)->mark(block.slot, block.generation)) entry.claims.push_back(block);
     posix::step("publish: marked");
   }
 }
 
+// The usual way: one packet, and the socket takes it at once.
+void ConnectionImpl::transmit(const RecordPtr& record) {
+  const bool in_one_packet = record->size() <= fragment_bytes;
+  if (in_one_packet && writes_directly() &&
+      is_done(Outbox::write_record(socket_.get(), *record, last_sequence_, stats_.bytes)))
+    return;
+  Outgoing item;
+  item.record = record;
+  item.sequence = last_sequence_;
+  in_one_packet ? wait_in_line(std::move(item)) : transmit(std::move(item));
+}
+
 void ConnectionImpl::transmit(Outgoing item) {
-  if (state_ == State::open && outbox_.empty()) {
-    const SendResult result = Outbox::write(socket_.get(), item, stats_.bytes);
-    posix::step("publish: written");
-    if (result == SendResult::gone) return peer_stopped();
-    if (result == SendResult::sent) return;
-    try_again(result);
-  }
+  if (writes_directly() && is_done(Outbox::write(socket_.get(), item, stats_.bytes))) return;
+  wait_in_line(std::move(item));
+}
+
+bool ConnectionImpl::is_done(SendResult written) {
+  posix::step("publish: written");
+  if (written == SendResult::gone) peer_stopped();
+  if (written == SendResult::gone || written == SendResult::sent) return true;
+  try_again(written);
+  return false;
+}
+
+void ConnectionImpl::wait_in_line(Outgoing item) {
   outbox_.push(std::move(item));
   if (outbox_.size() > queue_size_ + 2 * max_segments)
     give_up_on_peer();  // it stopped, and segments come and go
@@ -227,18 +242,24 @@ bool ConnectionImpl::recall(const Undecided::Entry& entry) {
     buffers.push_back(segments_.revive(parsed.refs[i]));
     if (!buffers.back()) return false;
   }
-  undelivered_.push_back(std::make_shared<const Record>(parsed.header, parsed.control, std::move(buffers)));
+  undelivered_.push_back(std::make_shared<const Record>(parsed.header, parsed.control, buffers));
   return true;
 }
 
 void ConnectionImpl::drop_oldest_undecided(bool revoked) {
   if (revoked) {
     const Undecided::Entry& entry = undecided_.oldest();
-    for (const Claim& claim : entry.claims) claim.ledger->revoke(claim.block.slot, claim.block.generation);
+    for (const segment::BlockName& block : entry.claims) revoke_mark(block);
     outbox_.drop_record(entry.sequence);
     ++stats_.dropped;
   }
   undecided_.drop_oldest();
+}
+
+// Without a ledger nothing needs it: that goes only when it holds no mark, or its peer forged that.
+void ConnectionImpl::revoke_mark(const segment::BlockName& block) {
+  segment::Ledger* ledger = segments_.ledger_of(block.segment);
+  if (ledger != nullptr) ledger->revoke(block.slot, block.generation);
 }
 
 void ConnectionImpl::give_up(const segment::BlockName& block) {

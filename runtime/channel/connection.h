@@ -68,15 +68,20 @@ class ConnectionImpl final : public Connection,
   void retire_segments();
   TZC_HOT void claim(const RecordPtr& record);
   TZC_HOT static void keep(const RecordPtr& record, Undecided::Entry& entry);
-  TZC_HOT void transmit(Outgoing item);
+  bool writes_directly() const { return state_ == State::open && outbox_.empty(); }
+  TZC_HOT void transmit(const RecordPtr& record);
+  void transmit(Outgoing item);
+  TZC_HOT bool is_done(posix::SendResult written);
+  void wait_in_line(Outgoing item);
   void flush();
   void try_again(posix::SendResult result);
   void watch_writable(bool wanted);
-  TZC_HOT void settle();
+  void settle();
   void revoke_through(std::uint32_t sequence);
   void end_deliveries();
   bool recall(const Undecided::Entry& entry);
-  TZC_HOT void revoke_oldest_down_to(std::size_t most);
+  void revoke_oldest_down_to(std::size_t most);
+  void revoke_mark(const segment::BlockName& block);
   void drop_oldest_undecided(bool revoked);
   void peer_stopped();
   void give_up_on_peer();

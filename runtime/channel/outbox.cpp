@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/outbox.h"
-#include "posix/hot.h"
 
 #include <algorithm>
+#include <cstring>
 
+#include "posix/hot.h"
 #include "posix/step.h"
 #include "segment/segment.h"
 
@@ -57,14 +58,26 @@ SendResult write_fragments(int socket, Outgoing& item, std::uint64_t& bytes) {
   return SendResult::sent;
 }
 
-TZC_HOT SendResult write_record(int socket, Outgoing& item, std::uint64_t& bytes) {
-  posix::step("publish: before write");
-  if (item.record->size() > fragment_bytes) return write_fragments(socket, item, bytes);
-  const RecordPrefix prefix{PacketKind::record, item.sequence};
-  return write_slice(socket, prefix, item.record->data(), item.record->size(), bytes);
+// One piece of memory is the quicker write: the kernel reads no list of pieces.
+TZC_HOT SendResult write_small(int socket, const RecordPrefix& prefix, const Record& record,
+                               std::uint64_t& bytes) {
+  std::uint8_t packet[sizeof prefix + Record::usual_bytes];
+  std::memcpy(packet, &prefix, sizeof prefix);
+  std::memcpy(packet + sizeof prefix, record.data(), record.size());
+  const SendResult result = posix::send_packet(socket, packet, sizeof prefix + record.size());
+  if (result == SendResult::sent) bytes += sizeof prefix + record.size();
+  return result;
 }
 
 }  // namespace
+
+SendResult Outbox::write_record(int socket, const Record& record, std::uint32_t sequence,
+                                std::uint64_t& bytes) {
+  posix::step("publish: before write");
+  const RecordPrefix prefix{PacketKind::record, sequence};
+  if (record.size() <= Record::usual_bytes) return write_small(socket, prefix, record, bytes);
+  return write_slice(socket, prefix, record.data(), record.size(), bytes);
+}
 
 SendResult Outbox::write(int socket, Outgoing& item, std::uint64_t& bytes) {
   switch (item.kind) {
@@ -73,7 +86,8 @@ SendResult Outbox::write(int socket, Outgoing& item, std::uint64_t& bytes) {
     case PacketKind::retire_segment:
       return write_packet(socket, RetireSegment{item.kind, 0, item.segment_id}, bytes);
     default:
-      return write_record(socket, item, bytes);
+      if (item.record->size() > fragment_bytes) return write_fragments(socket, item, bytes);
+      return write_record(socket, *item.record, item.sequence, bytes);
   }
 }
 

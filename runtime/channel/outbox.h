@@ -30,8 +30,11 @@ struct Outgoing {
 /// What waits because the socket was full, in order. Not thread-safe.
 class Outbox {
  public:
+  /// Writes a record that fits in one packet and adds what it wrote to `bytes`.
+  TZC_HOT static posix::SendResult write_record(int socket, const Record& record, std::uint32_t sequence,
+                                                std::uint64_t& bytes);
   /// Writes as much of `item` as the socket takes and adds what it wrote to `bytes`.
-  TZC_HOT static posix::SendResult write(int socket, Outgoing& item, std::uint64_t& bytes);
+  static posix::SendResult write(int socket, Outgoing& item, std::uint64_t& bytes);
 
   bool empty() const { return items_.empty(); }
   std::size_t size() const { return items_.size(); }

@@ -9,7 +9,7 @@ namespace tzc {
 namespace channel {
 namespace {
 
-constexpr std::size_t usual_blocks = 2;  // an image has one, and one more for a control part that is large
+constexpr std::size_t usual_blocks = 2;
 
 }  // namespace
 
@@ -29,7 +29,6 @@ bool parse_body(const std::uint8_t* data, std::size_t size, ParsedBody& parsed) 
 }
 
 ReceivedMessage::ReceivedMessage(std::shared_ptr<const Link> link) : link_(std::move(link)) {
-  holds_.reserve(usual_blocks);
   blocks_.reserve(usual_blocks);
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "channel/few.h"
 #include "channel/link.h"
 #include "channel/wire.h"
 #include "posix/hot.h"
@@ -51,7 +52,7 @@ class ReceivedMessage final : public Message {
   };
 
   const std::shared_ptr<const Link> link_;
-  std::vector<Hold> holds_;
+  Few<Hold, 2> holds_;  // an image has one block, and one more for a control part that is large
   std::vector<std::uint8_t> body_;
   alignas(8) std::uint8_t packet_[packet_bytes];  // not initialised: the kernel fills it
 };

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/record.h"
-#include "posix/hot.h"
 
 #include <cstring>
 
 #include "channel/received_message.h"
 #include "channel/wire.h"
+#include "posix/hot.h"
 #include "segment/segment.h"
 
 namespace tzc {
@@ -33,7 +33,12 @@ TZC_HOT BufferPtr control_block(const void* control, std::size_t size, MemorySou
   return block;
 }
 
-TZC_HOT bool all_valid(const std::vector<BufferPtr>& buffers) {
+std::uint8_t* append(std::uint8_t* at, const void* data, std::size_t size) {
+  if (size > 0) std::memcpy(at, data, size);
+  return at + size;
+}
+
+TZC_HOT bool all_valid(BufferSpan buffers) {
   for (const BufferPtr& buffer : buffers) {
     if (!buffer) return false;
   }
@@ -42,10 +47,12 @@ TZC_HOT bool all_valid(const std::vector<BufferPtr>& buffers) {
 
 }  // namespace
 
-Record::Record(const BodyHeader& header, const void* control, std::vector<BufferPtr> buffers)
-    : buffers_(std::move(buffers)),
-      size_(sizeof header + buffers_.size() * sizeof(segment::BlockRef) + inlined_control_size(header)),
+Record::Record(const BodyHeader& header, const void* control, BufferSpan buffers,
+               const BufferPtr& control_block)
+    : size_(sizeof header + header.block_count * sizeof(segment::BlockRef) + inlined_control_size(header)),
       large_(size_ > usual_bytes ? new std::uint8_t[size_] : nullptr) {
+  for (const BufferPtr& buffer : buffers) buffers_.push_back(buffer);
+  if (control_block) buffers_.push_back(control_block);
   std::uint8_t* at = append(large_ ? large_.get() : small_, &header, sizeof header);
   for (const BufferPtr& buffer : buffers_) {
     const segment::BlockRef ref = reference_to(*buffer);
@@ -54,22 +61,17 @@ Record::Record(const BodyHeader& header, const void* control, std::vector<Buffer
   append(at, control, inlined_control_size(header));
 }
 
-std::uint8_t* Record::append(std::uint8_t* at, const void* data, std::size_t size) {
-  if (size > 0) std::memcpy(at, data, size);
-  return at + size;
-}
-
 TZC_HOT RecordPtr make_record(std::uint32_t tag, const void* control, std::size_t control_size,
-                              std::vector<BufferPtr> buffers, MemorySource* memory) {
+                              BufferSpan buffers, MemorySource* memory) {
   if (!all_valid(buffers) || control_size > max_body_bytes / 2) return nullptr;
-  BodyHeader header{tag, 0, 0, 0, control_size};
-  if (BufferPtr block = control_block(control, control_size, memory)) {
-    buffers.push_back(std::move(block));
-    header.flags = control_in_last_block;
-  }
-  header.block_count = static_cast<std::uint32_t>(buffers.size());
   for (const BufferPtr& buffer : buffers) buffer->seal();
-  return std::make_shared<const Record>(header, control, std::move(buffers));
+  BodyHeader header{tag, 0, static_cast<std::uint32_t>(buffers.size()), 0, control_size};
+  const BufferPtr block = control_block(control, control_size, memory);
+  if (!block) return std::make_shared<const Record>(header, control, buffers);
+  block->seal();
+  header.flags = control_in_last_block;
+  ++header.block_count;
+  return std::make_shared<const Record>(header, control, buffers, block);
 }
 
 RecordParts parts_of(const Record& record) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "channel/few.h"
 #include "channel/wire.h"
 #include "posix/hot.h"
 #include "tzc/channel.h"
@@ -17,19 +18,21 @@ namespace channel {
 /// usual size lies in the record itself: one allocation for each message, and few cache lines.
 class Record {
  public:
-  TZC_HOT Record(const BodyHeader& header, const void* control, std::vector<BufferPtr> buffers);
+  /// `control_block` comes after the other buffers; null unless the header says that it holds the control
+  /// part.
+  TZC_HOT Record(const BodyHeader& header, const void* control, BufferSpan buffers,
+                 const BufferPtr& control_block = nullptr);
 
   const std::uint8_t* data() const { return large_ ? large_.get() : small_; }
   std::size_t size() const { return size_; }
-  const std::vector<BufferPtr>& buffers() const { return buffers_; }
+  const Few<BufferPtr, 2>& buffers() const { return buffers_; }
 
- private:
+  /// Up to this size data() lies in the record itself.
   static constexpr std::size_t usual_bytes = 512;
 
-  TZC_HOT std::uint8_t* append(std::uint8_t* at, const void* data, std::size_t size);
-
-  const std::vector<BufferPtr> buffers_;
-  const std::size_t size_;
+ private:
+  Few<BufferPtr, 2> buffers_;
+  std::size_t size_;
   std::unique_ptr<std::uint8_t[]> large_;
   std::uint8_t small_[usual_bytes];  // not initialised: most of it is never looked at
 };

@@ -7,44 +7,40 @@ namespace tzc {
 namespace channel {
 namespace {
 
-constexpr std::size_t most_spare = 64;
-
-bool same_block(const segment::BlockName& a, const segment::BlockName& b) {
-  return a.segment == b.segment && a.slot == b.slot && a.generation == b.generation;
-}
+constexpr std::size_t initial_entries = 8;
+constexpr std::size_t usual_body_bytes = 1024;  // larger ones don't stay allocated
 
 bool refers_to(const Undecided::Entry& entry, const segment::BlockName& block) {
-  return std::any_of(entry.claims.begin(), entry.claims.end(),
-                     [&block](const Claim& claim) { return same_block(claim.block, block); });
+  return std::any_of(entry.claims.begin(), entry.claims.end(), [&block](const segment::BlockName& claim) {
+    return claim.segment == block.segment && claim.slot == block.slot && claim.generation == block.generation;
+  });
 }
 
 }  // namespace
 
-Undecided::Entry& Undecided::push(std::uint32_t sequence) {
-  if (spare_.empty()) spare_.emplace_back();
-  entries_.push_back(std::move(spare_.back()));
-  spare_.pop_back();
-  entries_.back().sequence = sequence;
-  return entries_.back();
-}
-
-void Undecided::drop_newest() {
-  entries_.pop_back();
+void Undecided::grow() {
+  std::vector<Entry> larger(ring_.empty() ? initial_entries : 2 * ring_.size());
+  for (std::size_t i = 0; i < size_; ++i) larger[i] = std::move(ring_[(first_ + i) & (ring_.size() - 1)]);
+  ring_ = std::move(larger);
+  first_ = 0;
 }
 
 void Undecided::drop_oldest() {
-  Entry& entry = entries_.front();
+  Entry& entry = ring_[first_];
+  entry.claims.clear();
+  if (entry.body.capacity() > usual_body_bytes) std::vector<std::uint8_t>().swap(entry.body);
   entry.body.clear();
   entry.record.reset();
-  entry.claims.clear();
-  if (spare_.size() < most_spare) spare_.push_back(std::move(entry));
-  entries_.pop_front();
+  first_ = (first_ + 1) & (ring_.size() - 1);
+  --size_;
 }
 
 const Undecided::Entry* Undecided::find_last(const segment::BlockName& block) const {
-  const auto found = std::find_if(entries_.rbegin(), entries_.rend(),
-                                  [&block](const Entry& entry) { return refers_to(entry, block); });
-  return found == entries_.rend() ? nullptr : &*found;
+  for (std::size_t i = size_; i > 0; --i) {
+    const Entry& entry = ring_[(first_ + i - 1) & (ring_.size() - 1)];
+    if (refers_to(entry, block)) return &entry;
+  }
+  return nullptr;
 }
 
 }  // namespace channel

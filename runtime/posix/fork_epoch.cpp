@@ -3,16 +3,15 @@
 
 #include <pthread.h>
 
-#include <atomic>
-
 namespace tzc {
 namespace posix {
+
+std::atomic<std::uint32_t> forks{0};
+
 namespace {
 
-std::atomic<std::uint32_t> epoch{0};
-
 void count_fork() {
-  epoch.fetch_add(1, std::memory_order_relaxed);
+  forks.fetch_add(1, std::memory_order_relaxed);
 }
 
 bool watch_forks() {
@@ -24,7 +23,7 @@ bool watch_forks() {
 std::uint32_t fork_epoch() noexcept {
   static const bool watched = watch_forks();
   (void)watched;
-  return epoch.load(std::memory_order_relaxed);
+  return forks.load(std::memory_order_relaxed);
 }
 
 }  // namespace posix

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 namespace tzc {
@@ -11,9 +12,11 @@ namespace posix {
 /// with its parent.
 std::uint32_t fork_epoch() noexcept;
 
+extern std::atomic<std::uint32_t> forks;  // fork_epoch() starts the count; only for forked_since
+
 /// True in a process that was forked after `epoch` was read.
 inline bool forked_since(std::uint32_t epoch) noexcept {
-  return fork_epoch() != epoch;
+  return forks.load(std::memory_order_relaxed) != epoch;
 }
 
 }  // namespace posix

@@ -72,6 +72,14 @@ SendResult send_packet(int socket, const iovec* parts, std::size_t part_count, c
   return sent >= 0 ? SendResult::sent : classify_send_failure(errno);
 }
 
+SendResult send_packet(int socket, const void* data, std::size_t size) noexcept {
+  ssize_t sent = 0;
+  do {
+    sent = ::send(socket, data, size, MSG_DONTWAIT | MSG_NOSIGNAL);
+  } while (sent < 0 && errno == EINTR);
+  return sent >= 0 ? SendResult::sent : classify_send_failure(errno);
+}
+
 ReceiveResult receive_packet(int socket, void* memory, std::size_t size, Waiting waiting,
                              bool with_descriptors, ReceivedPacket& packet) noexcept {
   const iovec whole{memory, size};

@@ -26,6 +26,9 @@ enum class SendResult {
 TZC_HOT SendResult send_packet(int socket, const iovec* parts, std::size_t part_count,
                                const int* descriptors = nullptr, std::size_t descriptor_count = 0) noexcept;
 
+/// The same for a packet that lies in one piece.
+TZC_HOT SendResult send_packet(int socket, const void* data, std::size_t size) noexcept;
+
 enum class Waiting { block, return_at_once };
 
 enum class ReceiveResult {

@@ -33,7 +33,7 @@ using RecordPtr = std::shared_ptr<const Record>;
 /// A control part over 64 KB goes into a block of `memory` when that is given and not exhausted, otherwise it
 /// travels as fragments over the socket. Null when a buffer is null, or for more than 4096 buffers.
 RecordPtr make_record(std::uint32_t tag, const void* control, std::size_t control_size,
-                      std::vector<BufferPtr> buffers = {}, MemorySource* memory = nullptr);
+                      BufferSpan buffers = {}, MemorySource* memory = nullptr);
 
 /// What a record says. Valid for as long as the record lives.
 struct RecordParts {

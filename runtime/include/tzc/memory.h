@@ -4,9 +4,11 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <tzc/error.h>
 #include <tzc/policy.h>
@@ -92,6 +94,26 @@ class BufferPtr {
   }
 
   Buffer* buffer_ = nullptr;
+};
+
+/// Some handles that lie next to each other, for a parameter: a vector, or a list in braces. Owns nothing;
+/// valid for as long as what it was made from.
+class BufferSpan {
+ public:
+  BufferSpan() noexcept = default;
+  BufferSpan(const BufferPtr* first, std::size_t size) noexcept : first_(first), size_(size) {}
+  BufferSpan(const std::vector<BufferPtr>& buffers) noexcept  // NOLINT: implicit
+      : BufferSpan(buffers.data(), buffers.size()) {}
+  BufferSpan(std::initializer_list<BufferPtr> buffers) noexcept  // NOLINT: implicit
+      : BufferSpan(buffers.begin(), buffers.size()) {}
+
+  const BufferPtr* begin() const noexcept { return first_; }
+  const BufferPtr* end() const noexcept { return first_ + size_; }
+  std::size_t size() const noexcept { return size_; }
+
+ private:
+  const BufferPtr* first_ = nullptr;
+  std::size_t size_ = 0;
 };
 
 /// Where message arrays get their memory from. Held by std::shared_ptr everywhere; thread-safe.
