@@ -11,6 +11,7 @@
 #include <ros/publisher_link.h>
 #include <ros/single_subscriber_publisher.h>
 #include <ros/subscription.h>
+#include <ros/subscription_queue.h>
 #include <ros/topic_manager.h>
 #include <ros/transport/transport_tcp.h>
 #include <ros/transport_subscriber_link.h>
@@ -48,6 +49,8 @@ TZC_GRANT(PublisherLinksOf, ros::Subscription, PublisherLinks, publisher_links_)
 TZC_GRANT(PublisherLinksMutex, ros::Subscription, boost::mutex, publisher_links_mutex_)
 TZC_GRANT(NonconstCallbacks, ros::Subscription, std::uint32_t, nonconst_callbacks_)
 TZC_GRANT(CallbacksMutex, ros::Subscription, boost::mutex, callbacks_mutex_)
+
+TZC_GRANT(CallbackMutex, ros::SubscriptionQueue, boost::recursive_mutex, callback_mutex_)
 
 TZC_GRANT(SubscriberLinks, ros::Publication, ros::V_SubscriberLink, subscriber_links_)
 TZC_GRANT(SubscriberLinksMutex, ros::Publication, boost::mutex, subscriber_links_mutex_)

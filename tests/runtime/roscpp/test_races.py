@@ -56,6 +56,17 @@ class Races(TopicCase):
         self.assertEqual(self.race("silent", pid=listener.process.pid), {"unanswered": True, "parked": True})
         self.assert_got(listener, range(10), shared=True)
 
+    def test_two_publishers_at_once_on_a_direct_subscriber(self):
+        """Callbacks don't run at the same time, and the message that had to wait needs no other one to come."""
+        subscriber = Listener(self.node("racer", "subscriber", {"race": "two_at_once"}))
+        talkers = [self.start_talker(name=f"talker_{i}", count=1, subscribers=1) for i in range(2)]
+        for talker in talkers:
+            self.assertEqual(talker.wait(60), 0, talker.tail())
+        self.wait_for(subscriber, 2)
+        self.assertEqual(subscriber.numbers(), [0, 0])
+        self.assertTrue(all(message["right"] and message["shared"] for message in subscriber.messages()))
+        self.assertEqual(self.events(subscriber), {"second came meanwhile": True})
+
 
 if __name__ == "__main__":
     main()

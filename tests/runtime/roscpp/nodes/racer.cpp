@@ -12,6 +12,7 @@
 ///                 already
 ///   silent        a publisher: the subscriber (pid) is stopped when it is called with the offer, and goes on
 ///                 when the call is given up
+///   two_at_once   a direct subscriber: a message of another publisher comes while the callback for the first one runs
 ///   planted       a subscriber with a data race of its own, for ThreadSanitizer to find
 #include <ros/callback_queue_interface.h>
 #include <ros/poll_manager.h>
@@ -226,6 +227,20 @@ void slow_reader(ros::NodeHandle& node) {
   }
 }
 
+// The second message can't be called back yet, and nothing else will come that could take it along.
+void two_at_once(ros::NodeHandle& node) {
+  tzc::posix::step_hook = [](const char* step) {
+    if (std::string(step) == "direct: waits for a callback") gate().tell("second");
+  };
+  const boost::function<void(const sensor_msgs::ImageConstPtr&)> print =
+      [](const sensor_msgs::ImageConstPtr& image) {
+        print_event("second came meanwhile", gate().wait_for({"second"}));
+        tzc_test::print_image(*image);
+      };
+  const ros::Subscriber subscriber = tzc::subscribe_direct<sensor_msgs::Image>(node, "image", 100, print);
+  ros::spin();
+}
+
 int planted_counter = 0;
 
 // The transport's reader thread writes what the main thread reads.
@@ -252,6 +267,7 @@ int main(int argc, char** argv) {
   if (race == "silent") silent(node);
   if (race == "busy_queue") busy_queue(node);
   if (race == "slow_reader") slow_reader(node);
+  if (race == "two_at_once") two_at_once(node);
   if (race == "planted") planted(node);
   tzc::posix::step_hook = nullptr;
 }
