@@ -6,6 +6,7 @@
 
 #include <cstring>
 
+#include "roscpp/direct_call.h"
 #include "roscpp/direct_queue.h"
 #include "roscpp/offer.h"
 #include "roscpp/roscpp_access.h"
@@ -41,6 +42,7 @@ void Inlet::take(const channel::MessagePtr& message) {
   if (message->tag() == kSwitch) return;
   const ros::SubscriptionPtr subscription = subscription_.lock();
   if (!subscription || subscription->isDropped()) return;
+  if (message->tag() == kControlPart && take_directly(*subscription, message)) return;
   {
     const DirectReaderScope scope;
     if (message->tag() == kControlPart) take_control_part(*subscription, message);
@@ -49,20 +51,26 @@ void Inlet::take(const channel::MessagePtr& message) {
   run_direct_callbacks();
 }
 
-boost::shared_ptr<void> Inlet::decode(ros::Subscription& subscription,
-                                      const channel::MessagePtr& message) const {
-  if (has_writers(subscription))
-    return codec_.copy(message->control(), message->control_size(), message->blocks());
-  return codec_.view(message->control(), message->control_size(), message->blocks(), message);
+boost::shared_ptr<void> Inlet::decode(const channel::MessagePtr& message, bool copied) const {
+  const boost::shared_ptr<void> decoded =
+      copied ? codec_.copy(message->control(), message->control_size(), message->blocks())
+             : codec_.view(message->control(), message->control_size(), message->blocks(), message);
+  if (!decoded) {
+    ROS_WARN_STREAM_THROTTLE(
+        10, "TZC: a malformed message on " << topic_ << " from " << link_->getCallerID() << " is dropped");
+  }
+  return decoded;
+}
+
+bool Inlet::take_directly(ros::Subscription& subscription, const channel::MessagePtr& message) {
+  return call_directly(subscription,
+                       {*codec_.type, link_->isLatched(), link_->getConnection()->getHeader().getValues(),
+                        [&](bool writes) { return decode(message, writes); }});
 }
 
 void Inlet::take_control_part(ros::Subscription& subscription, const channel::MessagePtr& message) {
-  const boost::shared_ptr<void> decoded = decode(subscription, message);
-  if (!decoded) {
-    ROS_WARN_STREAM_THROTTLE(10, "TZC: a malformed message on " << subscription.getName() << " from "
-                                                                << link_->getCallerID() << " is dropped");
-    return;
-  }
+  const boost::shared_ptr<void> decoded = decode(message, has_writers(subscription));
+  if (!decoded) return;
   bool ser = false, nocopy = false;
   subscription.getPublishTypes(ser, nocopy, *codec_.type);
   // Callbacks of another C++ type, and those that subscribe to a latched topic later, need the stock wire

@@ -12,13 +12,17 @@
 
 namespace tzc {
 
-/// Where one publisher's shared messages enter a subscription of this process, under the name of the (parked) TCPROS
-/// link that they replace: latching, statistics, connection headers and queues are roscpp's. Runs on the channel's
-/// reader thread.
+/// Where one publisher's shared messages enter a subscription of this process, under the name of the (parked)
+/// TCPROS link that they replace: latching, statistics, connection headers and queues are roscpp's. Runs on
+/// the channel's reader thread.
 class Inlet {
  public:
-  Inlet(const ros::SubscriptionPtr& subscription, ros::TransportPublisherLinkPtr link, detail::MessageCodec codec)
-      : subscription_(subscription), link_(std::move(link)), codec_(std::move(codec)) {}
+  Inlet(const ros::SubscriptionPtr& subscription, ros::TransportPublisherLinkPtr link,
+        detail::MessageCodec codec)
+      : topic_(subscription->getName()),
+        subscription_(subscription),
+        link_(std::move(link)),
+        codec_(std::move(codec)) {}
 
   void take(const channel::MessagePtr& message);
 
@@ -26,8 +30,10 @@ class Inlet {
   void take_control_part(ros::Subscription& subscription, const channel::MessagePtr& message);
   void take_whole_message(ros::Subscription& subscription, const channel::MessagePtr& message);
   void give(ros::Subscription& subscription, const ros::SerializedMessage& message, bool ser, bool nocopy);
-  boost::shared_ptr<void> decode(ros::Subscription& subscription, const channel::MessagePtr& message) const;
+  bool take_directly(ros::Subscription& subscription, const channel::MessagePtr& message);
+  boost::shared_ptr<void> decode(const channel::MessagePtr& message, bool copied) const;
 
+  const std::string topic_;
   const ros::SubscriptionWPtr subscription_;
   const ros::TransportPublisherLinkPtr link_;
   const detail::MessageCodec codec_;

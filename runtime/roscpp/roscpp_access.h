@@ -36,6 +36,19 @@ struct Grant {
   template struct Grant<Name, &Class::Field>;      \
   inline Type& Field(Class& object, Name = Name()) { return object.*member(Name()); }
 
+template <class Tag, auto Member>
+struct GrantUnnamed {
+  friend auto member(Tag) { return Member; }
+};
+
+/// For a member whose type has a private name.
+#define TZC_GRANT_UNNAMED(Name, Class, Field)      \
+  struct Name {                                    \
+    friend auto member(Name);                      \
+  };                                               \
+  template struct GrantUnnamed<Name, &Class::Field>; \
+  inline auto& Field(Class& object) { return object.*member(Name()); }
+
 typedef std::list<ros::SubscriptionPtr> SubscriptionList;
 typedef std::vector<ros::PublisherLinkPtr> PublisherLinks;
 typedef std::vector<ros::SerializedMessage> SerializedMessages;
@@ -50,7 +63,14 @@ TZC_GRANT(PublisherLinksMutex, ros::Subscription, boost::mutex, publisher_links_
 TZC_GRANT(NonconstCallbacks, ros::Subscription, std::uint32_t, nonconst_callbacks_)
 TZC_GRANT(CallbacksMutex, ros::Subscription, boost::mutex, callbacks_mutex_)
 
+TZC_GRANT_UNNAMED(Callbacks, ros::Subscription, callbacks_)
+TZC_GRANT(Statistics, ros::Subscription, ros::StatisticsLogger, statistics_)
+TZC_GRANT(EnableStatistics, ros::StatisticsLogger, bool, enable_statistics)
+
 TZC_GRANT(CallbackMutex, ros::SubscriptionQueue, boost::recursive_mutex, callback_mutex_)
+TZC_GRANT(QueueMutex, ros::SubscriptionQueue, boost::mutex, queue_mutex_)
+TZC_GRANT(QueueSize, ros::SubscriptionQueue, std::uint32_t, queue_size_)
+TZC_GRANT(AllowConcurrentCallbacks, ros::SubscriptionQueue, bool, allow_concurrent_callbacks_)
 
 TZC_GRANT(SubscriberLinks, ros::Publication, ros::V_SubscriberLink, subscriber_links_)
 TZC_GRANT(SubscriberLinksMutex, ros::Publication, boost::mutex, subscriber_links_mutex_)
@@ -68,6 +88,7 @@ TZC_GRANT(Socket, ros::TransportTCP, int, sock_)
 TZC_GRANT(ReadMutex, ros::Connection, boost::recursive_mutex, read_mutex_)
 
 #undef TZC_GRANT
+#undef TZC_GRANT_UNNAMED
 
 }  // namespace roscpp_access
 }  // namespace tzc

@@ -67,6 +67,14 @@ class Races(TopicCase):
         self.assertTrue(all(message["right"] and message["shared"] for message in subscriber.messages()))
         self.assertEqual(self.events(subscriber), {"second came meanwhile": True})
 
+    def test_a_direct_callback_waits_for_that_of_the_last_tcpros_message(self):
+        """That one runs on another thread."""
+        subscriber = Listener(self.node("racer", "subscriber", {"race": "two_at_once"}))
+        self.race("by_reference")
+        self.assert_got(subscriber, range(10))
+        self.assertEqual([m["shared"] for m in subscriber.messages()], [False] + 9 * [True])
+        self.assertEqual(self.events(subscriber), {"second came meanwhile": True})
+
 
 if __name__ == "__main__":
     main()
