@@ -18,7 +18,10 @@ class Latch(TopicCase):
         self.assertTrue(talker.alive())
 
     def test_latched_and_flowing(self):
-        """Who is there gets all, who comes late starts with the last one; nobody gets any twice."""
+        """Who is there gets all, who comes late starts with the last one, and gets no later one twice.
+
+        That first one may come twice with plain roscpp, too: Publication::addSubscriberLink adds the link, which what
+        is published then finds, and only afterwards sends it the last message."""
         early = self.listen()
         talker = self.start_talker(latch=True, count=200, rate=100, linger=60)
         self.wait_for(early, 50)
@@ -26,8 +29,9 @@ class Latch(TopicCase):
         self.assert_got(early, range(200))
         for listener in (late, plain):
             self.wait_for(listener, 1)
-            start = listener.numbers()[0]
-            self.assert_got(listener, range(start, 200))
+            self.wait_for(listener, 2)
+            first, second = listener.numbers()[:2]
+            self.assert_got(listener, [first] * (first == second) + list(range(first, 200)))
         last = self.listen()
         self.assert_got(last, [199])
         self.assert_seq_as_tcpros(early)
