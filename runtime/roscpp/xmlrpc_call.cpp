@@ -9,13 +9,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Runs the client's own event loop in small steps until the answer is there. False: time is up.
+/// Runs the client's own event loop in small steps until the answer is there. False: the connection has
+/// ended, or time is up. executeNonBlock has put the client into its loop; if it were there twice, the loop
+/// would spin.
 bool wait_for_answer(XmlRpc::XmlRpcClient& client, XmlRpc::XmlRpcValue& result, Clock::time_point deadline) {
-  client._disp.addSource(&client, XmlRpc::XmlRpcDispatch::WritableEvent | XmlRpc::XmlRpcDispatch::Exception);
-  bool done = false;
-  while (!(done = client.executeCheckDone(result)) && Clock::now() < deadline) client._disp.work(0.02);
-  client._disp.removeSource(&client);
-  return done;
+  while (!client.executeCheckDone(result)) {
+    if (client.getfd() < 0 || Clock::now() > deadline) return false;
+    client._disp.work(0.02);
+  }
+  return result.valid();  // or else the connection has ended
 }
 
 XmlRpcReply no_answer(const std::string& why) {

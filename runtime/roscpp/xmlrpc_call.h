@@ -19,8 +19,8 @@ struct XmlRpcReply {
   bool succeeded() const { return answered && code == 1; }
 };
 
-/// Calls a ROS node's XMLRPC method and waits at most `timeout` (XmlRpcClient alone waits forever). Blocks: for the
-/// worker thread only. `uri` is http://host:port/.
+/// Calls a ROS node's XMLRPC method and waits at most `timeout` (XmlRpcClient alone waits forever). Blocks:
+/// for the caller's thread. `uri` is http://host:port/.
 XmlRpcReply call_node(const std::string& uri, const char* method, const XmlRpc::XmlRpcValue& params,
                       std::chrono::milliseconds timeout);
 
