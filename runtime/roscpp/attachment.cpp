@@ -14,7 +14,7 @@ namespace tzc {
 namespace detail {
 namespace {
 
-/// Advertises the topic once more, for our connect callback alone, on the worker's queue. It is told about
+/// Advertises the topic once more, for our connect callback alone, on the caller's queue. It is told about
 /// subscribers that are there already, and ends with `tracked`.
 ros::Publisher observe(ros::NodeHandle& node, const ros::AdvertiseOptions& options,
                        const std::shared_ptr<Port>& port) {
@@ -40,7 +40,8 @@ std::shared_ptr<Attachment> Attachment::create(ros::NodeHandle& node, const ros:
   const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
   if (!publication) return nullptr;
   std::shared_ptr<Attachment> attachment(new Attachment);
-  attachment->port_ = Port::of(publication, configured(publisher_options), runtime().worker);
+  attachment->port_ =
+      Port::of(publication, configured(publisher_options), runtime().worker, runtime().caller);
   if (!attachment->port_) return nullptr;
   attachment->port_->records().add_codec(codec);
   attachment->observer_ = observe(node, options, attachment->port_);

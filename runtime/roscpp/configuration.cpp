@@ -24,7 +24,7 @@ constexpr Variable kVariables[] = {
     {"TZC_DISABLE", "disable"},           {"TZC_DISABLE_TOPICS", "disable_topics"},
     {"TZC_MEMORY_SIZE", "memory_size"},   {"TZC_POLICY", "policy"},
     {"TZC_ATTEMPTS", "attempts"},         {"TZC_PREFAULT", "prefault"},
-    {"TZC_ON_EXHAUSTED", "on_exhausted"},
+    {"TZC_ON_EXHAUSTED", "on_exhausted"}, {"TZC_TRIES", "tries"},
 };
 
 std::string to_text(XmlRpc::XmlRpcValue& value) {
@@ -62,7 +62,9 @@ const std::string* find(const char* name) {
   return found == settings().end() || found->second.empty() ? nullptr : &found->second;
 }
 
-bool is_true(const std::string& text) { return text != "0" && text != "false"; }
+bool is_true(const std::string& text) {
+  return text != "0" && text != "false";
+}
 
 std::set<std::string> split(const std::string& list) {
   std::set<std::string> items;
@@ -80,7 +82,8 @@ void choose(const char* name, const std::map<std::string, Option>& choices, Opti
   if (found != choices.end())
     option = found->second;
   else
-    ROS_WARN_STREAM_ONCE("TZC: ~tzc/" << name << " can't be '" << *text << "' (see docs/configuration.md); ignored");
+    ROS_WARN_STREAM_ONCE("TZC: ~tzc/" << name << " can't be '" << *text
+                                      << "' (see docs/configuration.md); ignored");
 }
 
 template <class Number>
@@ -104,6 +107,12 @@ bool is_enabled(const std::string& topic) {
   return !topics || split(*topics).count(topic) == 0;
 }
 
+int most_tries() {
+  int tries = 10;
+  read_number("tries", tries);
+  return tries;
+}
+
 PublisherOptions configured(const PublisherOptions& in_code) {
   PublisherOptions options = in_code;
   read_number("memory_size", options.memory_size);
@@ -113,9 +122,10 @@ PublisherOptions configured(const PublisherOptions& in_code) {
                       {"medium_effort", PolicyKind::medium_effort},
                       {"worst_effort", PolicyKind::worst_effort}},
                      options.policy.kind);
-  choose<Prefault>("prefault",
-                   {{"none", Prefault::none}, {"on_first_use", Prefault::on_first_use}, {"all", Prefault::all}},
-                   options.prefault);
+  choose<Prefault>(
+      "prefault",
+      {{"none", Prefault::none}, {"on_first_use", Prefault::on_first_use}, {"all", Prefault::all}},
+      options.prefault);
   choose<OnExhausted>("on_exhausted", {{"deliver", OnExhausted::deliver}, {"drop", OnExhausted::drop}},
                       options.on_exhausted);
   return options;

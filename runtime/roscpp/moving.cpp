@@ -21,13 +21,10 @@ constexpr std::chrono::microseconds kPoll(300);
 }  // namespace
 
 void Port::connected(const channel::ConnectionPtr& connection) {
-  const TcpLink tcp = expected(connection->hello(), true);
+  const TcpLink tcp = offering_->welcome(connection->hello());
   const SharedLinkPtr link = tcp ? park(tcp, connection) : SharedLinkPtr();
   if (!link) return connection->close();
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    by_connection_[connection] = link;
-  }
+  by_connection_[connection] = link;
   watch(link);
   ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << tcp->getDestinationCallerID()
                            << " goes through shared memory");
@@ -75,28 +72,30 @@ void Port::look_again(const SharedLinkPtr& link, void (Port::*act)(const SharedL
 }
 
 void Port::disconnected(const channel::ConnectionPtr& connection) {
-  SharedLinkPtr link;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = by_connection_.find(connection);
-    if (found == by_connection_.end()) return;
-    link = found->second.lock();
-    by_connection_.erase(found);
-  }
+  const auto found = by_connection_.find(connection);
+  if (found == by_connection_.end()) return;
+  const SharedLinkPtr link = found->second.lock();
+  by_connection_.erase(found);
   if (link) come_back(link);
 }
 
 void Port::come_back(const SharedLinkPtr& link) {
   const ros::PublicationPtr publication = publication_.lock();
   if (!publication || link->parked()->getConnection()->isDropped()) return;
-  const Standstill standstill(*publication);
+  if (!try_come_back(*publication, link)) return look_again(link, &Port::come_back);
+  ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << link->getDestinationCallerID() << " is back on TCPROS");
+  offering_->lost(link->parked());
+}
+
+bool Port::try_come_back(ros::Publication& publication, const SharedLinkPtr& link) {
+  const Standstill standstill(publication);
   if (!link->has_returned() && link->try_return(standstill.queued())) {
     --links_;
     posix::step("move: returned");
   }
-  if (!link->may_be_replaced()) return look_again(link, &Port::come_back);
-  put_back_locked(*publication, link);
-  ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << link->getDestinationCallerID() << " is back on TCPROS");
+  if (!link->may_be_replaced()) return false;
+  put_back_locked(publication, link);
+  return true;
 }
 
 void Port::put_back_locked(ros::Publication& publication, const SharedLinkPtr& link) {

@@ -1,33 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The port's half of the upgrade: inviting a TCPROS subscriber.
+#include "roscpp/offering.h"
+
 #include <ros/connection.h>
 #include <ros/console.h>
 #include <ros/master.h>
-#include <ros/publication.h>
 #include <ros/this_node.h>
 
+#include <algorithm>
 #include <random>
 
 #include "posix/step.h"
+#include "roscpp/configuration.h"
 #include "roscpp/connection_name.h"
 #include "roscpp/host_identity.h"
-#include "roscpp/offer.h"
-#include "roscpp/port.h"
-#include "roscpp/roscpp_access.h"
+#include "roscpp/patience.h"
 #include "roscpp/xmlrpc_call.h"
 
 namespace tzc {
 namespace detail {
 namespace {
 
-namespace access = roscpp_access;
-
-/// Longer than any healthy node takes; a stopped one must not keep the worker from the others for long.
-constexpr std::chrono::milliseconds kCallTimeout(2000);
-
-/// Who has not come to the channel by then gets another offer, so many times.
-constexpr std::chrono::seconds kPatience(3);
-constexpr int kOffers = 4;
+/// A channel that broke would mostly break again at once.
+constexpr std::chrono::milliseconds kAfterLoss(5000);
+/// Who was on shared memory for so long has a new set of tries.
+constexpr std::chrono::minutes kLasting(1);
 
 std::string random_token() {
   std::random_device random;
@@ -36,90 +32,172 @@ std::string random_token() {
   return token;
 }
 
-/// Where a node answers XMLRPC calls; empty when the master does not know it.
-std::string node_uri(const std::string& caller_id) {
+/// Where a node answers XMLRPC calls; empty, and the trouble is told, when that can't be learnt.
+std::string node_uri(const std::string& node, std::string& trouble) {
   XmlRpc::XmlRpcValue params;
   params[0] = ros::this_node::getName();
-  params[1] = caller_id;
-  XmlRpcReply reply = call_node(ros::master::getURI(), "lookupNode", params, kCallTimeout);
-  const bool found = reply.succeeded() && reply.value.getType() == XmlRpc::XmlRpcValue::TypeString;
-  return found ? static_cast<std::string>(reply.value) : std::string();
+  params[1] = node;
+  const std::string& master = ros::master::getURI();
+  XmlRpcReply reply = call_node(master, "lookupNode", params, kCallTimeout);
+  if (reply.succeeded() && reply.value.getType() == XmlRpc::XmlRpcValue::TypeString)
+    return static_cast<std::string>(reply.value);
+  trouble = "the master at " + master + " does not say where that node is (" + reply.status +
+            "); see that it runs and knows it: rosnode info " + node;
+  return std::string();
+}
+
+bool is_gone(const Offering::TcpLink& link) {
+  return !link || link->getConnection()->isDropped();
+}
+
+bool is_same(const boost::weak_ptr<ros::TransportSubscriberLink>& one, const Offering::TcpLink& other) {
+  return !one.owner_before(other) && !other.owner_before(one);
 }
 
 }  // namespace
 
-void Port::on_connect(const ros::SingleSubscriberPublisher& subscriber) {
-  const ros::SubscriberLinkPtr& link = access::link_(const_cast<ros::SingleSubscriberPublisher&>(subscriber));
-  if (const auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link)) offer(tcp, kOffers);
-}
-
-void Port::offer_again(const std::string& caller_id) {
-  const ros::PublicationPtr publication = publication_.lock();
-  if (!publication) return;
-  ros::V_SubscriberLink links;
-  {
-    const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(*publication));
-    links = access::subscriber_links_(*publication);
-  }
-  for (const ros::SubscriberLinkPtr& link : links) {
-    const auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link);
-    if (tcp && tcp->getDestinationCallerID() == caller_id) offer(tcp, kOffers);
-  }
-}
-
-void Port::offer(const TcpLink& link, int offers_left) {
+void Offering::invite(const TcpLink& link) {
   if (link->getTransportType() != "TCPROS" || host_identity().empty()) return;
-  const std::string& subscriber = link->getDestinationCallerID();
-  const std::string uri = node_uri(subscriber);
-  if (uri.empty()) return;
-  Offer offer;
-  offer.topic = topic_;
-  offer.md5sum = md5sum_;
-  offer.publisher = ros::this_node::getName();
-  offer.address = channel_->address();
-  offer.identity = host_identity();
-  offer.connection = connection_name(*link->getConnection(), End::publisher);
-  if (offer.connection.empty()) return;
-  offer.token = expect(link);
-  posix::step("offer: calls");
-  const XmlRpcReply reply = call_node(uri, kOfferMethod, to_xmlrpc(offer), kCallTimeout);
-  const bool refused = reply.unknown || (reply.answered && !reply.succeeded());
-  if (!refused) return check_later(link, offer.token, offers_left - 1);
-  expected(offer.token, true);
-  ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << subscriber << " stays on TCPROS: " << reply.status);
+  const InvitationPtr invitation = invitation_of(link);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (invitation->token.empty()) {
+      invitation->tries = 0;
+      invitation->token = random_token();
+    }
+  }
+  try_once(invitation);
 }
 
-// An answer may be late, or the way to the channel may fail, on a machine that has a lot to do.
-void Port::check_later(const TcpLink& link, const std::string& token, int offers_left) {
-  const std::weak_ptr<Port> weak = weak_from_this();
-  const boost::weak_ptr<ros::TransportSubscriberLink> weak_link = link;
-  const auto check = [weak, weak_link, token, offers_left] {
-    const std::shared_ptr<Port> port = weak.lock();
-    const TcpLink waiting = weak_link.lock();
-    if (!port || !waiting || waiting->getConnection()->isDropped()) return;
-    const bool has_come = !port->expected(token, true);
-    if (!has_come && offers_left > 0) port->offer(waiting, offers_left);
-  };
-  worker_.post(check, kPatience);
+// No link is locked under the mutex: who lets go of the last reference to it runs the user's callbacks.
+Offering::InvitationPtr Offering::invitation_of(const TcpLink& link) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto is_over = [](const InvitationPtr& one) { return one->link.expired(); };
+  invitations_.erase(std::remove_if(invitations_.begin(), invitations_.end(), is_over), invitations_.end());
+  for (const InvitationPtr& one : invitations_)
+    if (is_same(one->link, link)) return one;
+  invitations_.push_back(std::make_shared<Invitation>());
+  invitations_.back()->link = link;
+  return invitations_.back();
+}
+
+Offering::InvitationPtr Offering::find(const std::string& token) const {
+  for (const InvitationPtr& one : invitations_)
+    if (!token.empty() && one->token == token) return one;
+  return nullptr;
+}
+
+bool Offering::expects(const std::string& token) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return find(token) != nullptr;
+}
+
+Offering::TcpLink Offering::welcome(const std::string& token) {
+  InvitationPtr invitation;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    invitation = find(token);
+    if (!invitation) return TcpLink();
+    invitation->came = Clock::now();
+    invitation->token.clear();
+  }
+  return invitation->link.lock();
+}
+
+void Offering::turn_away(const std::string& token, const std::string& why) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (const InvitationPtr invitation = find(token)) invitation->token.clear();
+  }
+  ROS_DEBUG_STREAM("TZC: a subscriber of " << offer_.topic << " stays on TCPROS: " << why);
+}
+
+void Offering::lost(const TcpLink& link) {
+  if (is_gone(link)) return;
+  const InvitationPtr invitation = invitation_of(link);
+  std::chrono::milliseconds pause;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (Clock::now() - invitation->came > kLasting) invitation->tries = 0;
+    invitation->token = random_token();
+    invitation->trouble = "it came, and the channel broke again; the warnings of both nodes say why";
+    pause = std::max(kAfterLoss, pause_after(invitation->tries));
+  }
+  look_later(invitation, pause);
+}
+
+void Offering::try_once(const InvitationPtr& invitation) {
+  const TcpLink link = invitation->link.lock();
+  if (is_gone(link)) return;
+  const std::string& subscriber = link->getDestinationCallerID();
+  const Offer offer = next_offer(*invitation, link);
+  const Answer answer = ask(subscriber, offer);
+  if (answer.refused) return turn_away(offer.token, subscriber + ": " + answer.text);
+  int tries = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    invitation->trouble = answer.text;
+    tries = invitation->tries;
+  }
+  ROS_DEBUG_STREAM("TZC: " << offer_.topic << " to " << subscriber << ", try " << tries
+                           << "; if it does not come: " << answer.text);
+  look_later(invitation, pause_after(tries));
   posix::step("offer: waits");
 }
 
-std::string Port::expect(const TcpLink& link) {
-  const std::string token = random_token();
+Offer Offering::next_offer(Invitation& invitation, const TcpLink& link) {
+  Offer offer = offer_;
+  offer.connection = connection_name(*link->getConnection(), End::publisher);
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (auto it = expected_.begin(); it != expected_.end();)
-    it = it->second.expired() ? expected_.erase(it) : std::next(it);
-  expected_[token] = link;
-  return token;
+  ++invitation.tries;
+  offer.token = invitation.token;
+  return offer;
 }
 
-Port::TcpLink Port::expected(const std::string& token, bool take) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = expected_.find(token);
-  if (found == expected_.end()) return TcpLink();
-  const TcpLink link = found->second.lock();
-  if (take) expected_.erase(found);
-  return link;
+Offering::Answer Offering::ask(const std::string& subscriber, const Offer& offer) {
+  if (offer.connection.empty()) return {false, "its TCPROS connection has no ports"};
+  std::string trouble;
+  const std::string uri = node_uri(subscriber, trouble);
+  if (uri.empty()) return {false, trouble};
+  posix::step("offer: calls");
+  const XmlRpcReply reply = call_node(uri, kOfferMethod, to_xmlrpc(offer), kCallTimeout);
+  if (reply.succeeded())
+    return {false, "it took the offer and did not come; its log says why, at debug level"};
+  if (reply.unknown || reply.answered) return {true, reply.status};
+  return {false, reply.status + "; does this address lead to it (ROS_IP, ROS_HOSTNAME), and does it run?"};
+}
+
+void Offering::look_later(const InvitationPtr& invitation, std::chrono::milliseconds pause) {
+  int round = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    round = ++invitation->round;
+  }
+  const std::weak_ptr<Offering> weak = weak_from_this();
+  const auto look = [weak, invitation, round] {
+    if (const std::shared_ptr<Offering> offering = weak.lock()) offering->look(invitation, round);
+  };
+  caller_.post(look, pause);
+}
+
+void Offering::look(const InvitationPtr& invitation, int round) {
+  const TcpLink link = invitation->link.lock();
+  if (is_gone(link)) return;
+  bool was_last = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (invitation->token.empty() || invitation->round != round) return;
+    was_last = invitation->tries >= most_tries();
+    if (was_last) invitation->token.clear();
+  }
+  was_last ? give_up(*invitation, link->getDestinationCallerID()) : try_once(invitation);
+}
+
+void Offering::give_up(const Invitation& invitation, const std::string& subscriber) const {
+  ROS_WARN_STREAM_THROTTLE(10, "TZC: " << offer_.topic << " to " << subscriber << " stays on TCPROS after "
+                                       << invitation.tries << " tries: " << invitation.trouble
+                                       << ". Its messages arrive, but serialized; it is asked again when it "
+                                          "subscribes anew");
 }
 
 }  // namespace detail

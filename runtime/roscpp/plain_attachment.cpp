@@ -13,7 +13,8 @@ namespace tzc {
 namespace detail {
 namespace {
 
-/// What the hooked callback shares with its copies; on the worker but for construction and destruction.
+/// What the hooked callback shares with its copies; on the caller's thread but for construction and
+/// destruction.
 class PlainAttachment {
  public:
   PlainAttachment(std::string topic, const MessageCodec& codec) : topic_(std::move(topic)), codec_(codec) {}
@@ -27,7 +28,8 @@ class PlainAttachment {
   std::shared_ptr<Port> make_port() const {
     const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic_);
     if (!publication) return nullptr;
-    const std::shared_ptr<Port> port = Port::of(publication, configured(PublisherOptions()), runtime().worker);
+    const std::shared_ptr<Port> port =
+        Port::of(publication, configured(PublisherOptions()), runtime().worker, runtime().caller);
     if (port) port->records().add_codec(codec_);
     return port;
   }
@@ -45,10 +47,11 @@ void hook_advertisement(const std::string& resolved_topic, const MessageCodec& c
   // A node without connect callbacks of its own may not spin the queue that they would use.
   if (!options.connect_cb && !options.disconnect_cb) options.callback_queue = &runtime().queue;
   const auto attachment = std::make_shared<PlainAttachment>(resolved_topic, codec);
-  options.connect_cb = [attachment, users = options.connect_cb](const ros::SingleSubscriberPublisher& subscriber) {
+  options.connect_cb = [attachment,
+                        users = options.connect_cb](const ros::SingleSubscriberPublisher& subscriber) {
     const ros::SubscriberLinkPtr link =
         roscpp_access::link_(const_cast<ros::SingleSubscriberPublisher&>(subscriber));
-    runtime().worker.post([attachment, link] { attachment->on_connect(link); });
+    runtime().caller.post([attachment, link] { attachment->on_connect(link); });
     if (users) users(subscriber);
   };
 }

@@ -4,12 +4,14 @@
 #include <ros/console.h>
 #include <ros/poll_manager.h>
 #include <ros/publication.h>
+#include <ros/this_node.h>
 #include <ros/topic_manager.h>
 
 #include <unistd.h>
 
 #include <algorithm>
 
+#include "roscpp/host_identity.h"
 #include "roscpp/link_swap.h"
 #include "roscpp/roscpp_access.h"
 #include "roscpp/statistics_file.h"
@@ -36,10 +38,20 @@ Ports& ports() {
   return *instance;
 }
 
+/// What an offer says to every subscriber.
+Offer offer_of(const ros::Publication& publication) {
+  Offer offer;
+  offer.topic = publication.getName();
+  offer.md5sum = publication.getMD5Sum();
+  offer.publisher = ros::this_node::getName();
+  offer.identity = host_identity();
+  return offer;
+}
+
 }  // namespace
 
 std::shared_ptr<Port> Port::of(const ros::PublicationPtr& publication, const PublisherOptions& options,
-                               Worker& worker) {
+                               Worker& worker, Worker& caller) {
   const std::lock_guard<std::mutex> lock(ports().mutex);
   std::weak_ptr<Port>& known = ports().ports[publication.get()];
   if (std::shared_ptr<Port> port = known.lock()) return port;
@@ -54,22 +66,22 @@ std::shared_ptr<Port> Port::of(const ros::PublicationPtr& publication, const Pub
     ROS_WARN_STREAM("TZC: " << publication->getName() << " stays on TCPROS: " << segments.error().text());
     return nullptr;
   }
-  std::shared_ptr<Port> port(new Port(publication, *segments, options.on_exhausted, worker));
+  std::shared_ptr<Port> port(new Port(publication, *segments, options.on_exhausted, worker, caller));
   if (!port->listen(publication->getMaxQueue())) return nullptr;
   known = port;
   return port;
 }
 
 Port::Port(const ros::PublicationPtr& publication, std::shared_ptr<SegmentMemory> memory,
-           OnExhausted on_exhausted, Worker& worker)
+           OnExhausted on_exhausted, Worker& worker, Worker& caller)
     : publication_(publication),
       topic_(publication->getName()),
-      md5sum_(publication->getMD5Sum()),
       segments_(std::move(memory)),
       memory_(segments_),
       on_exhausted_(on_exhausted),
       worker_(worker),
-      records_(memory_, on_exhausted) {}
+      records_(memory_, on_exhausted),
+      offering_(std::make_shared<Offering>(offer_of(*publication), caller)) {}
 
 Port::~Port() {
   {
@@ -84,9 +96,11 @@ Port::~Port() {
 
 bool Port::listen(std::size_t queue_size) {
   const std::weak_ptr<Port> weak = weak_from_this();
-  const auto with_port = [weak](void (Port::*act)(const channel::ConnectionPtr&)) {
-    return [weak, act](const channel::ConnectionPtr& connection) {
-      if (const std::shared_ptr<Port> port = weak.lock()) (port.get()->*act)(connection);
+  const auto on_worker = [weak, &worker = worker_](void (Port::*act)(const channel::ConnectionPtr&)) {
+    return [weak, &worker, act](const channel::ConnectionPtr& connection) {
+      worker.post([weak, act, connection] {
+        if (const std::shared_ptr<Port> port = weak.lock()) (port.get()->*act)(connection);
+      });
     };
   };
   channel::PublisherOptions options;
@@ -95,17 +109,45 @@ bool Port::listen(std::size_t queue_size) {
   options.keeps_undelivered = true;
   options.authorize = [weak](const channel::Credentials& peer, const std::string& hello) {
     const std::shared_ptr<Port> port = weak.lock();
-    return port && peer.uid == geteuid() && port->expected(hello, false);
+    return port && port->authorizes(peer, hello);
   };
-  options.on_connect = with_port(&Port::connected);
-  options.on_disconnect = with_port(&Port::disconnected);
+  options.on_connect = on_worker(&Port::connected);
+  options.on_disconnect = on_worker(&Port::disconnected);
   Expected<std::shared_ptr<channel::Publisher>> channel = channel::Publisher::create(std::move(options));
   if (!channel) {
     ROS_WARN_STREAM("TZC: " << topic_ << " stays on TCPROS: " << channel.error().text());
     return false;
   }
   channel_ = *channel;
+  offering_->listens_at(channel_->address());
   return true;
+}
+
+bool Port::authorizes(const channel::Credentials& peer, const std::string& token) {
+  if (!offering_->expects(token)) return false;
+  if (peer.uid == geteuid()) return true;
+  offering_->turn_away(token, "it belongs to another user");
+  return false;
+}
+
+void Port::on_connect(const ros::SingleSubscriberPublisher& subscriber) {
+  const ros::SubscriberLinkPtr& link = access::link_(const_cast<ros::SingleSubscriberPublisher&>(subscriber));
+  if (const auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link))
+    offering_->invite(tcp);
+}
+
+void Port::offer_again(const std::string& caller_id) {
+  const ros::PublicationPtr publication = publication_.lock();
+  if (!publication) return;
+  ros::V_SubscriberLink links;
+  {
+    const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(*publication));
+    links = access::subscriber_links_(*publication);
+  }
+  for (const ros::SubscriberLinkPtr& link : links) {
+    const auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link);
+    if (tcp && tcp->getDestinationCallerID() == caller_id) offering_->invite(tcp);
+  }
 }
 
 PublisherStatistics Port::statistics() const {

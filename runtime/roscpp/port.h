@@ -10,10 +10,10 @@
 #include <deque>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
+#include "roscpp/offering.h"
 #include "roscpp/record_maker.h"
 #include "roscpp/shared_link.h"
 #include "roscpp/worker.h"
@@ -24,18 +24,19 @@ namespace detail {
 /// The shared-memory side of one publication of this process:
 ///
 ///   connect callback -> offer (XMLRPC) -> the subscriber connects to the channel -> its TCPROS link is
-///   parked and a SharedLink stands in its place -> the channel breaks: the TCPROS link is put back
+///   parked and a SharedLink stands in its place -> the channel breaks: the TCPROS link is put back, and
+///                                  offered again after a while
 ///                                  -> the TCPROS link is dropped: the SharedLink goes, and the user's
 ///                                  callbacks hear it
 ///
 /// Thread-safe. Locks, outermost first: roscpp's advertised_topics_mutex_, publish_queue_mutex_,
-/// subscriber_links_mutex_; the link's; the channel's. mutex_ is taken under none of them and holds none of
-/// them.
+/// subscriber_links_mutex_; the link's; the channel's. The worker moves links, and may wait for those locks
+/// while somebody publishes; the channel's thread must not.
 class Port : public std::enable_shared_from_this<Port> {
  public:
   /// The port of a publication, made with the first attachment and shared by all of the process.
   static std::shared_ptr<Port> of(const ros::PublicationPtr& publication, const PublisherOptions& options,
-                                  Worker& worker);
+                                  Worker& worker, Worker& caller);
   ~Port();
 
   const std::shared_ptr<MemorySource>& memory() const { return memory_; }
@@ -49,9 +50,9 @@ class Port : public std::enable_shared_from_this<Port> {
   /// nothing waits in its queue.
   bool publish_directly(const std::type_info& type, message::Encoded& encoded);
 
-  /// roscpp's connect callback, on the worker: offers shared memory to the subscriber.
+  /// roscpp's connect callback, on the caller's thread: offers shared memory to the subscriber.
   void on_connect(const ros::SingleSubscriberPublisher& subscriber);
-  /// A subscriber by that name says that it can take an offer. Any thread but roscpp's.
+  /// A subscriber by that name says that it can take an offer. On the caller's thread.
   void offer_again(const std::string& caller_id);
 
   /// \name For SharedLink, under subscriber_links_mutex_
@@ -68,36 +69,33 @@ class Port : public std::enable_shared_from_this<Port> {
   using TcpLink = ros::TransportSubscriberLinkPtr;
 
   Port(const ros::PublicationPtr& publication, std::shared_ptr<SegmentMemory> memory,
-       OnExhausted on_exhausted, Worker& worker);
+       OnExhausted on_exhausted, Worker& worker, Worker& caller);
   bool listen(std::size_t queue_size);
   std::uint32_t take_sequence(const ros::SerializedMessage& message);
   void count_numbered();
   void track_queue(const std::vector<ros::SerializedMessage>& queue);
   void forget_queue();
 
-  void offer(const TcpLink& link, int offers_left);
-  void check_later(const TcpLink& link, const std::string& token, int offers_left);
-  std::string expect(const TcpLink& link);
-  TcpLink expected(const std::string& token, bool take);
-
+  bool authorizes(const channel::Credentials& peer, const std::string& token);
   void connected(const channel::ConnectionPtr& connection);
   void disconnected(const channel::ConnectionPtr& connection);
   void watch(const SharedLinkPtr& link);
   SharedLinkPtr park(const TcpLink& tcp, const channel::ConnectionPtr& connection);
   void go_live(const SharedLinkPtr& link);
   void come_back(const SharedLinkPtr& link);
+  bool try_come_back(ros::Publication& publication, const SharedLinkPtr& link);
   void put_back_locked(ros::Publication& publication, const SharedLinkPtr& link);
   void ended(const SharedLinkPtr& link);
   void look_again(const SharedLinkPtr& link, void (Port::*act)(const SharedLinkPtr&));
 
   const ros::PublicationWPtr publication_;
   const std::string topic_;
-  const std::string md5sum_;
   const std::shared_ptr<SegmentMemory> segments_;
   const std::shared_ptr<MemorySource> memory_;
   const OnExhausted on_exhausted_;
   Worker& worker_;
   RecordMaker records_;
+  const std::shared_ptr<Offering> offering_;
   std::shared_ptr<channel::Publisher> channel_;
 
   /// \name Changed under subscriber_links_mutex_
@@ -107,9 +105,7 @@ class Port : public std::enable_shared_from_this<Port> {
   std::deque<const void*> unnumbered_;  ///< messages in roscpp's queue, which it has yet to number
   /// @}
 
-  std::mutex mutex_;
-  std::map<std::string, boost::weak_ptr<ros::TransportSubscriberLink>> expected_;  ///< by token
-  std::map<channel::ConnectionPtr, boost::weak_ptr<SharedLink>> by_connection_;
+  std::map<channel::ConnectionPtr, boost::weak_ptr<SharedLink>> by_connection_;  ///< worker's thread
 };
 
 /// The port of a topic that this process advertises; null when there is none.

@@ -6,11 +6,16 @@
 #include <ros/this_node.h>
 #include <ros/topic_manager.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 
+#include "posix/step.h"
+#include "roscpp/configuration.h"
 #include "roscpp/connection_name.h"
 #include "roscpp/host_identity.h"
 #include "roscpp/inlet.h"
+#include "roscpp/patience.h"
 #include "roscpp/roscpp_access.h"
 #include "roscpp/xmlrpc_call.h"
 
@@ -20,9 +25,8 @@ namespace {
 namespace access = roscpp_access;
 
 /// The publisher's offer may come before roscpp knows the connection, so the link is looked for a few times.
-constexpr int kTries = 100;
-constexpr std::chrono::milliseconds kRetry(5);
-constexpr std::chrono::milliseconds kCallTimeout(2000);
+constexpr int kLooks = 100;
+constexpr std::chrono::milliseconds kLookAgain(5);
 
 ros::SubscriptionPtr find_subscription(const std::string& topic) {
   ros::TopicManager& topics = *ros::TopicManager::instance();
@@ -65,12 +69,13 @@ void Receiver::attach(const std::string& topic, const detail::MessageCodec& code
     if (known) return;
     codecs.push_back(codec);
   }
-  worker_.post([this, topic] { ask_publishers(topic); });
+  caller_.post([this, topic] { ask_publishers(topic); });
 }
 
-std::string Receiver::reason_to_refuse(const Offer& offer) const {
+std::string Receiver::reason_to_refuse(const Offer& offer) {
   if (offer.identity != host_identity()) return "this node is on another machine or network namespace";
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (strangers_.erase(offer.token) != 0) return "the publisher is a process of another user";
   const auto found = topics_.find(offer.topic);
   if (found == topics_.end()) return "this node has not attached " + offer.topic;
   const bool fits =
@@ -87,18 +92,20 @@ void Receiver::answer(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& result) 
     result = response(0, refusal);
     return;
   }
-  worker_.post([this, offer] { accept(offer, kTries); });
+  caller_.post([this, offer] { accept(offer, kLooks); });
   result = response(1, "coming");
 }
 
-void Receiver::accept(const Offer& offer, int tries_left) {
+// When it stops looking, the publisher tries again.
+void Receiver::accept(const Offer& offer, int looks_left) {
   const ros::SubscriptionPtr subscription = find_subscription(offer.topic);
-  if (!subscription) return;
-  const LinkPtr link = find_link(*subscription, offer);
-  if (link)
-    connect(offer, subscription, link);
-  else if (tries_left > 0)
-    worker_.post([this, offer, tries_left] { accept(offer, tries_left - 1); }, kRetry);
+  const LinkPtr link = subscription ? find_link(*subscription, offer) : LinkPtr();
+  if (link) return connect(offer, subscription, link);
+  if (looks_left > 0)
+    caller_.post([this, offer, looks_left] { accept(offer, looks_left - 1); }, kLookAgain);
+  else
+    ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher << ": the offer is for connection "
+                             << offer.connection << ", which is not there");
 }
 
 bool Receiver::connected(const LinkPtr& link) const {
@@ -125,40 +132,69 @@ void Receiver::connect(const Offer& offer, const ros::SubscriptionPtr& subscript
   detail::MessageCodec codec;
   if (connected(link) || !codec_for(offer, *subscription, codec)) return;
   const auto inlet = std::make_shared<Inlet>(subscription, link, codec);
+  const auto is_stranger = std::make_shared<bool>(false);
   channel::SubscriberOptions options;
   options.address = offer.address;
   options.hello = offer.token;
   options.on_message = [inlet](const channel::MessagePtr& message) { inlet->take(message); };
-  options.on_disconnect = [this, link](const std::string&) {
-    worker_.post([this, link] {
-      std::shared_ptr<channel::Subscriber> ended;
-      const std::lock_guard<std::mutex> lock(mutex_);
-      const auto found = channels_.find(link);
-      if (found == channels_.end()) return;
-      ended = std::move(found->second);
-      channels_.erase(found);
-    });
+  options.on_disconnect = [this, link](const std::string&) { caller_.post([this, link] { forget(link); }); };
+  options.authorize = [is_stranger](const channel::Credentials& peer) {
+    *is_stranger = peer.uid != geteuid() && peer.uid != 0;  // root can read everything of this process anyway
+    return !*is_stranger;
   };
   Expected<std::shared_ptr<channel::Subscriber>> channel = channel::Subscriber::create(std::move(options));
-  if (!channel) {
-    ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher
-                             << " stays on TCPROS: " << channel.error().text());
-    return;
-  }
+  if (!channel) return connection_failed(offer, channel.error(), *is_stranger);
   ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher << " comes through shared memory");
   const std::lock_guard<std::mutex> lock(mutex_);
   channels_[link] = *channel;
 }
 
+// The publisher will offer again, and give up when it is told that there is no sense in it.
+void Receiver::connection_failed(const Offer& offer, const Error& error, bool is_stranger) {
+  ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher
+                           << " stays on TCPROS: " << error.text());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (is_stranger) strangers_.insert(offer.token);
+}
+
+void Receiver::forget(const LinkPtr& link) {
+  std::shared_ptr<channel::Subscriber> ended;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = channels_.find(link);
+  if (found == channels_.end()) return;
+  ended = std::move(found->second);
+  channels_.erase(found);
+}
+
 void Receiver::ask_publishers(const std::string& topic) {
   const ros::SubscriptionPtr subscription = find_subscription(topic);
   if (!subscription) return;
+  for (const LinkPtr& link : tcp_links(*subscription)) ask(link, topic, 1);
+}
+
+// A publisher that does not know the question has no TZC, or will offer by itself once it has.
+void Receiver::ask(const LinkPtr& link, const std::string& topic, int tries) {
+  if (connected(link) || link->getConnection()->isDropped()) return;
   XmlRpc::XmlRpcValue params;
   params[0] = kProtocolVersion;
   params[1] = topic;
   params[2] = ros::this_node::getName();
-  for (const LinkPtr& link : tcp_links(*subscription))
-    if (!connected(link)) call_node(link->getPublisherXMLRPCURI(), kRequestMethod, params, kCallTimeout);
+  posix::step("request: calls");
+  const XmlRpcReply reply = call_node(link->getPublisherXMLRPCURI(), kRequestMethod, params, kCallTimeout);
+  if (reply.answered || reply.unknown) return;
+  ROS_DEBUG_STREAM("TZC: " << topic << ", try " << tries << ": " << reply.status);
+  const boost::weak_ptr<ros::TransportPublisherLink> weak = link;
+  const auto again = [this, weak, topic, tries] {
+    if (const LinkPtr waiting = weak.lock()) ask(waiting, topic, tries + 1);
+  };
+  if (tries < most_tries())
+    caller_.post(again, pause_after(tries));
+  else
+    ROS_WARN_STREAM_THROTTLE(10, "TZC: " << topic << " stays on TCPROS after " << tries
+                                         << " tries: " << reply.status
+                                         << "; does the publisher run, and does this address lead to it "
+                                            "(ROS_IP, ROS_HOSTNAME)?");
+  posix::step("request: waits");
 }
 
 }  // namespace tzc

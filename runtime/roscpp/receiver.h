@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ namespace tzc {
 /// through which they do. Thread-safe.
 class Receiver {
  public:
-  explicit Receiver(Worker& worker) : worker_(worker) {}
+  /// @param caller calls publishers, and waits for them
+  explicit Receiver(Worker& caller) : caller_(caller) {}
 
   /// Topics attached from here on can be offered. An existing subscription's publishers are asked for offers.
   void attach(const std::string& topic, const detail::MessageCodec& codec);
@@ -33,17 +35,21 @@ class Receiver {
  private:
   using LinkPtr = ros::TransportPublisherLinkPtr;
 
-  std::string reason_to_refuse(const Offer& offer) const;
-  void accept(const Offer& offer, int tries_left);
+  std::string reason_to_refuse(const Offer& offer);
+  void accept(const Offer& offer, int looks_left);
   void connect(const Offer& offer, const ros::SubscriptionPtr& subscription, const LinkPtr& link);
+  void connection_failed(const Offer& offer, const Error& error, bool is_stranger);
+  void forget(const LinkPtr& link);
   void ask_publishers(const std::string& topic);
+  void ask(const LinkPtr& link, const std::string& topic, int tries);
   bool codec_for(const Offer& offer, ros::Subscription& subscription, detail::MessageCodec& codec) const;
   bool connected(const LinkPtr& link) const;
 
-  Worker& worker_;
+  Worker& caller_;
   mutable std::mutex mutex_;
   std::map<std::string, std::vector<detail::MessageCodec>> topics_;
   std::map<LinkPtr, std::shared_ptr<channel::Subscriber>> channels_;
+  std::set<std::string> strangers_;  ///< tokens of offers from other users' processes
 };
 
 }  // namespace tzc

@@ -26,7 +26,7 @@ void answer_request(XmlRpcValue& params, XmlRpcValue& result) {
   }
   const std::string topic = static_cast<std::string>(params[1]);
   const std::string subscriber = static_cast<std::string>(params[2]);
-  runtime().worker.post([topic, subscriber] {
+  runtime().caller.post([topic, subscriber] {
     if (const std::shared_ptr<detail::Port> port = detail::find_port(topic)) port->offer_again(subscriber);
   });
   result = response(1, "noted");
@@ -39,12 +39,12 @@ void bind_methods() {
   xmlrpc->bind(kRequestMethod, answer_request);
 }
 
-/// Binding takes microseconds before ROS starts, and up to half a second afterwards (a nodelet's library), because the
-/// XMLRPC thread holds the table while it waits: then the worker does it.
+/// Binding takes microseconds before ROS starts, and up to half a second afterwards (a nodelet's library),
+/// because the XMLRPC thread holds the table while it waits: then the caller's thread does it.
 struct BindAtLoad {
   BindAtLoad() {
     if (ros::isStarted())
-      runtime().worker.post(bind_methods);
+      runtime().caller.post(bind_methods);
     else
       bind_methods();
   }

@@ -8,12 +8,13 @@
 
 namespace tzc {
 
-/// What the transport has once in a process, made at its first use and never destroyed: roscpp's threads may call in
-/// until the very end, and nodelets come and go.
+/// What the transport has once in a process, made at its first use and never destroyed: roscpp's threads may
+/// call in until the very end, and nodelets come and go.
 struct Runtime {
-  Worker worker;
-  WorkerQueue queue{worker};
-  Receiver receiver{worker};
+  Worker worker;  ///< moves links; waits for this process's own locks, and for nobody else
+  Worker caller;  ///< calls the master and other nodes, and may wait for each of them for some seconds
+  WorkerQueue queue{caller};
+  Receiver receiver{caller};
 };
 
 Runtime& runtime();

@@ -12,9 +12,10 @@
 
 namespace tzc {
 
-/// The transport's own thread: connect callbacks, master calls, offers and clean-up run here, because roscpp's threads
-/// hold locks where those would deadlock or stall everybody. Jobs run one at a time, in order of their due time.
-/// Thread-safe. The thread starts with the first job; jobs that are not due when the worker ends do not run.
+/// A thread of the transport's own: connect callbacks, master calls, offers, moves and clean-up run on such,
+/// because roscpp's threads hold locks where those would deadlock or stall everybody. Jobs run one at a time,
+/// in order of their due time. Thread-safe. The thread starts with the first job; jobs that are not due when
+/// the worker ends do not run.
 class Worker {
  public:
   using Job = std::function<void()>;

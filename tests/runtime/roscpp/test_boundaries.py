@@ -2,6 +2,7 @@
 """Where shared memory ends: other machines, other users; and where it does not: a mount namespace."""
 import os
 import subprocess
+import time
 
 from topic_case import TopicCase, main
 
@@ -34,6 +35,23 @@ class OtherUser(TopicCase):
         talker = self.start_talker(count=50, queue=200, runner=self.as_nobody(), env=self.nobodys())
         self.assertEqual(talker.wait(30), 0, talker.tail())
         self.assert_got(listener, range(50), shared=False)
+
+    def test_it_is_decided_so_and_not_tried_again(self):
+        """Whichever side sees it; nobody is warned."""
+        config = os.path.join(self.scratch, "rosconsole.config")
+        with open(config, "w", encoding="ascii") as text:
+            text.write("log4j.logger.ros=INFO\nlog4j.logger.ros.tzc=DEBUG\n")
+        for on_either_side in ({"runner": self.as_nobody(), "env": self.nobodys()}, {}), \
+                              ({}, {"runner": self.as_nobody(), "env": self.nobodys()}):
+            subscribers, publishers = on_either_side
+            self.listen(**subscribers)
+            talker = self.start_talker(**dict(publishers, count=0, settle=0, env=dict(
+                publishers.get("env", {}), ROSCONSOLE_CONFIG_FILE=config, ROSCONSOLE_STDOUT_LINE_BUFFERED="1")))
+            self.ros.wait_until(lambda: "another user" in talker.log(), 20 * self.slowness(), "the decision")
+            tries = talker.log().count(", try ")
+            time.sleep(1.5)
+            self.assertEqual((talker.log().count(", try "), talker.log().count("WARN")), (tries, 0), talker.log())
+            self.ros.stop_since(self.before)
 
     def test_both_of_another_user_share(self):
         listener = self.listen(runner=self.as_nobody(), env=self.nobodys())

@@ -2,7 +2,7 @@
 /// Takes each of the transport's races by the turn that once went wrong. Prints what happened as a line of
 /// JSON ("event"), a subscriber also its images.
 ///
-/// Private parameters: pid (of the subscriber), queue (by_reference), race, one of
+/// Private parameters: pid (of the other side), queue (by_reference), race, one of
 ///   by_reference  a publisher: a message goes by reference, since nobody takes pointers, while a subscriber
 ///                 moves over
 ///   late_header   a publisher: the subscriber is offered shared memory before its TCPROS header is written
@@ -12,7 +12,11 @@
 ///                 already
 ///   silent        a publisher: the subscriber (pid) is stopped when it is called with the offer, and goes on
 ///                 when the call is given up
-///   two_at_once   a direct subscriber: a message of another publisher comes while the callback for the first one runs
+///   two_at_once   a direct subscriber: a message of another publisher comes while the callback for the first
+///   one runs slow_move     a publisher: whoever moves the subscriber is held for longer than the subscriber
+///   waits late_attach   a subscriber: it attaches when it is connected, the publisher (pid) is stopped when
+///   it is
+///                 asked for an offer, and goes on when the call is given up
 ///   planted       a subscriber with a data race of its own, for ThreadSanitizer to find
 #include <ros/callback_queue_interface.h>
 #include <ros/poll_manager.h>
@@ -22,15 +26,14 @@
 #include <tzc/ros.h>
 #include <tzc/sensor_msgs/Image.h>
 
-#include <atomic>
-#include <deque>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "gate.h"
 #include "image_line.h"
 #include "posix/step.h"
+#include "slow_queue.h"
+#include "stop.h"
 
 namespace {
 
@@ -159,13 +162,13 @@ void busy_queue(ros::NodeHandle& node) {
   let_go_and_end();
 }
 
-pid_t subscriber_pid = 0;
+pid_t other_pid = 0;
 
 void silent(ros::NodeHandle& node) {
   tzc::posix::step_hook = [](const char* step) {
     const std::string name = step;
     if (name == "offer: calls" && !gate().happened("called")) {
-      kill(subscriber_pid, SIGSTOP);
+      tzc_test::stop(other_pid);
       gate().tell("called");
     } else if (name == "offer: waits") {
       gate().tell("unanswered");
@@ -173,47 +176,34 @@ void silent(ros::NodeHandle& node) {
   };
   const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 100);
   print_event("unanswered", gate().wait_for({"unanswered"}));
-  kill(subscriber_pid, SIGCONT);
+  kill(other_pid, SIGCONT);
   print_event("parked", eventually([&] { return publisher.statistics().shared_subscribers == 1; }));
   publish(publisher, 0, 10);
   let_go_and_end();
 }
 
-/// A callback queue that lets the first message in when it is told to.
-class SlowQueue : public ros::CallbackQueueInterface {
- public:
-  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t) override {
-    if (first_.exchange(false)) gate().wait_for({"let in"});
-    const std::lock_guard<std::mutex> lock(mutex_);
-    callbacks_.push_back(callback);
-  }
-  void removeByID(std::uint64_t) override {}
-  void call_available() {
-    for (ros::CallbackInterfacePtr callback = take(); callback; callback = take()) callback->call();
-  }
+// A publisher that is busy under roscpp's locks. The subscriber waits for its welcome for two seconds.
+void slow_move(ros::NodeHandle& node) {
+  tzc::posix::step_hook = [](const char* step) {
+    const std::string name = step;
+    if (name == "move: begins") gate().wait_for({"never"}, std::chrono::milliseconds(3000));
+    if (name == "move: parked") gate().tell("parked");
+    if (name == "move: returned") gate().tell("returned");
+  };
+  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 100);
+  print_event("parked", gate().wait_for({"parked"}));
+  publish(publisher, 0, 10);
+  print_event("returned", gate().wait_for({"returned"}, std::chrono::milliseconds(500)));
+}
 
- private:
-  ros::CallbackInterfacePtr take() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (callbacks_.empty()) return ros::CallbackInterfacePtr();
-    const ros::CallbackInterfacePtr callback = callbacks_.front();
-    callbacks_.pop_front();
-    return callback;
-  }
-
-  std::atomic<bool> first_{true};
-  std::mutex mutex_;
-  std::deque<ros::CallbackInterfacePtr> callbacks_;
-};
-
-// With a publisher by_reference: its first message surely comes over TCPROS, after this node has agreed to move.
+// With a publisher by_reference: its first message surely comes over TCPROS, after this node agreed to move.
 void slow_reader(ros::NodeHandle& node) {
   tzc::posix::step_hook = [](const char* step) {
     const std::string name = step;
     if (name == "switch: waits for the reader") gate().tell("waiting");
     if (name == "switch: the reader is done") gate().tell("done");
   };
-  static auto* const queue = new SlowQueue;
+  static auto* const queue = new tzc_test::SlowQueue([] { gate().wait_for({"let in"}); });
   node.setCallbackQueue(queue);
   const boost::function<void(const sensor_msgs::ImageConstPtr&)> print =
       [](const sensor_msgs::ImageConstPtr& image) { tzc_test::print_image(*image); };
@@ -241,6 +231,29 @@ void two_at_once(ros::NodeHandle& node) {
   ros::spin();
 }
 
+void late_attach(ros::NodeHandle& node) {
+  tzc::posix::step_hook = [](const char* step) {
+    const std::string name = step;
+    if (name == "request: calls" && !gate().happened("called")) {
+      tzc_test::stop(other_pid);
+      gate().tell("called");
+    } else if (name == "request: waits") {
+      kill(other_pid, SIGCONT);
+    }
+  };
+  const boost::function<void(const sensor_msgs::ImageConstPtr&)> print =
+      [](const sensor_msgs::ImageConstPtr& image) {
+        gate().tell("connected");
+        tzc_test::print_image(*image);
+      };
+  const ros::Subscriber subscriber = node.subscribe<sensor_msgs::Image>("image", 100, print);
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  gate().wait_for({"connected"});
+  tzc::attach<sensor_msgs::Image>(node, "image");
+  ros::waitForShutdown();
+}
+
 int planted_counter = 0;
 
 // The transport's reader thread writes what the main thread reads.
@@ -263,11 +276,13 @@ int main(int argc, char** argv) {
   const std::string race = options.param<std::string>("race", "");
   if (race == "by_reference") by_reference(node, options.param("queue", 100));
   if (race == "late_header") late_header(node);
-  subscriber_pid = options.param("pid", 0);
+  other_pid = options.param("pid", 0);
   if (race == "silent") silent(node);
   if (race == "busy_queue") busy_queue(node);
   if (race == "slow_reader") slow_reader(node);
   if (race == "two_at_once") two_at_once(node);
+  if (race == "slow_move") slow_move(node);
+  if (race == "late_attach") late_attach(node);
   if (race == "planted") planted(node);
   tzc::posix::step_hook = nullptr;
 }
