@@ -26,7 +26,7 @@ class Latch(TopicCase):
         talker = self.start_talker(latch=True, count=200, rate=100, linger=60)
         self.wait_for(early, 50)
         late, plain = self.listen(), self.listen("plain")
-        self.assert_got(early, range(200))
+        self.assert_got(early, range(200), shared=True)
         for listener in (late, plain):
             self.wait_for(listener, 1)
             self.wait_for(listener, 2)

@@ -58,6 +58,7 @@ class Nodelets(TopicCase):
             self.assertTrue(all(m["right"] for m in seen))
             self.assertTrue(all(m["shared"] for m in seen[20:]))
         self.assert_followed(plain.numbers(), 20)
+        self.assertTrue(all(m["right"] for m in plain.messages()))
         self.assertTrue(not any(m["shared"] for m in plain.messages()))
 
     def test_loaded_unloaded_loaded_again(self):
@@ -74,6 +75,7 @@ class Nodelets(TopicCase):
         lives = [m["number"] for m in outside.messages()]
         restarts = [i for i in range(1, len(lives)) if lives[i] != lives[i - 1] + 1]
         self.assertEqual(len(restarts), 2, "each life counts from the start, without a gap")
+        self.assertTrue(all(m["right"] for m in outside.messages()))
 
     def test_listener_loaded_again(self):
         manager = self.manage()
@@ -83,7 +85,7 @@ class Nodelets(TopicCase):
             self.wait_for(manager, 60, topic=self.name(f"listener{life}"))
             mine = manager.messages(self.name(f"listener{life}"))
             self.assert_followed([m["number"] for m in mine], 60)
-            self.assertTrue(mine[-1]["shared"])
+            self.assertTrue(mine[-1]["shared"] and all(m["right"] for m in mine))
             listener.stop()
             self.ros.wait_until(lambda: not self.ros.subscribers(self.name("image")), 20, "listener to be unloaded")
         self.assertTrue(manager.process.alive() and talker.alive())

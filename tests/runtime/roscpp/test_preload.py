@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """tzc-run: shared memory for programs that were never ported."""
+import json
+import os
+
 from topic_case import TZC_RUN, TopicCase, main
 
 
@@ -11,11 +14,17 @@ class Preload(TopicCase):
         self.assertEqual(counters["copied_bytes"], 0)
 
     def test_unported_talker_sends_shared_messages(self):
+        """With roscpp's one serialization, whose bytes are copied once."""
         listener = self.listen()
-        talker = self.start_talker("plain", count=50, runner=TZC_RUN)
-        talker.wait(30)
+        counters = os.path.join(self.scratch, "counters")
+        talker = self.start_talker("plain", count=50, bytes=100000, runner=TZC_RUN, env={"TZC_STATISTICS": counters})
+        self.assertEqual(talker.wait(30), 0, talker.tail())
         self.assert_got(listener, range(50))
         self.assert_seq_as_tcpros(listener)
+        with open(counters) as lines:
+            mine = [line for line in map(json.loads, lines) if line["topic"] == self.name("image")]
+        self.assertEqual(len(mine), 1)
+        self.assertTrue(50 * 100000 <= mine[0]["copied_bytes"] < 50 * 100200, mine)
 
     def test_both_unported(self):
         listener = self.listen("plain", runner=TZC_RUN)
@@ -23,8 +32,7 @@ class Preload(TopicCase):
         self.wait_for(listener, 50)
         self.assertEqual(self.shared_transports(self.name("talker")), [self.name("image")])
         talker.stop()
-        numbers = listener.numbers()
-        self.assertEqual(numbers, list(range(len(numbers))))
+        self.assert_got(listener, range(len(listener.numbers())))
 
     def test_a_program_that_is_not_roscpp_runs_as_ever(self):
         status, output = self.ros.run(TZC_RUN + ["rostopic", "list"])
