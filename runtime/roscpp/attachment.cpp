@@ -48,6 +48,15 @@ std::shared_ptr<Attachment> Attachment::create(ros::NodeHandle& node, const ros:
   return attachment;
 }
 
+std::shared_ptr<Attachment> Attachment::join(const ros::AdvertiseOptions& options, const MessageCodec& codec,
+                                             const PublisherOptions& publisher_options) {
+  ros::NodeHandle node;
+  if (node.resolveName(options.topic) != options.topic) return nullptr;
+  const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(options.topic);
+  if (!publication || publication->getMD5Sum() != options.md5sum) return nullptr;
+  return create(node, options, codec, publisher_options);
+}
+
 Attachment::~Attachment() {
   shutdown();
 }

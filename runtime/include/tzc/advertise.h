@@ -83,6 +83,21 @@ Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32
   return advertise<M>(node, options, memory_size);
 }
 
+/// Attaches shared memory to the topic of a publisher that other code advertised: a base class of a library,
+/// for example, which may keep a copy of it. M: as for advertise. When the topic carries another type, the
+/// publisher goes on as it was.
+template <class M>
+Publisher attach_publisher(const ros::Publisher& publisher, std::size_t memory_size = 0) {
+  if (!publisher) return Publisher(publisher, nullptr);
+  const ros::AdvertiseOptions options = detail::advertise_options<M>(publisher.getTopic(), 1);
+  PublisherOptions publisher_options;
+  publisher_options.memory_size = memory_size;
+  const std::shared_ptr<detail::Attachment> attachment =
+      detail::Attachment::join(options, detail::codec_for<M>(options), publisher_options);
+  if (attachment) detail::add_foreign_codec<M>(*attachment, typename detail::IsForeign<M>::type());
+  return Publisher(publisher, attachment);
+}
+
 /// Every form also for a temporary node handle (`tzc::advertise<M>(getNodeHandle(), ...)`).
 template <class M, class... Args>
 Publisher advertise(ros::NodeHandle&& node, Args&&... args) {

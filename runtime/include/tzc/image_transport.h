@@ -163,6 +163,17 @@ CameraPublisher advertiseCamera(::image_transport::ImageTransport&& transport, A
   return advertiseCamera(transport, std::forward<Args>(args)...);
 }
 
+/// Attach shared memory to an image publisher that other code advertised: a base class of a library, for
+/// example, which may keep a copy of it.
+inline Publisher attach_publisher(const ::image_transport::Publisher& publisher,
+                                  std::size_t memory_size = 0) {
+  return Publisher(publisher, memory_size);
+}
+inline CameraPublisher attach_publisher(const ::image_transport::CameraPublisher& publisher,
+                                        std::size_t memory_size = 0) {
+  return CameraPublisher(publisher, memory_size);
+}
+
 /// image_transport::ImageTransport::subscribe in all its overloads. Only the raw transport has something to
 /// share.
 template <class... Args>

@@ -30,6 +30,25 @@ class Upgrade(TopicCase):
                 self.assertEqual(counters["copied_bytes"], 20 * 100000)
                 listener.process.stop()
 
+    def test_attached_to_a_topic_that_others_advertised(self):
+        shared, plain = self.listen(), self.listen("plain")
+        counters = self.talk("attached", count=50, subscribers=2)
+        self.assert_got(shared, range(50), shared=True)
+        self.assert_got(plain, range(50), shared=False)
+        self.assert_seq_as_tcpros(shared)
+        self.assertEqual(counters["shared"], 50)
+
+    def test_attached_latched(self):
+        self.start_talker("attached", count=1, latch=True, subscribers=0, linger=30)
+        listener = self.listen()
+        self.assert_got(listener, range(1))
+
+    def test_attached_for_another_type_goes_on_as_before(self):
+        listener = self.listen()
+        counters = self.talk("attached_wrong", count=20)
+        self.assert_got(listener, range(20), shared=False)
+        self.assertEqual(counters["shared"], 0)
+
     def test_eight_subscribers(self):
         listeners = [self.listen() for _ in range(8)]
         self.talk(count=50, subscribers=8)

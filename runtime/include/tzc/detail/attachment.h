@@ -26,6 +26,10 @@ class Attachment {
   /// `options.topic` must be resolved the way `node` resolves it; the publication must already exist.
   static std::shared_ptr<Attachment> create(ros::NodeHandle& node, const ros::AdvertiseOptions& options,
                                             const MessageCodec& codec, const PublisherOptions& publisher_options);
+  /// The same for a topic that other code advertised. `options.topic` is resolved already. Null also when the
+  /// topic carries another type, or when a remapping would resolve its name once more.
+  static std::shared_ptr<Attachment> join(const ros::AdvertiseOptions& options, const MessageCodec& codec,
+                                          const PublisherOptions& publisher_options);
   ~Attachment();
   Attachment(const Attachment&) = delete;
   Attachment& operator=(const Attachment&) = delete;

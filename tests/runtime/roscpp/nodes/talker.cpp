@@ -2,11 +2,14 @@
 /// Publishes images whose bytes follow from their number, in one of the ways a node may publish.
 ///
 /// Private parameters: mode (twin, twin_pointer, stock, stock_pointer, plain, handover: a twin's publisher
-/// and a plain one, the former ends after half of the images), fresh (every so many images lie in a segment
-/// of their own), topics (several, separated by blanks), first (number), count, rate (Hz), bytes, latch,
-/// subscribers (wait for so many), settle (seconds to wait then), linger (seconds to stay), queue, memory.
+/// and a plain one, the former ends after half of the images; attached: twins, to the topic that others
+/// advertised; attached_wrong: stock images, attached for another type), fresh (every so many images lie in a
+/// segment of their own), topics (several, separated by blanks), first (number), count, rate (Hz), bytes,
+/// latch, subscribers (wait for so many), settle (seconds to wait then), linger (seconds to stay), queue,
+/// memory.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
+#include <std_msgs/UInt8MultiArray.h>
 #include <tzc/ros.h>
 #include <tzc/sensor_msgs/Image.h>
 
@@ -28,14 +31,18 @@ class Talker {
     const int memory = options.param("memory", 0);
     fresh_ = static_cast<std::uint32_t>(options.param("fresh", 0));
     half_ = static_cast<std::uint32_t>(options.param("count", 100) / 2);
-    if (mode_ == "plain" || mode_ == "handover")
+    const bool attached = mode_ == "attached" || mode_ == "attached_wrong";
+    if (mode_ == "plain" || mode_ == "handover" || attached)
       plain_ = node.advertise<sensor_msgs::Image>(topic, queue, latch);
-    if (mode_ != "plain")
+    if (mode_ == "attached") shared_ = tzc::attach_publisher<tzc::sensor_msgs::Image>(plain_, memory);
+    if (mode_ == "attached_wrong") shared_ = tzc::attach_publisher<std_msgs::UInt8MultiArray>(plain_, memory);
+    if (mode_ != "plain" && !attached)
       shared_ = tzc::advertise<tzc::sensor_msgs::Image>(node, topic, queue, memory, latch);
   }
 
   void publish(std::uint32_t number) {
-    if (mode_ == "twin" || mode_ == "twin_pointer" || (mode_ == "handover" && number < half_))
+    if (mode_ == "twin" || mode_ == "twin_pointer" || mode_ == "attached" ||
+        (mode_ == "handover" && number < half_))
       return publish_twin(number);
     if (mode_ == "handover" && number == half_) shared_.shutdown();
     const auto image = boost::make_shared<sensor_msgs::Image>();
