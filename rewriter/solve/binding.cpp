@@ -26,6 +26,16 @@ bool Binder::visible(const Birth& birth, const Entity& publisher) const {
          publisher.where.line < birth.where.line;
 }
 
+/// 2: the publisher is named together with the birth's message, 1: with one that has to have its type, 0:
+/// neither.
+int Binder::closeness(const PublisherName& name, const Birth& birth) const {
+  if (std::count(name.messages.begin(), name.messages.end(), birth.entity) != 0) return 2;
+  return std::any_of(name.messages.begin(), name.messages.end(), [&](const Key& message) {
+    const Component* component = components_.of(message);
+    return component && component->id == component_.id;
+  });
+}
+
 std::optional<Solution::Bound> Binder::named_at(const Birth& birth) const {
   const auto bound = [&](const PublisherName& name) {
     const std::string guard = name.guarded ? "if (" + name.text + ") " : "";
@@ -34,12 +44,11 @@ std::optional<Solution::Bound> Binder::named_at(const Birth& birth) const {
                            &facts_.entities.at(name.publisher)};
   };
   const bool takes_reference = !birth.changes.empty();  // to the publisher, which must be there
-  // First one that is named together with this very message.
-  for (const bool together : {true, false})
+  // First one that is named together with this very message, then with what the message becomes.
+  for (const int wanted : {2, 1, 0})
     for (const PublisherName& name : birth.publishers) {
       const Component* publisher = components_.of(name.publisher);
-      const bool with_it = std::count(name.messages.begin(), name.messages.end(), birth.entity) != 0;
-      if (publisher && publishers_.count(publisher->id) && (with_it || !together) &&
+      if (publisher && publishers_.count(publisher->id) && closeness(name, birth) >= wanted &&
           !(name.guarded && takes_reference))
         return bound(name);
     }

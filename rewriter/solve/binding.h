@@ -24,6 +24,7 @@ class Binder {
   bool bind(const Birth& birth, Solution::Message& message);
   bool give_publishers(Solution::Message& message);
   bool is_helper(const Birth& birth) const;
+  int closeness(const PublisherName& name, const Birth& birth) const;
   std::optional<Solution::Bound> named_at(const Birth& birth) const;
   bool visible(const Birth& birth, const Entity& publisher) const;
   bool inherits(const std::string& record, const std::string& base) const;
