@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine.h"
 
+#include <atomic>
 #include <fstream>
 #include <mutex>
 #include <sstream>
@@ -57,15 +58,18 @@ std::optional<Error> Engine::collect() {
   std::vector<Facts> facts(units_.size());
   std::optional<Error> failure;
   std::mutex mutex;
+  std::atomic<bool> failed{false};  // what remains need not be read: large packages take minutes
   unsigned done = 0;
   CollectOptions options{
       options_.package_dir, options_.build_dir, exported_dirs(options_.package_dir), &rules_, {}};
   options.include_dirs = options_.extra_include_dirs;
   if (!options_.tzc_include.empty()) options.include_dirs.push_back(options_.tzc_include);
   in_parallel(options_.jobs, units_.size(), [&](std::size_t i) {
+    if (failed) return;
     std::vector<Diagnostic> errors = collect_unit(units_[i], options, facts[i]);
     const std::lock_guard<std::mutex> lock(mutex);
     if (!errors.empty() && !failure) failure = does_not_parse(errors.front(), units_[i]);
+    failed = failure.has_value();
     step("parsing", ++done, units_[i].file);
   });
   for (Facts& of_unit : facts) facts_.merge(std::move(of_unit));
