@@ -92,6 +92,7 @@ class ApiCalls : public clang::RecursiveASTVisitor<ApiCalls> {
     const std::string owner = space_of(function->getDeclContext());
     const auto behalf = on_behalf.find(owner + function->getNameAsString());
     if (behalf != on_behalf.end()) note_behalf(behalf->second, call, function);
+    note_library_advertise(call, function);
     const auto kind = kinds.find(function->getNameAsString());
     if (kind == kinds.end() || written(call) == 0) return true;
     if (owners.count(owner) != 0) note(kind->second, call, type_at(kind->second, call, function));
@@ -132,6 +133,28 @@ class ApiCalls : public clang::RecursiveASTVisitor<ApiCalls> {
     if (made.getKind() == clang::TemplateArgument::Type && is_filter(made.getAsType()->getAsCXXRecordDecl()))
       note(SiteKind::subscribe, call, "");
     return true;
+  }
+
+  /// pub = advertise<M>(...), a library's own: what it returns is a publisher of the package.
+  void note_library_advertise(const clang::CallExpr* call, const clang::FunctionDecl* function) {
+    const std::string name = space_of(function->getDeclContext());
+    if (!function->getName().starts_with("advertise") || owners.count(name) != 0) return;
+    const clang::CXXRecordDecl* result = function->getReturnType().getCanonicalType()->getAsCXXRecordDecl();
+    if (!result || source_.in_package(function->getLocation())) return;
+    const std::string publisher = space_of(result->getDeclContext()) + result->getNameAsString();
+    if (publisher == "image_transport::Publisher" || publisher == "image_transport::CameraPublisher")
+      return note(SiteKind::advertise, call, "sensor_msgs/Image");
+    const std::string message = type_at(SiteKind::advertise, call, function);
+    if (publisher == "ros::Publisher" && (!message.empty() || names_cloud(function)))
+      note(SiteKind::advertise, call, message);
+  }
+
+  static bool names_cloud(const clang::FunctionDecl* function) {
+    const clang::TemplateArgumentList* arguments = template_arguments(function);
+    if (!arguments || arguments->size() == 0 || (*arguments)[0].getKind() != clang::TemplateArgument::Type)
+      return false;
+    const clang::CXXRecordDecl* record = (*arguments)[0].getAsType().getCanonicalType()->getAsCXXRecordDecl();
+    return record && space_of(record->getDeclContext()) + record->getNameAsString() == "pcl::PointCloud";
   }
 
   void note_behalf(SiteKind kind, const clang::Expr* call, const clang::FunctionDecl* function) {

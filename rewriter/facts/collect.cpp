@@ -2,7 +2,7 @@
 #include <clang/AST/ParentMapContext.h>
 #include <clang/AST/RecursiveASTVisitor.h>
 
-#include "facts/unit.h"
+#include "facts/advertise_sites.h"
 #include "report/codes.h"
 
 namespace tzc::rewriter {
@@ -179,6 +179,7 @@ bool Collector::VisitCallExpr(clang::CallExpr* call) {
   collect_helper_call(unit_, call);
   if (makes_object(call)) made_object(call);
   if (auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
+  collect_library_advertise(unit_, call);
   note_publisher_arguments(call);
   const clang::FunctionDecl* function = call->getDirectCallee();
   if (function) ported_call(call, qualified_name_of(function));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <clang/AST/ParentMapContext.h>
 
-#include "facts/unit.h"
+#include "facts/advertise_sites.h"
 #include "report/codes.h"
 
 namespace tzc::rewriter {
@@ -96,27 +96,6 @@ void describe_publisher(Unit& unit, const clang::CXXMemberCallExpr* call, Publis
                              function_around(unit, *call), site.where.begin});
 }
 
-std::optional<std::string> written_text(Unit& unit, const clang::CallExpr* call, unsigned index) {
-  if (written_arguments(call) <= index) return {};
-  return unit.source.text(call->getArg(index)->getSourceRange());
-}
-
-void describe_type(const Unit& unit, clang::QualType type, Advertise& site) {
-  const std::optional<MessageType> twin = twin_message_of(type);
-  if (const auto message = twin ? twin : message_of(type)) {
-    site.type = message->name;
-    site.heavy = message->has_data;
-    site.no_twin = !message->has_data || message->service || !has_twin(unit, site.type);
-  } else if (is_pcl_cloud(type)) {
-    site.type = "sensor_msgs/PointCloud2";
-    site.no_twin = site.pcl = true;
-  } else {
-    site.type = type.getAsString();
-    site.no_twin = true;
-    site.heavy = false;
-  }
-}
-
 /// What is advertised: advertise<M>(...), or the options' type.
 clang::QualType advertised_type(Unit& unit, const clang::CXXMemberCallExpr* call) {
   const clang::CXXMethodDecl* method = call->getMethodDecl();
@@ -135,13 +114,10 @@ std::optional<Place> behind_argument(Unit& unit, const clang::CallExpr* call, un
   return place;
 }
 
-/// advertise<T>(...) in a template: T stays written, and stands for the stock message.
-bool is_template_parameter(const clang::CXXMemberCallExpr* call) {
+bool takes_template_parameter(const clang::CXXMemberCallExpr* call) {
   const auto* callee = llvm::dyn_cast<clang::MemberExpr>(call->getCallee()->IgnoreParens());
-  if (!callee || callee->getNumTemplateArgs() == 0) return false;
-  const clang::TemplateArgument& first = callee->getTemplateArgs()[0].getArgument();
-  return first.getKind() == clang::TemplateArgument::Type &&
-         first.getAsType()->getAs<clang::SubstTemplateTypeParmType>() != nullptr;
+  return callee && callee->getNumTemplateArgs() != 0 &&
+         is_template_parameter(callee->getTemplateArgs()[0].getArgument());
 }
 
 void change_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const MethodCall& rule,
@@ -150,7 +126,7 @@ void change_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const Me
   if (rule.role == MethodCall::Role::advertise) {
     const std::string written = written_template_arguments(unit, call);
     const std::string stock = written.empty() ? stock_name(site.type) : written;
-    const bool as_written = site.no_twin || is_template_parameter(call);
+    const bool as_written = site.no_twin || takes_template_parameter(call);
     to += "<" + (as_written ? stock : twin_name(site.type)) + ">";
   }
   site.changes = receiver_first(unit, call, to, rule.rule, rule.header);
@@ -203,12 +179,48 @@ void collect_publish(Unit& unit, const clang::CXXMemberCallExpr* call) {
   unit.facts.publishes.emplace(id_of(site.where, site.type), site);
 }
 
-void collect_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const MethodCall& rule) {
+Advertise advertise_at(Unit& unit, const clang::CallExpr* call, const char* rule) {
   Advertise site;
   site.where = unit.source.where(call->getExprLoc());
   site.function = function_name_around(unit, *call);
-  site.rule = rule.rule;
+  site.rule = rule;
   site.type = "sensor_msgs/Image";
+  return site;
+}
+
+void describe_type(const Unit& unit, clang::QualType type, Advertise& site) {
+  const std::optional<MessageType> twin = twin_message_of(type);
+  if (const auto message = twin ? twin : message_of(type)) {
+    site.type = message->name;
+    site.heavy = message->has_data;
+    site.no_twin = !message->has_data || message->service || !has_twin(unit, site.type);
+  } else if (is_pcl_cloud(type)) {
+    site.type = "sensor_msgs/PointCloud2";
+    site.no_twin = site.pcl = true;
+  } else {
+    site.type = type.getAsString();
+    site.no_twin = true;
+    site.heavy = false;
+  }
+}
+
+void add_advertise(Unit& unit, Advertise site) {
+  const std::string id = id_of(site.where, site.type);
+  unit.facts.advertises.emplace(id, std::move(site));
+}
+
+std::optional<std::string> written_text(Unit& unit, const clang::CallExpr* call, unsigned index) {
+  if (written_arguments(call) <= index) return {};
+  return unit.source.text(call->getArg(index)->getSourceRange());
+}
+
+bool is_template_parameter(const clang::TemplateArgument& argument) {
+  return argument.getKind() == clang::TemplateArgument::Type &&
+         argument.getAsType()->getAs<clang::SubstTemplateTypeParmType>() != nullptr;
+}
+
+void collect_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const MethodCall& rule) {
+  Advertise site = advertise_at(unit, call, rule.rule);
   if (rule.role == MethodCall::Role::advertise) {
     const clang::QualType type = advertised_type(unit, call);
     if (!type.isNull())
@@ -223,22 +235,18 @@ void collect_advertise(Unit& unit, const clang::CXXMemberCallExpr* call, const M
   change_advertise(unit, call, rule, site);
   for (const Obstacle& obstacle : site.obstacles)
     unit.facts.entities[site.publisher].obstacles.push_back(obstacle);
-  unit.facts.advertises.emplace(id_of(site.where, site.type), site);
+  add_advertise(unit, std::move(site));
 }
 
 void collect_ported_advertise(Unit& unit, const clang::CallExpr* call, const MethodCall& rule) {
-  Advertise site;
-  site.where = unit.source.where(call->getExprLoc());
-  site.function = function_name_around(unit, *call);
-  site.rule = rule.rule;
-  site.type = "sensor_msgs/Image";
+  Advertise site = advertise_at(unit, call, rule.rule);
   const clang::TemplateArgumentList* arguments = call->getDirectCallee()->getTemplateSpecializationArgs();
   if (rule.role == MethodCall::Role::advertise && arguments)
     describe_type(unit, (*arguments)[0].getAsType(), site);
   if (written_arguments(call) > 1) site.topic = constant_string(call->getArg(1));
   site.memory = rule.role == MethodCall::Role::advertise ? written_text(unit, call, site.topic ? 3 : 2) : "0";
   site.publisher = declare_temporary(unit, call);
-  unit.facts.advertises.emplace(id_of(site.where, site.type), site);
+  add_advertise(unit, std::move(site));
 }
 
 }  // namespace tzc::rewriter

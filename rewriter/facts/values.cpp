@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the value of an expression comes from.
-#include "facts/unit.h"
+#include "facts/advertise_sites.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -42,6 +42,7 @@ Sources of_method(Unit& unit, const clang::CXXMemberCallExpr* call) {
   if (unit.rules.find_method(qualified_name_of(method->getParent()), method->getNameAsString(),
                              written_arguments(call)))
     return one(declare_temporary(unit, call));
+  if (library_advertise_rule(unit, call)) return one(declare_temporary(unit, call));
   const clang::Expr* object = call->getImplicitObjectArgument();
   if (carried_by(object->getType(), unit.rules)) return sources_of(unit, object);
   return foreign();
@@ -57,7 +58,9 @@ Sources of_call(Unit& unit, const clang::CallExpr* call) {
   if (makes_object(call)) return one(declare_temporary(unit, call));
   if (passes_through(function)) return sources_of(unit, call->getArg(0));
   if (is_package_function(unit, function)) return one(declare_result(unit, function));
-  if (unit.rules.find_ported_function(qualified_name_of(function))) return one(declare_temporary(unit, call));
+  const bool advertises = library_advertise_rule(unit, call) || attaches_publisher(unit, call);
+  if (advertises || unit.rules.find_ported_function(qualified_name_of(function)))
+    return one(declare_temporary(unit, call));
   return foreign();
 }
 

@@ -49,11 +49,23 @@ struct MethodCall {
   int arguments = -1;  ///< how many the call has; -1: any number
 };
 
+/// A function of a library that advertises for the package, `advertise...`, and returns the publisher: what
+/// it returns is given to a function that attaches shared memory to the topic.
+struct LibraryAdvertise {
+  const char* rule;
+  const char* result;  ///< qualified name of the publisher class
+  const char* owner;   ///< the class whose own advertise functions are not meant
+  bool is_template;    ///< of the message; else it is an image
+  const char* to;
+  const char* header;
+};
+
 /// The rules of a run. Tests take single ones away to show that each is needed.
 struct RuleSet {
   std::vector<const ClassRename*> classes;
   std::vector<const LibraryCall*> calls;
   std::vector<const MethodCall*> methods;
+  std::vector<const LibraryAdvertise*> advertisers;
 
   const ClassRename* find_class(const std::string& name) const;
   /// The publisher or filter class that an earlier run wrote.
@@ -63,6 +75,7 @@ struct RuleSet {
   const LibraryCall* find_call(const std::string& function, unsigned argument) const;
   const MethodCall* find_method(const std::string& object, const std::string& method,
                                 unsigned arguments) const;
+  const LibraryAdvertise* find_advertiser(const std::string& result) const;
   /// The advertise or subscribe function that an earlier run wrote.
   const MethodCall* find_ported_function(const std::string& function) const;
 };

@@ -28,6 +28,12 @@ const MethodCall* const methods[] = {
     &rules::cv_image_to_message, &rules::cv_image_into_message,
 };
 
+const LibraryAdvertise* const advertisers[] = {
+    &rules::library_advertise,
+    &rules::library_image_advertise,
+    &rules::library_camera_advertise,
+};
+
 template <class Rule, std::size_t count>
 std::vector<const Rule*> select(const Rule* const (&all)[count], const std::set<std::string>& without) {
   std::vector<const Rule*> selected;
@@ -70,6 +76,12 @@ const MethodCall* RuleSet::find_method(const std::string& object, const std::str
   return nullptr;
 }
 
+const LibraryAdvertise* RuleSet::find_advertiser(const std::string& result) const {
+  for (const LibraryAdvertise* rule : advertisers)
+    if (result == rule->result) return rule;
+  return nullptr;
+}
+
 const MethodCall* RuleSet::find_ported_function(const std::string& function) const {
   for (const MethodCall* rule : methods)
     if (function == rule->to && rule->role != MethodCall::Role::builds_message &&
@@ -79,7 +91,8 @@ const MethodCall* RuleSet::find_ported_function(const std::string& function) con
 }
 
 RuleSet all_rules(const std::set<std::string>& without) {
-  return {select(classes, without), select(calls, without), select(methods, without)};
+  return {select(classes, without), select(calls, without), select(methods, without),
+          select(advertisers, without)};
 }
 
 }  // namespace tzc::rewriter

@@ -15,6 +15,19 @@ inline void decode(std::vector<uint8_t>&) {}
 inline void read(unsigned char*, std::size_t) {}
 template <class M>
 void log(const M&) {}
+/// Advertises for its children and keeps a copy of each publisher.
+class Nodelet {
+ protected:
+  template <class M>
+  ros::Publisher advertise(ros::NodeHandle& nh, std::string topic, int queue, bool latch = false) {
+    publishers_.push_back(nh.advertise<M>(topic, queue, latch));
+    return publishers_.back();
+  }
+  ros::Publisher advertise_any(ros::NodeHandle&, const std::string&) { return {}; }
+
+ private:
+  std::vector<ros::Publisher> publishers_;
+};
 class Source {
  public:
   virtual ~Source() {}

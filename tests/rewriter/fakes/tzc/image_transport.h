@@ -22,6 +22,8 @@ CameraPublisher advertiseCamera(::image_transport::ImageTransport it, A&&... a) 
   it.advertiseCamera(std::forward<A>(a)...);
   return {};
 }
+inline Publisher attach_publisher(const ::image_transport::Publisher&) { return {}; }
+inline CameraPublisher attach_publisher(const ::image_transport::CameraPublisher&) { return {}; }
 template <class... A>
 ::image_transport::Subscriber subscribe(::image_transport::ImageTransport it, A&&... a) {
   return it.subscribe(std::forward<A>(a)...);

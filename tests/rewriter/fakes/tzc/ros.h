@@ -25,6 +25,8 @@ Publisher advertise(const ros::NodeHandle&, const std::string&, uint32_t, std::s
                     const ros::VoidConstPtr& = {}, bool = false) { return {}; }
 template <class M>
 Publisher advertise(const ros::NodeHandle&, ros::AdvertiseOptions&, std::size_t) { return {}; }
+template <class M>
+Publisher attach_publisher(const ros::Publisher&, std::size_t) { return {}; }
 template <class... A>
 ros::Subscriber subscribe(ros::NodeHandle nh, A&&... a) { return nh.subscribe(std::forward<A>(a)...); }
 template <class M, class... A>

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rules/rules.h"
+
+namespace tzc::rewriter::rules {
+
+/// Before:  pub = advertiseImage(nh, "image", 10);  // of a library's base class
+/// After:   pub = tzc::image_transport::attach_publisher(advertiseImage(nh, "image", 10));
+const LibraryAdvertise library_image_advertise{"library-image-advertise",
+                                               "image_transport::Publisher",
+                                               "image_transport::ImageTransport",
+                                               false,
+                                               "tzc::image_transport::attach_publisher",
+                                               "tzc/image_transport.h"};
+
+}  // namespace tzc::rewriter::rules
