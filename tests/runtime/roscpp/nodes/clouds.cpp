@@ -65,9 +65,9 @@ void talk(ros::NodeHandle& node, const ros::NodeHandle& options) {
   }
   ros::WallDuration(0.5).sleep();  // stays until the queue is empty, as ordinary nodes do
   const tzc::PublisherStatistics s = publisher.statistics();
-  std::printf("{\"copied_bytes\": %llu, \"exhausted\": %llu, \"dropped\": %llu}\n",
-              (unsigned long long)s.copied_bytes, (unsigned long long)s.exhausted,
-              (unsigned long long)s.dropped);
+  std::printf("{\"copied_bytes\": %llu, \"serialized\": %llu, \"exhausted\": %llu, \"dropped\": %llu}\n",
+              (unsigned long long)s.copied_bytes, (unsigned long long)s.serialized,
+              (unsigned long long)s.exhausted, (unsigned long long)s.dropped);
   std::fflush(stdout);
 }
 
