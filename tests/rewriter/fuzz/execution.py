@@ -17,7 +17,7 @@ def execute(program, recorder, folder, topics):
         ros.start([recorder, *topics], name="recorder")
         ros.start([program, "listener"], name="listener")
         talker = ros.start([program, "talker"], name="talker")
-        status = talker.wait(180)
+        status = talker.wait(400)
         if status != 0:
             raise RuntimeError(f"{program} ends with {status}; its output ends:\n{talker.tail()}")
     return {(name, topic): lines for name in LOGS for topic, lines in read_log(f"{folder}/{name}").items()}

@@ -101,7 +101,7 @@ def remarks(sites):
 def again(options, failure, indices):
     """The command that repeats a failure: with the programs that it names, otherwise with the whole batch."""
     named = sorted({int(number) for number in re.findall(r"\bp(\d{3,})\b", str(failure))} & set(indices))
-    return f"{' '.join(sys.argv[:3])} --keep --seed {options.seed} --only {','.join(map(str, named or indices))}"
+    return f"{sys.executable} {' '.join(sys.argv[:3])} --keep --seed {options.seed} --only {','.join(map(str, named or indices))}"
 
 
 def parse_arguments():

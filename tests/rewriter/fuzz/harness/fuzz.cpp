@@ -62,9 +62,13 @@ Tail& tail(const std::string& name) {
   std::exit(3);
 }
 
+/// roscpp's XMLRPC server has a backlog of 5 connections. Two processes with a hundred topics that connect at once
+/// overflow it (TcpExtListenOverflows), and the kernel sends a dropped SYN again after 1, 3, 7 ... 63 seconds.
+const ros::WallDuration patience(150);
+
 template <class Condition>
 void until(Condition condition, const std::string& what) {
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(60);
+  const ros::WallTime deadline = ros::WallTime::now() + patience;
   while (!condition()) {
     if (ros::WallTime::now() > deadline) give_up(what);
     ros::WallDuration(0.002).sleep();
