@@ -25,14 +25,14 @@ def count(sites, kind):
 
 
 def row(name, publish, subscribe):
-    cells = [f"{publish[level]:>10}" for level in PUBLISH] + [f"{subscribe[level]:>10}" for level in SUBSCRIBE]
+    cells = [f"{publish[level]:>11}" for level in PUBLISH] + [f"{subscribe[level]:>11}" for level in SUBSCRIBE]
     return f"{name:<20}" + "".join(cells)
 
 
 def main():
     total_publish, total_subscribe = collections.Counter(), collections.Counter()
-    print(f"{'':<20}{'publish':>10}{'':>30}{'subscribe':>10}")
-    print(f"{'package':<20}" + "".join(f"{level:>10}" for level in PUBLISH + SUBSCRIBE))
+    print(f"{'':<20}{'publish':>11}{'':>33}{'subscribe':>11}")
+    print(f"{'package':<20}" + "".join(f"{level:>11}" for level in PUBLISH + SUBSCRIBE))
     for report in packages(sys.argv[1:]):
         publish, subscribe = count(report["sites"], "publish"), count(report["sites"], "subscribe")
         print(row(report["package"], publish, subscribe))
