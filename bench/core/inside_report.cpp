@@ -2,6 +2,7 @@
 #include "inside_report.h"
 
 #include <benchmark/benchmark.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -28,6 +29,8 @@ char repetitions[] = "--benchmark_repetitions=5";
 /// Prints what Google Benchmark prints, and keeps each repetition.
 class Collector final : public benchmark::ConsoleReporter {
  public:
+  Collector() : ConsoleReporter(::isatty(STDOUT_FILENO) != 0 ? OO_ColorTabular : OO_Tabular) {}
+
   void ReportRuns(const std::vector<Run>& runs) override {
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs) {

@@ -45,6 +45,7 @@ def check_inside(bench):
         path = os.path.join(folder, "figures.json")
         done = run(bench, "inside", "--json", path, "--benchmark_filter=allocate/|to_stopped", "--benchmark_min_time=0.01")
         assert done.returncode == 0, done.stderr
+        assert "allocate/4194304" in done.stdout and "\033" not in done.stdout, "colours, and not on a terminal"
         with open(path) as file:
             rows = json.load(file)["rows"]
     assert {("allocate/4194304", 4 << 20, 0), ("allocate_publish_to_stopped/8", 4 << 20, 8)} <= {
