@@ -39,6 +39,15 @@ SendResult classify_send_failure(int code) {
   }
 }
 
+template <class Call>
+SendResult finish_send(Call send_once) {
+  ssize_t sent = 0;
+  do {
+    sent = send_once();
+  } while (sent < 0 && errno == EINTR);
+  return sent >= 0 ? SendResult::sent : classify_send_failure(errno);
+}
+
 void take_descriptors(msghdr& message, ReceivedPacket& packet) {
   for (cmsghdr* header = CMSG_FIRSTHDR(&message); header != nullptr; header = CMSG_NXTHDR(&message, header)) {
     if (header->cmsg_level != SOL_SOCKET || header->cmsg_type != SCM_RIGHTS) continue;
@@ -65,19 +74,11 @@ SendResult send_packet(int socket, const iovec* parts, std::size_t part_count, c
     std::memset(&control, 0, sizeof control);
     attach_descriptors(message, control, descriptors, descriptor_count);
   }
-  ssize_t sent = 0;
-  do {
-    sent = ::sendmsg(socket, &message, MSG_DONTWAIT | MSG_NOSIGNAL);
-  } while (sent < 0 && errno == EINTR);
-  return sent >= 0 ? SendResult::sent : classify_send_failure(errno);
+  return finish_send([&] { return ::sendmsg(socket, &message, MSG_DONTWAIT | MSG_NOSIGNAL); });
 }
 
 SendResult send_packet(int socket, const void* data, std::size_t size) noexcept {
-  ssize_t sent = 0;
-  do {
-    sent = ::send(socket, data, size, MSG_DONTWAIT | MSG_NOSIGNAL);
-  } while (sent < 0 && errno == EINTR);
-  return sent >= 0 ? SendResult::sent : classify_send_failure(errno);
+  return finish_send([&] { return ::send(socket, data, size, MSG_DONTWAIT | MSG_NOSIGNAL); });
 }
 
 ReceiveResult receive_packet(int socket, void* memory, std::size_t size, Waiting waiting,
