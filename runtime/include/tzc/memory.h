@@ -102,9 +102,9 @@ class BufferSpan {
  public:
   BufferSpan() noexcept = default;
   BufferSpan(const BufferPtr* first, std::size_t size) noexcept : first_(first), size_(size) {}
-  BufferSpan(const std::vector<BufferPtr>& buffers) noexcept  // NOLINT: implicit
+  BufferSpan(const std::vector<BufferPtr>& buffers) noexcept  // NOLINT: implicit, as std::span from a vector
       : BufferSpan(buffers.data(), buffers.size()) {}
-  BufferSpan(std::initializer_list<BufferPtr> buffers) noexcept  // NOLINT: implicit
+  BufferSpan(std::initializer_list<BufferPtr> buffers) noexcept  // NOLINT: implicit, for a list in braces
       : BufferSpan(buffers.begin(), buffers.size()) {}
 
   const BufferPtr* begin() const noexcept { return first_; }
