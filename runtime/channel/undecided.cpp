@@ -8,7 +8,8 @@ namespace channel {
 namespace {
 
 constexpr std::size_t initial_entries = 8;
-constexpr std::size_t usual_body_bytes = 1024;  // larger ones don't stay allocated
+constexpr std::size_t usual_body_bytes = 1024;   // larger ones don't stay allocated
+constexpr std::size_t most_idle_entries = 1024;  // nor the ring of a subscriber that was stopped for long
 
 bool refers_to(const Undecided::Entry& entry, const segment::BlockName& block) {
   return std::any_of(entry.claims.begin(), entry.claims.end(), [&block](const segment::BlockName& claim) {
@@ -33,6 +34,9 @@ void Undecided::drop_oldest() {
   entry.record.reset();
   first_ = (first_ + 1) & (ring_.size() - 1);
   --size_;
+  if (size_ > 0 || ring_.size() <= most_idle_entries) return;
+  std::vector<Entry>().swap(ring_);
+  first_ = 0;
 }
 
 const Undecided::Entry* Undecided::find_last(const segment::BlockName& block) const {

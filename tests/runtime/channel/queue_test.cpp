@@ -43,6 +43,24 @@ TEST(Queue, TheBoundHoldsAcrossSocketAndOutbox) {
   EXPECT_EQ(in->stats().lost, 200u);
 }
 
+// What is kept for it goes when it has all, and is there again for the next ones.
+TEST(Queue, ALongOneFillsAndEmptiesTwice) {
+  constexpr int count = 3000;
+  const auto out = publisher(count);
+  const auto in = idle_subscriber(out->address());
+  for (int round = 0; round < 2; ++round) {
+    for (int i = 0; i < count; ++i) out->publish(text_record(std::to_string(i)));
+    std::vector<MessagePtr> messages;
+    ASSERT_TRUE(eventually([&] {
+      for (const auto& message : read_all(*in)) messages.push_back(message);
+      return messages.size() >= count;
+    }));
+    for (int i = 0; i < count; ++i) ASSERT_EQ(control_of(messages[i]), std::to_string(i));
+    EXPECT_EQ(out->connections()[0]->untaken(), 0u);
+  }
+  EXPECT_EQ(out->stats().dropped, 0u);
+}
+
 TEST(Queue, AtMostQueueSizeMessagesPinMemory) {
   for (const Policy policy : {Policy::worst_effort(), Policy::medium_effort(), Policy::best_effort()}) {
     const auto out = publisher(2, 4 * mb, policy);
