@@ -26,13 +26,13 @@ class OtherUser(TopicCase):
 
     def test_subscriber_of_another_user_stays_on_tcpros(self):
         other, own = self.listen(runner=self.as_nobody(), env=self.nobodys()), self.listen()
-        self.talk(count=50, queue=200, subscribers=2)
+        self.talk(count=50, queue=200, subscribers=2, shared=1)
         self.assert_got(other, range(50), shared=False)
         self.assert_got(own, range(50), shared=True)
 
     def test_publisher_of_another_user_stays_on_tcpros(self):
         listener = self.listen()
-        talker = self.start_talker(count=50, queue=200, runner=self.as_nobody(), env=self.nobodys())
+        talker = self.start_talker(count=50, queue=200, shared=0, runner=self.as_nobody(), env=self.nobodys())
         self.assertEqual(talker.wait(30), 0, talker.tail())
         self.assert_got(listener, range(50), shared=False)
 
@@ -114,7 +114,7 @@ class OtherMachine(TopicCase):
     def test_remote_subscriber_falls_back_to_tcpros_by_itself(self):
         remote = self.listen(**self.on_other_machine())
         local = self.listen(**self.on_this_machine())
-        self.talk(count=50, queue=200, subscribers=2, **self.on_this_machine())
+        self.talk(count=50, queue=200, subscribers=2, shared=1, **self.on_this_machine())
         self.assert_got(remote, range(50), shared=False)
         self.assert_got(local, range(50), shared=True)
         self.assert_seq_as_tcpros(remote)
@@ -122,7 +122,7 @@ class OtherMachine(TopicCase):
     def test_remote_publisher(self):
         local = self.listen(**self.on_this_machine())
         remote = self.listen(**self.on_other_machine())
-        talker = self.start_talker(count=50, queue=200, subscribers=2, **self.on_other_machine())
+        talker = self.start_talker(count=50, queue=200, subscribers=2, shared=1, **self.on_other_machine())
         self.assertEqual(talker.wait(30), 0, talker.tail())
         self.assert_got(local, range(50), shared=False)
         self.assert_got(remote, range(50), shared=True)

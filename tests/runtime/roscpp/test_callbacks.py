@@ -8,8 +8,7 @@ from topic_case import Listener, TopicCase, main
 class Callbacks(TopicCase):
     def several(self, callbacks):
         process = self.node("several", "several", {"callbacks": callbacks})
-        self.wait_for_subscribers(self.name("image"), 1)
-        time.sleep(0.5)
+        self.ros.wait_until(lambda: '"ready"' in process.log(), 20, "all callbacks")
         return Listener(process)
 
     def test_readers_in_one_process_share(self):
@@ -26,9 +25,9 @@ class Callbacks(TopicCase):
         self.assert_got(listener, range(30), callback="shape_shifter")
 
     def test_only_another_type(self):
-        """A process that attached the topic for images and then only has a ShapeShifter callback."""
-        listener = self.several("shape_shifter")
-        self.talk(count=30)
+        """A process that attached the topic for images and only has a ShapeShifter callback."""
+        listener = self.several("attach shape_shifter")
+        self.assertEqual(self.talk(count=30)["shared"], 30)
         self.assert_got(listener, range(30), callback="shape_shifter")
 
     def test_a_writer_spoils_nothing_for_readers(self):

@@ -46,7 +46,7 @@ class Killed(TopicCase):
     def test_killed_publisher_comes_back(self):
         listener = self.listen()
         for life in range(3):
-            talker = self.start_talker(first=1000 * life, count=0, rate=100, settle=1)
+            talker = self.start_talker(first=1000 * life, count=0, rate=100)
             self.ros.wait_until(lambda: listener.numbers() and listener.numbers()[-1] >= 1000 * life + 20, 20, "a life")
             talker.kill()
         for life in range(3):
@@ -59,7 +59,7 @@ class Killed(TopicCase):
 class Stopped(TopicCase):
     def test_subscriber_stopped_for_five_seconds(self):
         sleeper, survivor, plain = self.listen(), self.listen(queue=1000), self.listen("plain", queue=1000)
-        talker = self.start_talker(count=1400, rate=200, subscribers=3, memory=30000000, queue=100)
+        talker = self.start_talker(count=1400, rate=200, subscribers=3, shared=2, memory=30000000, queue=100)
         self.wait_for(sleeper, 50)
         sleeper.process.popen.send_signal(signal.SIGSTOP)
         time.sleep(5)

@@ -14,7 +14,7 @@ class Many(TopicCase):
 
     def test_several_publishers_on_a_topic(self):
         listener = self.listen()
-        talkers = [self.start_talker(name=f"talker{i}", first=1000 * i, count=50, settle=1.0) for i in range(3)]
+        talkers = [self.start_talker(name=f"talker{i}", first=1000 * i, count=50) for i in range(3)]
         for talker in talkers:
             self.assertEqual(talker.wait(40), 0, talker.tail())
         messages = listener.messages()
@@ -34,7 +34,7 @@ class Many(TopicCase):
 class Unreliable(TopicCase):
     def test_who_asks_for_udpros_gets_it(self):
         unreliable, shared = self.listen("unreliable", queue=200), self.listen(queue=200)
-        talker = self.start_talker(count=50, rate=50, bytes=1000, subscribers=2, queue=200, linger=3)
+        talker = self.start_talker(count=50, rate=50, bytes=1000, subscribers=2, shared=1, queue=200, linger=3)
         self.ros.wait_until(lambda: self.transports(self.name("talker")) == {"UDPROS", "TZC"}, 20, "both transports")
         self.assertEqual(talker.wait(30), 0, talker.tail())
         self.assert_got(unreliable, range(50), shared=False)
@@ -46,7 +46,7 @@ class TwoPublishersOfANode(TopicCase):
     def test_the_ported_one_ends_and_the_plain_one_goes_on(self):
         """Who is on shared memory stays there."""
         shared, plain = self.listen(queue=1000), self.listen("plain", queue=1000)
-        talker = self.start_talker("handover", count=100, subscribers=2, queue=200)
+        talker = self.start_talker("handover", count=100, subscribers=2, shared=1, queue=200)
         self.assertEqual(talker.wait(30), 0, talker.tail())
         self.assert_got(shared, range(100))
         self.assert_got(plain, range(100), shared=False)
@@ -106,7 +106,7 @@ class ComingAndGoing(TopicCase):
     def test_restarted_talker(self):
         listener = self.listen()
         for restart in range(3):
-            self.talk(first=100 * restart, count=20, settle=1.0)
+            self.talk(first=100 * restart, count=20)
         self.assert_got(listener, [100 * i + k for i in range(3) for k in range(20)], shared=True)
 
     def test_restarted_listener(self):

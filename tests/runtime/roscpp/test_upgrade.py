@@ -32,7 +32,7 @@ class Upgrade(TopicCase):
 
     def test_attached_to_a_topic_that_others_advertised(self):
         shared, plain = self.listen(), self.listen("plain")
-        counters = self.talk("attached", count=50, subscribers=2)
+        counters = self.talk("attached", count=50, subscribers=2, shared=1)
         self.assert_got(shared, range(50), shared=True)
         self.assert_got(plain, range(50), shared=False)
         self.assert_seq_as_tcpros(shared)
@@ -57,7 +57,7 @@ class Upgrade(TopicCase):
 
     def test_plain_listener_stays_on_tcpros(self):
         plain, shared = self.listen("plain"), self.listen()
-        self.talk(count=50, subscribers=2)
+        self.talk(count=50, subscribers=2, shared=1)
         self.assert_got(plain, range(50), shared=False)
         self.assert_got(shared, range(50), shared=True)
         self.assert_seq_as_tcpros(plain)
@@ -106,7 +106,7 @@ class Upgrade(TopicCase):
 
     def test_off_switch(self):
         listener = self.listen()
-        talker = self.start_talker(count=20, env={"TZC_DISABLE": "1"})
+        talker = self.start_talker(count=20, shared=0, env={"TZC_DISABLE": "1"})
         talker.wait(30)
         self.assert_got(listener, range(20), shared=False)
 
@@ -118,7 +118,7 @@ class Death(TopicCase):
         self.wait_for(listener, 50)
         talker.kill()
         before = len(listener.numbers())
-        self.talk(count=50, settle=1)
+        self.talk(count=50)
         self.assertEqual(listener.numbers()[-50:], list(range(50)))
         self.assertLess(before, len(listener.numbers()))
         self.assertTrue(all(message["right"] for message in listener.messages()))

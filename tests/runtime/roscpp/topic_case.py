@@ -102,9 +102,15 @@ class TopicCase(unittest.TestCase):
         self.ros.wait_until(lambda: len(self.ros.subscribers(topic)) >= count, 20, f"{count} subscribers of {topic}")
 
     def start_talker(self, mode="twin", name="talker", remaps=(), env=None, runner=(), **parameters):
-        # The upgrade takes a few ms; tests of it set settle to 0. The queue is for a machine that is busy with others.
-        return self.node("talker", name, dict({"settle": 0.5, "queue": 200}, mode=mode, **parameters), remaps, env,
-                         runner)
+        """A talker that begins when its subscribers are there, and so many on shared memory (`shared`) as there are
+        subscribers, unless it is told otherwise; tests of the move itself set settle to 0 instead."""
+        if "settle" not in parameters:
+            is_plain = mode in ("plain", "attached_wrong")
+            parameters.setdefault("shared", 0 if is_plain else parameters.get("subscribers", 1))
+        if not parameters.get("shared", 0):
+            parameters.setdefault("settle", 0.5)  # room for a move that must not be
+        # The queue is for a machine that is busy with others.
+        return self.node("talker", name, dict({"queue": 200}, mode=mode, **parameters), remaps, env, runner)
 
     def talk(self, mode="twin", timeout=60, **parameters):
         """Runs a talker to its end; its counters."""

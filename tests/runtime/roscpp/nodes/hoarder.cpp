@@ -17,8 +17,7 @@ int main(int argc, char** argv) {
   ros::NodeHandle node, options("~");
   const int segments = options.param("segments", 300), then = options.param("then", 50);
   const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 1000, 4000000);
-  while (ros::ok() && publisher.getNumSubscribers() == 0) ros::WallDuration(0.01).sleep();
-  ros::WallDuration(0.5).sleep();
+  while (ros::ok() && publisher.statistics().shared_subscribers == 0) ros::WallDuration(0.01).sleep();
   std::vector<tzc::sensor_msgs::Image> hoard(static_cast<std::size_t>(segments));
   const int more = options.param("until_shared", 0);
   bool returned = more == 0, shared_again = more == 0;

@@ -13,12 +13,21 @@
 
 namespace tzc_test {
 
-/// One line of JSON about an image: number, seq, whether the bytes are right, whether they lie in a shared
-/// segment. `extra`: more members, each with a comma behind it.
+/// Do its fields fit each other, as a talker fills them?
+inline bool is_consistent(const sensor_msgs::Image& image) {
+  const std::uint32_t channels = image.encoding == "bgr8" ? 3 : 1;
+  return (image.encoding == "mono8" || image.encoding == "bgr8") && image.is_bigendian == 0 &&
+         image.step == image.width * channels &&
+         image.data.size() == std::size_t(image.step) * image.height && image.height > 0 &&
+         !image.data.empty() && !image.header.stamp.isZero();
+}
+
+/// One line of JSON about an image: number, seq, whether all fields and bytes are right, whether the bytes
+/// lie in a shared segment. `extra`: more members, each with a comma behind it.
 inline void print_image(const sensor_msgs::Image& image, const std::string& extra = std::string()) {
   const auto number = static_cast<std::uint32_t>(std::atoi(image.header.frame_id.c_str()));
   const double latency = (ros::Time::now() - image.header.stamp).toSec() * 1e6;
-  const bool right = has_pattern(image.data.data(), image.data.size(), number);
+  const bool right = is_consistent(image) && has_pattern(image.data.data(), image.data.size(), number);
   const bool shared = tzc::in_segment(image.data.data());
   std::printf("{%s\"number\": %u, \"seq\": %u, \"right\": %s, \"shared\": %s, \"latency_us\": %.1f}\n",
               extra.c_str(), number, image.header.seq, right ? "true" : "false", shared ? "true" : "false",

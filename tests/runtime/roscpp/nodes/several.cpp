@@ -3,7 +3,8 @@
 /// from.
 ///
 /// Private parameter: callbacks, some of: pointer value mutable event shape_shifter plain late_shape_shifter
-/// (subscribes a second after the others).
+/// (subscribes a second after the others), attach (no callback: the topic is attached for images). Says when
+/// all of them are there.
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
@@ -59,6 +60,10 @@ int main(int argc, char** argv) {
   std::istringstream callbacks(options.param<std::string>("callbacks", "pointer"));
   std::vector<ros::Subscriber> subscribers;
   for (std::string callback; callbacks >> callback;) {
+    if (callback == "attach") {
+      tzc::attach<sensor_msgs::Image>(node, "image");
+      continue;
+    }
     if (callback != "late_shape_shifter") {
       subscribers.push_back(subscribe(node, callback));
       continue;
@@ -68,5 +73,7 @@ int main(int argc, char** argv) {
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
     subscribers.push_back(subscribe(node, callback));
   }
+  std::puts("{\"event\": \"ready\"}");
+  std::fflush(stdout);
   ros::spin();
 }

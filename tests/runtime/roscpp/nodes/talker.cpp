@@ -5,8 +5,9 @@
 /// and a plain one, the former ends after half of the images; attached: twins, to the topic that others
 /// advertised; attached_wrong: stock images, attached for another type), fresh (every so many images lie in a
 /// segment of their own), topics (several, separated by blanks), first (number), count, rate (Hz), bytes,
-/// latch, subscribers (wait for so many), settle (seconds to wait then), linger (seconds to stay), queue,
-/// memory.
+/// latch, rows, encoding (of an image: mono8, bgr8), subscribers (wait for so many), shared (and for so many
+/// of them on shared memory), settle (seconds to wait then), echo (a topic: the next image goes out when that
+/// one's number has come back on it), linger (seconds to stay), queue, memory.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <std_msgs/UInt8MultiArray.h>
@@ -25,7 +26,10 @@ namespace {
 class Talker {
  public:
   Talker(ros::NodeHandle node, ros::NodeHandle options, const std::string& topic)
-      : mode_(options.param<std::string>("mode", "twin")), bytes_(options.param("bytes", 100000)) {
+      : mode_(options.param<std::string>("mode", "twin")),
+        bytes_(options.param("bytes", 100000)),
+        rows_(static_cast<std::uint32_t>(options.param("rows", 1))),
+        encoding_(options.param<std::string>("encoding", "mono8")) {
     const int queue = options.param("queue", 10);
     const bool latch = options.param("latch", false);
     const int memory = options.param("memory", 0);
@@ -46,7 +50,7 @@ class Talker {
       return publish_twin(number);
     if (mode_ == "handover" && number == half_) shared_.shutdown();
     const auto image = boost::make_shared<sensor_msgs::Image>();
-    tzc_test::fill_image(*image, number, bytes_);
+    fill(*image, number);
     if (mode_ == "plain" || mode_ == "handover") return plain_.publish(*image);
     if (mode_ == "stock_pointer") return shared_.publish(image);
     shared_.publish(*image);
@@ -55,6 +59,8 @@ class Talker {
   std::uint32_t subscribers() const {
     return mode_ == "plain" || mode_ == "handover" ? plain_.getNumSubscribers() : shared_.getNumSubscribers();
   }
+
+  std::uint32_t shared() const { return static_cast<std::uint32_t>(shared_.statistics().shared_subscribers); }
 
   void report() const {
     const tzc::PublisherStatistics s = shared_.statistics();
@@ -67,13 +73,22 @@ class Talker {
   }
 
  private:
+  template <class Image>
+  void fill(Image& image, std::uint32_t number) const {
+    tzc_test::fill_image(image, number, bytes_);
+    image.encoding = encoding_;
+    image.height = rows_;
+    image.step = static_cast<std::uint32_t>(bytes_) / rows_;
+    image.width = image.step / (encoding_ == "bgr8" ? 3 : 1);
+  }
+
   void publish_twin(std::uint32_t number) {
     const auto image = boost::make_shared<tzc::sensor_msgs::Image>();
     if (fresh_ != 0 && number % fresh_ == 0)
       tzc::message::allocate(*image, fresh_memory());
     else
       shared_.allocate(*image);
-    tzc_test::fill_image(*image, number, bytes_);
+    fill(*image, number);
     if (mode_ == "twin_pointer")
       shared_.publish(image);
     else
@@ -88,7 +103,8 @@ class Talker {
 
   std::string mode_;
   std::size_t bytes_;
-  std::uint32_t fresh_, half_;
+  std::uint32_t rows_, fresh_, half_;
+  std::string encoding_;
   ros::Publisher plain_;
   tzc::Publisher shared_;
 };
@@ -103,10 +119,44 @@ std::vector<Talker> make_talkers(ros::NodeHandle node, ros::NodeHandle options) 
   return talkers;
 }
 
-bool all_heard(const std::vector<Talker>& talkers, std::uint32_t subscribers) {
-  return std::all_of(talkers.begin(), talkers.end(),
-                     [&](const Talker& talker) { return talker.subscribers() >= subscribers; });
+template <class Condition>
+void wait_until(Condition holds) {
+  while (ros::ok() && !holds()) ros::WallDuration(0.002).sleep();
 }
+
+void wait_for_subscribers(const std::vector<Talker>& talkers, const ros::NodeHandle& options) {
+  const auto wanted = static_cast<std::uint32_t>(options.param("subscribers", 1));
+  const auto shared = static_cast<std::uint32_t>(options.param("shared", 0));
+  for (const Talker& talker : talkers) {
+    wait_until([&] { return talker.subscribers() >= wanted; });
+    wait_until([&] { return talker.shared() >= shared; });
+  }
+  ros::WallDuration(options.param("settle", 0.0)).sleep();
+}
+
+/// Who answers each image with one of the same number.
+class Echo {
+ public:
+  Echo(ros::NodeHandle& node, const std::string& topic) {
+    if (topic.empty()) return;
+    subscriber_ = node.subscribe(topic, 10, &Echo::take, this);
+    wait_until([&] { return subscriber_.getNumPublishers() > 0; });
+  }
+
+  void wait_for(int number) {
+    if (subscriber_)
+      wait_until([&] {
+        ros::spinOnce();
+        return last_ >= number;
+      });
+  }
+
+ private:
+  void take(const sensor_msgs::Image& image) { last_ = std::atoi(image.header.frame_id.c_str()); }
+
+  ros::Subscriber subscriber_;
+  int last_ = -1;
+};
 
 }  // namespace
 
@@ -114,13 +164,13 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "talker");
   ros::NodeHandle node, options("~");
   std::vector<Talker> talkers = make_talkers(node, options);
-  const auto wanted = static_cast<std::uint32_t>(options.param("subscribers", 1));
-  while (ros::ok() && !all_heard(talkers, wanted)) ros::WallDuration(0.002).sleep();
-  ros::WallDuration(options.param("settle", 0.0)).sleep();
+  wait_for_subscribers(talkers, options);
+  Echo echo(node, options.param<std::string>("echo", ""));
   ros::WallRate rate(options.param("rate", 100.0));
   const int first = options.param("first", 0), count = options.param("count", 100);
   for (int number = first; ros::ok() && (count == 0 || number < first + count); ++number) {
     for (Talker& talker : talkers) talker.publish(static_cast<std::uint32_t>(number));
+    echo.wait_for(number);
     rate.sleep();
   }
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(options.param("linger", 0.5));
