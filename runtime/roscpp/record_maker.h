@@ -55,8 +55,8 @@ class RecordMaker {
 
   /// Any thread.
   void count_sent(const Shipment& shipment) { ++(shipment.shared ? shared_ : serialized_); }
-  /// Any thread.
-  void count_dropped() { ++dropped_; }
+  /// A message that found no memory and was dropped before it came here. Any thread.
+  void count_dropped() { ++exhausted_, ++dropped_; }
   /// Any thread.
   PublisherStatistics statistics() const;
 

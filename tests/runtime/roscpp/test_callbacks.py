@@ -16,6 +16,7 @@ class Callbacks(TopicCase):
         self.talk(count=30)
         for callback in ("pointer", "event", "plain"):
             self.assert_got(listener, range(30), shared=True, callback=callback)
+        self.assertEqual({m["publisher"] for m in listener.messages(callback="event")}, {self.name("talker")})
 
     def test_different_types_in_one_process(self):
         listener = self.several("pointer shape_shifter event")
@@ -38,7 +39,8 @@ class Callbacks(TopicCase):
 
     def test_spinners_and_queues(self):
         listeners = {spinner: self.listen(spinner=spinner) for spinner in ("spin", "multi", "async", "own")}
-        self.talk(count=100, rate=200, subscribers=4)
+        counters = self.talk(count=100, rate=200, subscribers=4)
+        self.assertEqual((counters["shared"], counters["copied_bytes"]), (400, 0))
         for listener in listeners.values():
             self.assert_got(listener, range(100), shared=True)
 
@@ -50,17 +52,18 @@ class Ends(TopicCase):
         return keeper
 
     def test_messages_outlive_subscriber_and_publisher(self):
-        keeper = self.keep(wait=4)
-        bystander = self.listen()
         talker = self.start_talker(count=0, rate=100, subscribers=2, queue=10)
+        keeper = self.keep(outlive=talker.pid)
+        bystander = self.listen()
         self.wait_for(bystander, 60)  # far more than the talker's memory holds: blocks would have been reused
+        self.assertTrue(keeper.alive() and not Listener(keeper).lines())
         talker.kill()
         self.assertEqual(keeper.wait(30), 0, keeper.tail())
         self.assert_got(Listener(keeper), range(5), shared=True)
 
     def test_subscriber_destroyed_in_its_own_callback(self):
         for direct in ("false", "true"):
-            keeper = self.keep(wait=1, direct=direct)
+            keeper = self.keep(direct=direct)
             talker = self.start_talker(name=f"talker_{direct}", count=0, rate=100)
             self.assertEqual(keeper.wait(30), 0, keeper.tail())
             self.assert_got(Listener(keeper), range(5), shared=True)

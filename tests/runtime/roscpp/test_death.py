@@ -58,7 +58,8 @@ class Killed(TopicCase):
 
 class Stopped(TopicCase):
     def test_subscriber_stopped_for_five_seconds(self):
-        sleeper, survivor, plain = self.listen(), self.listen(queue=1000), self.listen("plain", queue=1000)
+        sleeper, survivor = self.listen(queue=2000), self.listen(queue=1000)
+        plain = self.listen("plain", queue=1000)
         talker = self.start_talker(count=1400, rate=200, subscribers=3, shared=2, memory=30000000, queue=100)
         self.wait_for(sleeper, 50)
         sleeper.process.popen.send_signal(signal.SIGSTOP)
@@ -70,7 +71,11 @@ class Stopped(TopicCase):
         numbers = sleeper.numbers()
         self.assertEqual(numbers, sorted(set(numbers)))
         self.assertEqual(numbers[-1], 1399)
-        self.assertTrue(all(m["right"] for m in sleeper.messages()))
+        self.assertTrue(all(m["right"] and m["shared"] and m["seq"] == m["number"] for m in sleeper.messages()))
+        counters = self.counters(talker)
+        self.assertGreater(counters["revoked"], 0)
+        self.assertEqual(counters["revoked"], 1400 - len(numbers), "what it lost is counted")
+        self.assertEqual((counters["exhausted"], counters["copied_bytes"]), (0, 0))
 
     def test_stopped_publisher_goes_on(self):
         listener = self.listen()
@@ -89,34 +94,34 @@ class Full(TopicCase):
 
     def with_full_memory(self, policy, on_exhausted):
         self.ros.stop_since(self.before)  # the policy before
-        keeper = self.node("keeper", "keeper", {"keep": 1000, "wait": 0})
-        self.wait_for_subscribers(self.name("image"), 1)
-        listener = self.listen(queue=1000)
+        listeners = [self.listen("keep", queue=1000), self.listen(queue=1000)]
         env = {"TZC_POLICY": policy, "TZC_ON_EXHAUSTED": on_exhausted}
-        counters = self.talk(count=60, subscribers=2, env=env, memory=400000, bytes=self.BYTES, queue=100)
-        self.assertTrue(keeper.alive(), keeper.tail())
-        numbers = listener.numbers()
-        self.assertEqual(numbers, sorted(set(numbers)))
-        self.assertTrue(all(m["right"] for m in listener.messages()))
-        return listener, counters
+        return listeners, self.talk(count=60, subscribers=2, env=env, memory=400000, bytes=self.BYTES, queue=100)
 
     def test_every_policy_delivers_serialized_and_in_order(self):
         """No policy takes memory from somebody who holds it; what finds no room travels whole."""
         for policy in ("best_effort", "medium_effort", "worst_effort"):
             with self.subTest(policy):
-                listener, counters = self.with_full_memory(policy, "deliver")
-                self.assert_got(listener, range(60))
-                self.assertGreater(counters["exhausted"], 0)
-                self.assertTrue(any(m["shared"] for m in listener.messages()))
+                listeners, counters = self.with_full_memory(policy, "deliver")
+                room = 60 - counters["exhausted"]
+                self.assertIn(room, (2, 3))
+                for listener in listeners:
+                    self.assert_got(listener, range(60))
+                    self.assertEqual([m["shared"] for m in listener.messages()], room * [True] + (60 - room) * [False])
+                    self.assert_seq_as_tcpros(listener)
+                self.assertEqual([counters[count] for count in ("shared", "serialized", "dropped", "revoked")],
+                                 [2 * room, 2 * (60 - room), 0, 0])
 
     def test_every_policy_drops_when_told_to(self):
         for policy in ("best_effort", "medium_effort", "worst_effort"):
             with self.subTest(policy):
-                listener, counters = self.with_full_memory(policy, "drop")
-                numbers = listener.numbers()
-                self.assertTrue(0 < len(numbers) < 60, numbers)
-                self.assertEqual(counters["dropped"], 60 - len(numbers))
-                self.assertTrue(all(m["shared"] for m in listener.messages()))
+                listeners, counters = self.with_full_memory(policy, "drop")
+                room = 60 - counters["dropped"]
+                self.assertIn(room, (2, 3))
+                for listener in listeners:
+                    self.assert_got(listener, range(room), shared=True)
+                self.assertEqual([counters[count] for count in ("shared", "serialized", "exhausted", "revoked")],
+                                 [2 * room, 0, 60 - room, 0])
 
 
 class Revoked(TopicCase):

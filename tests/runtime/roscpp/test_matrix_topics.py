@@ -17,16 +17,20 @@ class Many(TopicCase):
         talkers = [self.start_talker(name=f"talker{i}", first=1000 * i, count=50) for i in range(3)]
         for talker in talkers:
             self.assertEqual(talker.wait(40), 0, talker.tail())
+            self.assertEqual(self.counters(talker)["copied_bytes"], 0)
+        self.wait_for(listener, 150)
         messages = listener.messages()
+        self.assertEqual(len(messages), 150)
         self.assertTrue(all(message["right"] and message["shared"] for message in messages))
         for i in range(3):
-            mine = [m["number"] for m in messages if m["number"] // 1000 == i]
-            self.assertEqual(mine, list(range(1000 * i, 1000 * i + 50)))
+            mine = [(m["number"], m["seq"]) for m in messages if m["number"] // 1000 == i]
+            self.assertEqual(mine, [(1000 * i + k, k) for k in range(50)])
 
     def test_several_topics_of_a_node(self):
         topics = ["image", "left/image", "right/image"]
         listener = self.listen(topics=" ".join(topics))
-        self.talk(topics=" ".join(topics), count=50)
+        counters = self.talk(topics=" ".join(topics), count=50)
+        self.assertEqual(counters["copied_bytes"], 0)
         for topic in topics:
             self.assert_got(listener, range(50), shared=True, topic=topic)
 
@@ -92,16 +96,19 @@ class ComingAndGoing(TopicCase):
         self.assert_got(listener, range(50), shared=True)
 
     def test_late_joiners(self):
+        """Each gets everything from its first message to the talker's last one, with the talker's numbers."""
         first = self.listen()
         talker = self.start_talker(count=0, rate=100)
         self.wait_for(first, 50)
-        second = self.listen()
-        self.wait_for(second, 50)
-        talker.stop()
-        self.assert_got(first, range(len(first.numbers())), shared=True)
-        start = second.numbers()[0]
-        self.assert_got(second, range(start, start + len(second.numbers())))
-        self.assertTrue(all(message["shared"] for message in second.messages()[20:]))
+        late = [self.listen() for _ in range(2)]
+        for listener in late:
+            self.ros.wait_until(lambda: any(m["shared"] for m in listener.messages()), 60, "its move")
+        end = self.finish(talker)["last"] + 1
+        self.assert_got(first, range(end), shared=True)
+        for listener in late:
+            self.assert_got(listener, range(listener.numbers()[0], end))
+            self.assert_seq_as_tcpros(listener, listener.numbers()[0])
+            self.assert_moved(listener)
 
     def test_restarted_talker(self):
         listener = self.listen()
@@ -113,12 +120,12 @@ class ComingAndGoing(TopicCase):
         talker = self.start_talker(count=0, rate=100)
         for _ in range(3):
             listener = self.listen(name="listener")
-            self.wait_for(listener, 50)
+            self.ros.wait_until(lambda: sum(m["shared"] for m in listener.messages()) >= 50, 60, "its move")
             self.assertEqual(listener.process.stop(), 0)
-            numbers = listener.numbers()
-            self.assertEqual(numbers, list(range(numbers[0], numbers[0] + len(numbers))))
-            self.assertTrue(all(message["right"] for message in listener.messages()))
-            self.assertTrue(listener.messages()[-1]["shared"])
+            first = listener.numbers()[0]
+            self.assert_got(listener, range(first, first + len(listener.numbers())))
+            self.assert_seq_as_tcpros(listener, first)
+            self.assert_moved(listener)
         self.assertTrue(talker.alive())
 
 
@@ -131,8 +138,8 @@ class Roscore(TopicCase):
         self.ros.restart_core()
         seen = len(listener.numbers())
         self.wait_for(listener, seen + 100)
-        talker.stop()
-        self.assert_got(listener, range(len(listener.numbers())), shared=True)
+        end = self.finish(talker)["last"] + 1
+        self.assert_got(listener, range(end), shared=True)
         newcomer = self.listen()
         self.talk(count=20)
         self.assert_got(newcomer, range(20), shared=True)

@@ -90,11 +90,9 @@ class Upgrade(TopicCase):
     def test_late_joiner(self):
         talker = self.start_talker(count=0, rate=50, subscribers=0, settle=0)
         listener = self.listen()
-        self.wait_for(listener, 50)
-        talker.stop()
-        numbers = listener.numbers()
-        self.assert_got(listener, range(numbers[0], numbers[0] + len(numbers)))
-        self.assertTrue(all(message["shared"] for message in listener.messages()[10:]))
+        self.ros.wait_until(lambda: sum(m["shared"] for m in listener.messages()) >= 50, 60, "its move")
+        self.assert_got(listener, range(listener.numbers()[0], self.finish(talker)["last"] + 1))
+        self.assert_moved(listener)
 
     def test_upgrade_under_traffic_loses_nothing(self):
         for _ in range(2):

@@ -10,6 +10,7 @@
 import json
 import os
 import shutil
+import signal
 import stat
 import sys
 import tempfile
@@ -118,6 +119,12 @@ class TopicCase(unittest.TestCase):
         self.assertEqual(talker.wait(timeout), 0, talker.tail())
         return self.counters(talker)
 
+    def finish(self, talker, timeout=30):
+        """Tells a talker without an end that it is enough; its counters, with the last number."""
+        talker.popen.send_signal(signal.SIGUSR1)
+        self.assertEqual(talker.wait(timeout), 0, talker.tail())
+        return self.counters(talker)
+
     @staticmethod
     def counters(talker):
         """What a talker that came to its end has counted."""
@@ -160,6 +167,12 @@ class TopicCase(unittest.TestCase):
     def transports(self, node, topic="image"):
         """The transports of a node's connections of one topic."""
         return {transport for transport, name in self.connections(node) if name == self.name(topic)}
+
+    def assert_moved(self, listener):
+        """Its messages came over TCPROS up to one of them, and through shared memory from there on."""
+        shared = [message["shared"] for message in listener.messages()]
+        self.assertIn(True, shared)
+        self.assertEqual(shared, sorted(shared))
 
     def assert_seq_as_tcpros(self, listener, first=0):
         seqs = [message["seq"] for message in listener.messages()]

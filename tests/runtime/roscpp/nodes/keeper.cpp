@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Keeps the first messages that it gets, ends its subscription in the very callback that brings the last of
-/// them, and prints them `wait` seconds later, when the publisher may be gone.
+/// Keeps the first messages that it gets, destroys its subscriber in the very callback that brings the last
+/// of them, and prints them afterwards.
 ///
-/// Private parameters: keep (messages), wait (seconds), direct (dispatch), shutdown (end the whole node in
-/// the callback: ros::shutdown; prints at once).
+/// Private parameters: keep (messages), outlive (a process: they are printed when it is no more), direct
+/// (dispatch), shutdown (end the whole node in the callback: ros::shutdown).
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
+#include <signal.h>
+#include <sys/types.h>
 #include <tzc/ros.h>
 
 #include <atomic>
@@ -35,7 +37,7 @@ struct Keeper {
       if (kept.size() < wanted || is_full) return;
     }
     if (shuts_down) ros::shutdown();
-    subscriber.shutdown();
+    subscriber = ros::Subscriber();
     is_full = true;
   }
 };
@@ -48,6 +50,7 @@ int main(int argc, char** argv) {
   ros::NodeHandle options("~");
   keeper.wanted = static_cast<std::size_t>(options.param("keep", 5));
   keeper.shuts_down = options.param("shutdown", false);
+  const pid_t outlived = options.param("outlive", 0);
   keeper.node.reset(new ros::NodeHandle);
   if (options.param("direct", false))
     keeper.subscriber = tzc::subscribe_direct(*keeper.node, "image", 100, &Keeper::take, &keeper);
@@ -56,6 +59,6 @@ int main(int argc, char** argv) {
   while (!keeper.is_full && (ros::ok() || keeper.shuts_down))
     ros::getGlobalCallbackQueue()->callOne(ros::WallDuration(0.05));
   keeper.node.reset();
-  if (!keeper.shuts_down) ros::WallDuration(options.param("wait", 1.0)).sleep();
+  while (outlived > 0 && kill(outlived, 0) == 0) ros::WallDuration(0.01).sleep();
   for (const sensor_msgs::ImageConstPtr& image : keeper.kept) tzc_test::print_image(*image);
 }

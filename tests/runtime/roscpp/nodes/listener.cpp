@@ -2,8 +2,8 @@
 /// Prints a line for each image it gets (image_line.h).
 ///
 /// Private parameters: mode (pointer, reference, value, mutable, event, direct, filter, late_attach,
-/// unreliable, plain), topics (several, separated by blanks), queue, spinner (spin, multi, async, own: a
-/// callback queue of its own).
+/// unreliable, plain, keep: pointers, all of which it keeps), topics (several, separated by blanks), queue,
+/// spinner (spin, multi, async, own: a callback queue of its own).
 #include <message_filters/simple_filter.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -29,6 +29,11 @@ void spoil(sensor_msgs::Image& image) {
 void on_pointer(const sensor_msgs::ImageConstPtr& image) {
   print_image(*image);
 }
+void on_kept(const sensor_msgs::ImageConstPtr& image) {
+  static auto* const kept = new std::vector<sensor_msgs::ImageConstPtr>;
+  kept->push_back(image);
+  print_image(*image);
+}
 void on_reference(const sensor_msgs::Image& image) {
   print_image(image);
 }
@@ -48,6 +53,7 @@ void on_event(const ros::MessageEvent<sensor_msgs::Image>& event) {
 ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& mode, const std::string& topic,
                           int queue) {
   if (mode == "pointer") return tzc::subscribe(node, topic, queue, on_pointer);
+  if (mode == "keep") return tzc::subscribe(node, topic, queue, on_kept);
   if (mode == "reference") return tzc::subscribe(node, topic, queue, on_reference);
   if (mode == "value") return tzc::subscribe(node, topic, queue, on_value);
   if (mode == "mutable") return tzc::subscribe(node, topic, queue, on_mutable);

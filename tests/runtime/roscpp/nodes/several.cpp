@@ -37,7 +37,8 @@ void on_mutable(const sensor_msgs::ImagePtr& image) {
   image->data.assign(image->data.size(), 0);
 }
 void on_event(const ros::MessageEvent<sensor_msgs::Image const>& event) {
-  print("event", *event.getConstMessage());
+  tzc_test::print_image(*event.getConstMessage(),
+                        "\"callback\": \"event\", \"publisher\": \"" + event.getPublisherName() + "\", ");
 }
 void on_shape_shifter(const topic_tools::ShapeShifter::ConstPtr& message) {
   print("shape_shifter", *message->instantiate<sensor_msgs::Image>());

@@ -7,7 +7,8 @@
 /// segment of their own), topics (several, separated by blanks), first (number), count, rate (Hz), bytes,
 /// latch, rows, encoding (of an image: mono8, bgr8), subscribers (wait for so many), shared (and for so many
 /// of them on shared memory), settle (seconds to wait then), echo (a topic: the next image goes out when that
-/// one's number has come back on it), linger (seconds to stay), queue, memory.
+/// one's number has come back on it), linger (seconds to stay), queue, memory. SIGUSR1 ends a count that has
+/// no end.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <std_msgs/UInt8MultiArray.h>
@@ -15,6 +16,7 @@
 #include <tzc/sensor_msgs/Image.h>
 
 #include <algorithm>
+#include <csignal>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -62,13 +64,15 @@ class Talker {
 
   std::uint32_t shared() const { return static_cast<std::uint32_t>(shared_.statistics().shared_subscribers); }
 
-  void report() const {
+  void report(int last) const {
     const tzc::PublisherStatistics s = shared_.statistics();
     std::printf(
-        "{\"shared\": %llu, \"serialized\": %llu, \"copied_bytes\": %llu, \"exhausted\": %llu, \"dropped\": "
+        "{\"last\": %d, \"shared\": %llu, \"serialized\": %llu, \"copied_bytes\": %llu, \"exhausted\": %llu, "
+        "\"dropped\": "
         "%llu, \"revoked\": %llu}\n",
-        (unsigned long long)s.shared, (unsigned long long)s.serialized, (unsigned long long)s.copied_bytes,
-        (unsigned long long)s.exhausted, (unsigned long long)s.dropped, (unsigned long long)s.revoked);
+        last, (unsigned long long)s.shared, (unsigned long long)s.serialized,
+        (unsigned long long)s.copied_bytes, (unsigned long long)s.exhausted, (unsigned long long)s.dropped,
+        (unsigned long long)s.revoked);
     std::fflush(stdout);
   }
 
@@ -119,6 +123,8 @@ std::vector<Talker> make_talkers(ros::NodeHandle node, ros::NodeHandle options) 
   return talkers;
 }
 
+volatile std::sig_atomic_t is_enough = 0;
+
 template <class Condition>
 void wait_until(Condition holds) {
   while (ros::ok() && !holds()) ros::WallDuration(0.002).sleep();
@@ -162,18 +168,20 @@ class Echo {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "talker");
+  std::signal(SIGUSR1, [](int) { is_enough = 1; });
   ros::NodeHandle node, options("~");
   std::vector<Talker> talkers = make_talkers(node, options);
   wait_for_subscribers(talkers, options);
   Echo echo(node, options.param<std::string>("echo", ""));
   ros::WallRate rate(options.param("rate", 100.0));
   const int first = options.param("first", 0), count = options.param("count", 100);
-  for (int number = first; ros::ok() && (count == 0 || number < first + count); ++number) {
+  int number = first;
+  for (; ros::ok() && !is_enough && (count == 0 || number < first + count); ++number) {
     for (Talker& talker : talkers) talker.publish(static_cast<std::uint32_t>(number));
     echo.wait_for(number);
     rate.sleep();
   }
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(options.param("linger", 0.5));
   while (ros::ok() && ros::WallTime::now() < end) ros::WallDuration(0.01).sleep();
-  for (const Talker& talker : talkers) talker.report();
+  for (const Talker& talker : talkers) talker.report(number - 1);
 }
