@@ -42,6 +42,8 @@ void Inlet::take(const channel::MessagePtr& message) {
   if (message->tag() == kSwitch) return;
   const ros::SubscriptionPtr subscription = subscription_.lock();
   if (!subscription || subscription->isDropped()) return;
+  counted().messages_received_++;
+  counted().bytes_received_ += message->control_size();
   if (message->tag() == kControlPart && take_directly(*subscription, message)) return;
   {
     const DirectReaderScope scope;
@@ -49,6 +51,10 @@ void Inlet::take(const channel::MessagePtr& message) {
     if (message->tag() == kWholeMessage) take_whole_message(*subscription, message);
   }
   run_direct_callbacks();
+}
+
+ros::PublisherLink::Stats& Inlet::counted() const {
+  return const_cast<ros::PublisherLink::Stats&>(link_->getStats());
 }
 
 boost::shared_ptr<void> Inlet::decode(const channel::MessagePtr& message, bool copied) const {
@@ -95,7 +101,8 @@ void Inlet::take_whole_message(ros::Subscription& subscription, const channel::M
 
 void Inlet::give(ros::Subscription& subscription, const ros::SerializedMessage& message, bool ser,
                  bool nocopy) {
-  subscription.handleMessage(message, ser, nocopy, link_->getConnection()->getHeader().getValues(), link_);
+  counted().drops_ += subscription.handleMessage(message, ser, nocopy,
+                                                 link_->getConnection()->getHeader().getValues(), link_);
 }
 
 }  // namespace tzc

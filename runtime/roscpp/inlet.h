@@ -31,6 +31,9 @@ class Inlet {
   void take_whole_message(ros::Subscription& subscription, const channel::MessagePtr& message);
   void give(ros::Subscription& subscription, const ros::SerializedMessage& message, bool ser, bool nocopy);
   bool take_directly(ros::Subscription& subscription, const channel::MessagePtr& message);
+  /// The parked link's counters, which topic statistics and getBusStats tell. The poll thread, whose they
+  /// are, has nothing to count while the link is parked.
+  ros::PublisherLink::Stats& counted() const;
   boost::shared_ptr<void> decode(const channel::MessagePtr& message, bool copied) const;
 
   const std::string topic_;

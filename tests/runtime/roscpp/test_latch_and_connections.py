@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Latched topics, connect callbacks, numbers of subscribers, header.seq, topic statistics: as with plain roscpp."""
+import re
 import time
 
 from topic_case import Listener, TopicCase, main
@@ -93,18 +94,35 @@ class Numbering(TopicCase):
 
 
 class Statistics(TopicCase):
-    def test_topic_statistics_are_published(self):
+    def setUp(self):
+        super().setUp()
+        self.addCleanup(self.ros.run, ["rosparam", "delete", "/enable_statistics"])
         self.assertEqual(self.ros.run(["rosparam", "set", "/enable_statistics", "true"])[0], 0)
-        try:
-            echo = self.ros.start(["rostopic", "echo", "-n", "1", "/statistics"], name="echo")
-            listener = self.listen()
-            talker = self.start_talker(count=0, rate=100)
-            self.assertEqual(echo.wait(30), 0)
-            talker.stop()
-            self.assertIn(self.name("image"), echo.log())
-            self.assert_got(listener, range(len(listener.numbers())), shared=True)
-        finally:
-            self.ros.run(["rosparam", "delete", "/enable_statistics"])
+
+    def statistics_of(self, mode, shared):
+        """What a listener's node tells after a second or so; every message has arrived."""
+        echo = self.ros.start(["rostopic", "echo", "-n", "1", "/statistics"], name="echo")
+        listener = self.listen(mode, name=mode)
+        talker = self.start_talker(count=0, rate=100, bytes=50000, shared=shared)
+        self.assertEqual(echo.wait(30), 0)
+        self.assert_got(listener, range(self.finish(talker)["last"] + 1), shared=bool(shared))
+        told = re.findall(r"^(\w+): *(\S*)(?: *\n +secs: *(\d+)\n +nsecs: *(\d+))?", echo.log(), re.M)
+        self.ros.stop_since(self.before)
+        return {name: value or float(f"{seconds}.{int(nanoseconds):09}") for name, value, seconds, nanoseconds in told
+                if name.islower() and (value or seconds)}
+
+    def test_topic_statistics_are_published(self):
+        plain, shared, direct = [self.statistics_of(mode, mode != "plain") for mode in ("plain", "pointer", "direct")]
+        self.assertEqual(set(shared), set(plain))
+        for told, mode in ((plain, "plain"), (shared, "pointer"), (direct, "direct")):
+            self.assertEqual([told[what] for what in ("topic", "node_pub", "node_sub", "dropped_msgs")],
+                             [f'"{self.name("image")}"', f'"{self.name("talker")}"', f'"{self.name(mode)}"', "0"])
+            delivered = int(told["delivered_msgs"])
+            self.assertAlmostEqual((told["window_stop"] - told["window_start"]) / told["period_mean"], delivered,
+                                   delta=2 + 0.05 * delivered)
+            self.assertTrue(0 < told["stamp_age_mean"] <= told["stamp_age_max"] < 1 * self.slowness())
+            least = 50000 if told is plain else 40  # bytes of a message: all of it, or its control part
+            self.assertTrue(least * delivered < int(told["traffic"]) < (least + 200) * (delivered + 1), told)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,8 @@ class ManyUpgrades(TopicCase):
     HOPS = int(os.environ.get("TZC_HOPS", 100))
     PATIENCE = float(os.environ.get("TZC_PATIENCE", 10))  # seconds for a hop; ThreadSanitizer takes many
 
+    SLOWEST = float(os.environ.get("TZC_SLOWEST", 0.8))  # of 2 kHz, on a machine that has nothing else to do
+
     def hop(self, talker_parameters, **parameters):
         talker = self.start_talker("twin", count=0, rate=2000, bytes=2000, subscribers=0, settle=0, memory=200000000,
                                    **dict({"queue": 10000}, **talker_parameters))
@@ -24,6 +26,8 @@ class ManyUpgrades(TopicCase):
         self.assertEqual([hop["jumps"] for hop in hops if hop["jumps"]], [], "lost, doubled or out of order")
         self.assertEqual([hop["misnumbered"] for hop in hops if hop["misnumbered"]], [], "[number, header.seq]")
         self.assertTrue(all(hop["right"] for hop in hops))
+        rate = sum(hop["count"] - 1 for hop in hops) / sum(hop["seconds"] for hop in hops)
+        self.assertGreater(rate, 2000 * self.SLOWEST / self.slowness(), "the traffic")
 
     def test_up(self):
         hops = self.hop({}, hops=self.HOPS, shared=50, patience=self.PATIENCE)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Subscribes to "image" and leaves again, over and over: each time is another upgrade. Prints a line of JSON
 /// for each hop: how many messages, how many of them shared, how many after those came over TCPROS again, the
-/// numbers that did not follow their predecessor, those whose header.seq was another, and whether all bytes
-/// were right.
+/// seconds in which they were published, the numbers that did not follow their predecessor, those whose
+/// header.seq was another, and whether all bytes were right.
 ///
 /// Private parameters: hops, shared (messages to see in shared memory before leaving), returned (messages to
 /// see over TCPROS after that: the process runs out of descriptors, so that the next segment can't be taken),
@@ -50,6 +50,8 @@ class Hop {
  public:
   void see(const sensor_msgs::Image& image) {
     const int number = std::atoi(image.header.frame_id.c_str());
+    if (count_ == 0) begin_ = image.header.stamp;
+    end_ = image.header.stamp;
     if (count_++ > 0 && number != last_ + 1)
       jumps_ << (jumps_.tellp() > 0 ? ", " : "") << "[" << last_ << ", " << number << "]";
     last_ = number;
@@ -66,15 +68,17 @@ class Hop {
   int returned() const { return returned_; }
   void report() const {
     std::printf(
-        "{\"count\": %d, \"shared\": %d, \"returned\": %d, \"right\": %s, \"jumps\": [%s], \"misnumbered\": "
-        "[%s]}\n",
-        count_, shared_, returned_, right_ ? "true" : "false", jumps_.str().c_str(),
+        "{\"count\": %d, \"shared\": %d, \"returned\": %d, \"seconds\": %.4f, \"right\": %s, \"jumps\": "
+        "[%s], "
+        "\"misnumbered\": [%s]}\n",
+        count_, shared_, returned_, (end_ - begin_).toSec(), right_ ? "true" : "false", jumps_.str().c_str(),
         misnumbered_.str().c_str());
     std::fflush(stdout);
   }
 
  private:
   int count_ = 0, last_ = 0, shared_ = 0, returned_ = 0;
+  ros::Time begin_, end_;
   bool right_ = true;
   std::ostringstream jumps_, misnumbered_;
 };
