@@ -12,15 +12,18 @@ class Killed(TopicCase):
         victim = self.start_talker(name="victim", count=0, rate=200, subscribers=1)
         self.wait_for(listener, 50)
         other = self.start_talker(name="other", first=1000000, count=300, rate=200)
-        time.sleep(1)
+        self.wait_for_number(listener, 1000050)
         victim.kill()
         self.assertEqual(other.wait(30), 0)
+        self.wait_for_number(listener, 1000299)
         messages = listener.messages()
         self.assertTrue(all(m["right"] for m in messages))
         for numbers, first in (([m["number"] for m in messages if m["number"] < 1000000], 0),
                                ([m["number"] for m in messages if m["number"] >= 1000000], 1000000)):
             self.assertEqual(numbers, list(range(first, first + len(numbers))))
-        self.assertEqual(messages[-1]["number"], 1000299)
+        self.assertEqual([m["number"] for m in messages][-1], 1000299)
+        self.assertEqual(sum(m["number"] >= 1000000 for m in messages), 300)
+        self.assertTrue(all(m["shared"] for m in messages))
 
     def test_killed_subscribers_disturb_nobody(self):
         victims, survivor = [self.listen() for _ in range(2)], self.listen(queue=1000)
@@ -68,6 +71,7 @@ class Stopped(TopicCase):
         self.assertEqual(talker.wait(60), 0)
         self.assert_got(survivor, range(1400), shared=True)
         self.assert_got(plain, range(1400), shared=False)
+        self.wait_for_number(sleeper, 1399)
         numbers = sleeper.numbers()
         self.assertEqual(numbers, sorted(set(numbers)))
         self.assertEqual(numbers[-1], 1399)
@@ -137,6 +141,7 @@ class Revoked(TopicCase):
         self.assertEqual(talker.wait(40), 0, talker.tail())
         counters = self.counters(talker)
         self.assert_got(survivor, range(300), shared=True)
+        self.wait_for_number(sleeper, 299)
         numbers = sleeper.numbers()
         self.assertEqual(numbers, sorted(set(numbers)))
         self.assertEqual(numbers[-1], 299)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Latched topics, connect callbacks, numbers of subscribers, header.seq, topic statistics: as with plain roscpp."""
 import re
+import signal
 import time
 
 from topic_case import Listener, TopicCase, main
@@ -9,11 +10,11 @@ from topic_case import Listener, TopicCase, main
 class Latch(TopicCase):
     def test_late_subscribers_get_the_last_message(self):
         talker = self.start_talker(latch=True, count=5, rate=50, subscribers=0, settle=0, linger=60)
-        self.ros.wait_until(lambda: self.ros.publishers(self.name("image")), 20, "the talker")
-        time.sleep(1)
+        self.assertEqual(self.last_published(talker), 4)
         shared, plain = self.listen(), self.listen("plain")
         self.assert_got(plain, [4], shared=False)
         self.assert_got(shared, [4])
+        self.ros.wait_until(lambda: "TZC" in self.transports(self.name("talker")), 60, "the move of one")
         later = self.listen()  # now that others are on shared memory
         self.assert_got(later, [4])
         self.assertTrue(talker.alive())
@@ -24,17 +25,21 @@ class Latch(TopicCase):
         That first one may come twice with plain roscpp, too: Publication::addSubscriberLink adds the link, which what
         is published then finds, and only afterwards sends it the last message."""
         early = self.listen()
-        talker = self.start_talker(latch=True, count=200, rate=100, linger=60)
+        talker = self.start_talker(latch=True, count=0, rate=100, linger=60)
         self.wait_for(early, 50)
         late, plain = self.listen(), self.listen("plain")
-        self.assert_got(early, range(200), shared=True)
+        self.ros.wait_until(lambda: any(m["shared"] for m in late.messages()), 60, "the move")
+        self.wait_for(plain, 2)
+        talker.popen.send_signal(signal.SIGUSR1)
+        end = self.last_published(talker) + 1
+        self.assert_got(early, range(end), shared=True)
         for listener in (late, plain):
-            self.wait_for(listener, 1)
-            self.wait_for(listener, 2)
             first, second = listener.numbers()[:2]
-            self.assert_got(listener, [first] * (first == second) + list(range(first, 200)))
+            self.assert_got(listener, [first] * (first == second) + list(range(first, end)))
+        self.assert_moved(late)
+        self.assertFalse(any(m["shared"] for m in plain.messages()))
         last = self.listen()
-        self.assert_got(last, [199])
+        self.assert_got(last, [end - 1])
         self.assert_seq_as_tcpros(early)
         talker.stop()
 
@@ -58,7 +63,9 @@ class Connections(TopicCase):
         for name, mode in (("first", "pointer"), ("second", "pointer"), ("third", "plain")):
             arrivals.append(self.listen(mode, name + topic, [f"image:={topic}"], topic=topic))
             self.ros.wait_until(lambda: len(events()) == len(arrivals), 10, f"the arrival of {name}")
-        time.sleep(0.5)
+        if "plain" not in parameters:
+            self.ros.wait_until(lambda: self.connections(self.name(f"greeter{len(parameters)}")).count(
+                ("TZC", self.name(topic))) == 2, 60, "both to be on shared memory")
         for count, (listener, end) in enumerate(zip(arrivals, ("stop", "kill", "stop"))):
             getattr(listener.process, end)()
             self.ros.wait_until(lambda: len(events()) == 4 + count, 10, "a leave")

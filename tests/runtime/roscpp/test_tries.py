@@ -44,6 +44,15 @@ class SlowMaster(Tries):
         self.assert_comes_to_shared_memory(listener, talker)
         self.assertEqual(self.proxy.calls("lookupNode"), 5)
 
+    def test_a_talker_of_these_tests_begins_when_its_subscriber_is_on_shared_memory(self):
+        """However late: half a second was a guess, which a busy machine proved wrong."""
+        listener = self.listen()
+        self.proxy.first("lookupNode", 3, MasterProxy.unknown)
+        talker = self.start_talker(count=20, env={"ROS_MASTER_URI": self.proxy.uri})
+        self.assertEqual(talker.wait(60), 0, talker.tail())
+        self.assert_got(listener, range(20), shared=True)
+        self.assertEqual(self.proxy.calls("lookupNode"), 4)
+
     def test_a_master_that_hangs_up(self):
         listener = self.listen()
         talker = self.start_talker_under(2, MasterProxy.hang_up)

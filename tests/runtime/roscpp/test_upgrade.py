@@ -138,6 +138,7 @@ class Death(TopicCase):
         sleeper.process.popen.send_signal(signal.SIGCONT)
         talker.wait(30)
         self.assert_got(survivor, range(600), shared=True)
+        self.wait_for_number(sleeper, 599)
         numbers = sleeper.numbers()
         self.assertEqual(numbers, sorted(set(numbers)))
         self.assertEqual(numbers[-1], 599)

@@ -125,6 +125,11 @@ class TopicCase(unittest.TestCase):
         self.assertEqual(talker.wait(timeout), 0, talker.tail())
         return self.counters(talker)
 
+    def last_published(self, talker):
+        """The number of the last message of a talker that stays for a while."""
+        self.ros.wait_until(lambda: "all published" in talker.log(), 60, "all messages to be published")
+        return self.counters(talker)["last"]
+
     @staticmethod
     def counters(talker):
         """What a talker that came to its end has counted."""
@@ -132,6 +137,9 @@ class TopicCase(unittest.TestCase):
 
     def wait_for(self, listener, count, timeout=20, topic=None, callback=None):
         self.ros.wait_until(lambda: len(listener.numbers(topic, callback)) >= count, timeout, f"{count} messages")
+
+    def wait_for_number(self, listener, number):
+        self.ros.wait_until(lambda: number in listener.numbers(), 20 * self.slowness(), f"message {number}")
 
     def assert_got(self, listener, numbers, shared=None, timeout=10, topic=None, callback=None):
         """Exactly these messages, in order, with the right bytes; shared: where they must have lain."""

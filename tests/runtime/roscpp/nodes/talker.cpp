@@ -8,7 +8,7 @@
 /// latch, rows, encoding (of an image: mono8, bgr8), subscribers (wait for so many), shared (and for so many
 /// of them on shared memory), settle (seconds to wait then), echo (a topic: the next image goes out when that
 /// one's number has come back on it), linger (seconds to stay), queue, memory. SIGUSR1 ends a count that has
-/// no end.
+/// no end. Says when it has published all.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <std_msgs/UInt8MultiArray.h>
@@ -181,6 +181,8 @@ int main(int argc, char** argv) {
     echo.wait_for(number);
     rate.sleep();
   }
+  std::printf("{\"event\": \"all published\", \"last\": %d}\n", number - 1);
+  std::fflush(stdout);
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(options.param("linger", 0.5));
   while (ros::ok() && ros::WallTime::now() < end) ros::WallDuration(0.01).sleep();
   for (const Talker& talker : talkers) talker.report(number - 1);
