@@ -30,6 +30,13 @@ struct Keeper {
   std::atomic<bool> is_full{false};
   bool shuts_down = false;
 
+  void subscribe(bool direct) {
+    const std::lock_guard<std::mutex> lock(
+        mutex);  // the first callback may come before there is a subscriber
+    subscriber = direct ? tzc::subscribe_direct(*node, "image", 100, &Keeper::take, this)
+                        : tzc::subscribe(*node, "image", 100, &Keeper::take, this);
+  }
+
   void take(const sensor_msgs::ImageConstPtr& image) {
     {
       const std::lock_guard<std::mutex> lock(mutex);  // direct dispatch calls on another thread
@@ -52,10 +59,7 @@ int main(int argc, char** argv) {
   keeper.shuts_down = options.param("shutdown", false);
   const pid_t outlived = options.param("outlive", 0);
   keeper.node.reset(new ros::NodeHandle);
-  if (options.param("direct", false))
-    keeper.subscriber = tzc::subscribe_direct(*keeper.node, "image", 100, &Keeper::take, &keeper);
-  else
-    keeper.subscriber = tzc::subscribe(*keeper.node, "image", 100, &Keeper::take, &keeper);
+  keeper.subscribe(options.param("direct", false));
   while (!keeper.is_full && (ros::ok() || keeper.shuts_down))
     ros::getGlobalCallbackQueue()->callOne(ros::WallDuration(0.05));
   keeper.node.reset();
