@@ -31,6 +31,7 @@ ConnectionImpl::ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPa
       keeps_undelivered_(keeps_undelivered),
       socket_(std::move(socket)),
       page_(std::move(page)),
+      ring_(peer_.reads_ring ? &page_.ring() : nullptr),
       last_sequence_(first_sequence) {}
 
 Status ConnectionImpl::start(Service& service) {
@@ -121,11 +122,12 @@ void ConnectionImpl::claim(const RecordPtr& record) {
   }
 }
 
-// The usual way: one packet, and the socket takes it at once.
+// The usual way: one packet, and the ring takes it, or the socket at once.
 void ConnectionImpl::transmit(const RecordPtr& record) {
   const bool in_one_packet = record->size() <= fragment_bytes;
   if (in_one_packet && writes_directly() &&
-      is_done(Outbox::write_record(socket_.get(), *record, last_sequence_, stats_.bytes)))
+      (write_into_ring(*record) ||
+       is_done(Outbox::write_record(socket_.get(), *record, last_sequence_, traffic_))))
     return;
   Outgoing item;
   item.record = record;
@@ -133,13 +135,22 @@ void ConnectionImpl::transmit(const RecordPtr& record) {
   in_one_packet ? wait_in_line(std::move(item)) : transmit(std::move(item));
 }
 
+bool ConnectionImpl::write_into_ring(const Record& record) {
+  const RecordPrefix prefix{PacketKind::record, last_sequence_};
+  if (!ring_.write(&prefix, sizeof prefix, record.data(), record.size())) return false;
+  traffic_.bytes += sizeof prefix + record.size();
+  posix::step("publish: written");
+  return true;
+}
+
 void ConnectionImpl::transmit(Outgoing item) {
-  if (writes_directly() && is_done(Outbox::write(socket_.get(), item, stats_.bytes))) return;
+  if (writes_directly() && is_done(Outbox::write(socket_.get(), item, traffic_))) return;
   wait_in_line(std::move(item));
 }
 
 bool ConnectionImpl::is_done(SendResult written) {
   posix::step("publish: written");
+  ring_.sent_packets(traffic_.packets);
   if (written == SendResult::gone) peer_stopped();
   if (written == SendResult::gone || written == SendResult::sent) return true;
   try_again(written);
@@ -154,10 +165,11 @@ void ConnectionImpl::wait_in_line(Outgoing item) {
 
 void ConnectionImpl::flush() {
   if (state_ == State::corked || state_ == State::gone) return;
-  const SendResult result = outbox_.flush(socket_.get(), stats_.bytes);
+  const SendResult result = outbox_.flush(socket_.get(), traffic_);
+  ring_.sent_packets(traffic_.packets);
   if (result == SendResult::gone) return peer_stopped();
   try_again(result);
-  if (result == SendResult::sent && closing_) posix::stop_sending(socket_.get());
+  if (result == SendResult::sent && closing_) end_stream();
 }
 
 // The socket says when there is room in it again; nobody says when the system has resources again.
@@ -179,7 +191,8 @@ void ConnectionImpl::uncork() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (state_ == State::corked) state_ = State::open;
   const Welcome welcome{PacketKind::welcome, wire_version, first_sequence,
-                        static_cast<std::uint32_t>(page_.size())};
+                        static_cast<std::uint32_t>(page_.size()),
+                        peer_.reads_ring ? std::uint32_t{reads_ring} : 0};
   const iovec whole{const_cast<Welcome*>(&welcome), sizeof welcome};
   const int page = page_.fd();
   if (posix::send_packet(socket_.get(), &whole, 1, &page, 1) != SendResult::sent) return break_off();
@@ -287,6 +300,12 @@ void ConnectionImpl::on_deadline() {
   flush();
 }
 
+// To the reader the end is one packet more.
+void ConnectionImpl::end_stream() {
+  posix::stop_sending(socket_.get());
+  ring_.sent_packets(++traffic_.packets);
+}
+
 // It unsubscribed, or died: its goodbye or its hang-up is on the way to the service thread. Until its hang-up
 // it may hold blocks, so the socket, whose end frees them, is not ours to end.
 void ConnectionImpl::peer_stopped() {
@@ -297,7 +316,7 @@ void ConnectionImpl::peer_stopped() {
 // Its reader finds the end of the stream and says goodbye; what it holds stays its own.
 void ConnectionImpl::give_up_on_peer() {
   peer_stopped();
-  posix::stop_sending(socket_.get());
+  end_stream();
 }
 
 // It broke the rules: nothing that it claims to hold counts any more. The service thread sees the hang-up
@@ -364,6 +383,7 @@ std::vector<RecordPtr> ConnectionImpl::take_undelivered() {
 ConnectionStats ConnectionImpl::stats() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   ConnectionStats stats = stats_;
+  stats.bytes = traffic_.bytes;
   stats.queued = outbox_.records();
   stats.in_flight = undecided_.size();
   return stats;

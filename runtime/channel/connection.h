@@ -33,6 +33,7 @@ class ConnectionImpl final : public Connection,
   struct Peer {
     Credentials credentials;
     std::string hello;
+    bool reads_ring = false;
   };
 
   ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPage page, std::size_t queue_size,
@@ -70,6 +71,7 @@ class ConnectionImpl final : public Connection,
   TZC_HOT static void keep(const RecordPtr& record, Undecided::Entry& entry);
   bool writes_directly() const { return state_ == State::open && outbox_.empty(); }
   TZC_HOT void transmit(const RecordPtr& record);
+  TZC_HOT bool write_into_ring(const Record& record);
   void transmit(Outgoing item);
   TZC_HOT bool is_done(posix::SendResult written);
   void wait_in_line(Outgoing item);
@@ -83,6 +85,7 @@ class ConnectionImpl final : public Connection,
   void revoke_oldest_down_to(std::size_t most);
   void revoke_mark(const segment::BlockName& block);
   void drop_oldest_undecided(bool revoked);
+  void end_stream();
   void peer_stopped();
   void give_up_on_peer();
   void break_off();
@@ -104,10 +107,12 @@ class ConnectionImpl final : public Connection,
   bool writable_watched_ = false;
   posix::FileDescriptor socket_;
   SharedPage page_;
+  RingWriter ring_;
   std::uint32_t last_sequence_;
   Undecided undecided_;
   std::vector<RecordPtr> undelivered_;
   Outbox outbox_;
+  Traffic traffic_;
   AnnouncedSegments segments_;
   ConnectionStats stats_;
   Error failure_;

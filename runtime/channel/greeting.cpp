@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/greeting.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstring>
 
 #include "channel/hub.h"
 #include "channel/wire.h"
+#include "posix/futex.h"
 #include "posix/packet.h"
 
 namespace tzc {
@@ -20,18 +23,22 @@ std::atomic<int> greetings{0};
 
 }  // namespace
 
-bool parse_hello(const std::uint8_t* data, std::size_t size, std::string& hello, std::string& reason) {
+bool parse_hello(const std::uint8_t* data, std::size_t size, ConnectionImpl::Peer& peer,
+                 std::string& reason) {
   Hello packet{};
   reason = "this is not the protocol of TZC";
-  if (size < sizeof packet) return false;
-  std::memcpy(&packet, data, sizeof packet);
+  if (size < offsetof(Hello, hello_bytes)) return false;
+  std::memcpy(&packet, data, std::min(size, sizeof packet));
   if (packet.kind != PacketKind::hello || packet.magic != wire_magic) return false;
   reason = "the publisher speaks version " + std::to_string(wire_version) +
            " of the protocol, the subscriber " + std::to_string(packet.version) + ": update the older one";
   if (packet.version != wire_version) return false;
   reason = "the greeting's length is wrong";
-  if (packet.hello_bytes > max_hello_bytes || packet.hello_bytes != size - sizeof packet) return false;
-  hello.assign(reinterpret_cast<const char*>(data) + sizeof packet, packet.hello_bytes);
+  if (size < sizeof packet || packet.hello_bytes > max_hello_bytes ||
+      packet.hello_bytes != size - sizeof packet)
+    return false;
+  peer.reads_ring = (packet.features & reads_ring) != 0 && posix::has_shared_futex();
+  peer.hello.assign(reinterpret_cast<const char*>(data) + sizeof packet, packet.hello_bytes);
   return true;
 }
 
@@ -64,8 +71,9 @@ void Greeting::on_event(const posix::Poller::Event&) {
                                             posix::Waiting::return_at_once, false, packet);
   if (result == posix::ReceiveResult::nothing) return;
   const auto hub = hub_.lock();
-  std::string hello, reason;
-  if (result == posix::ReceiveResult::packet && hub && !parse_hello(memory, packet.size, hello, reason)) {
+  ConnectionImpl::Peer peer{credentials_, {}};
+  std::string reason;
+  if (result == posix::ReceiveResult::packet && hub && !parse_hello(memory, packet.size, peer, reason)) {
     hub->count_refused_peer();
     refuse(socket_.get(), reason);
     return end();
@@ -73,8 +81,7 @@ void Greeting::on_event(const posix::Poller::Event&) {
   posix::FileDescriptor socket;
   service_.remove(socket_.get(), key_);
   socket.swap(socket_);
-  if (result == posix::ReceiveResult::packet && hub)
-    hub->admit(std::move(socket), {credentials_, std::move(hello)});
+  if (result == posix::ReceiveResult::packet && hub) hub->admit(std::move(socket), std::move(peer));
 }
 
 void Greeting::on_deadline() {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "channel/connection.h"
 #include "channel/service.h"
 #include "posix/file_descriptor.h"
 #include "tzc/channel.h"
@@ -35,7 +36,7 @@ class Greeting final : public Watcher, public std::enable_shared_from_this<Greet
 };
 
 /// Parses a Hello packet; false with the reason when it is not one of this version.
-bool parse_hello(const std::uint8_t* data, std::size_t size, std::string& hello, std::string& reason);
+bool parse_hello(const std::uint8_t* data, std::size_t size, ConnectionImpl::Peer& peer, std::string& reason);
 
 }  // namespace channel
 }  // namespace tzc

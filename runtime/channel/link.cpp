@@ -30,21 +30,26 @@ bool trusted(const SubscriberOptions& options, const Credentials& peer) {
 
 }  // namespace
 
-Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options) {
+Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options, Service* service) {
   auto socket = posix::connect_to(options.address, options.handshake_timeout);
   if (!socket) return socket.error();
   const auto peer = posix::peer_credentials(socket->get());
   if (!peer) return peer.error();
   if (!trusted(options, *peer))
     return failed("trust the publisher, a process of another user", options.address);
-  auto link = std::make_shared<Link>(std::move(*socket), *peer);
+  auto link = std::make_shared<Link>(std::move(*socket), *peer, service);
   const Status welcome = link->shake_hands(options);
   if (!welcome) return welcome.error();
   return link;
 }
 
-Link::Link(posix::FileDescriptor socket, const Credentials& peer)
-    : socket_(std::move(socket)), peer_(peer), epoch_(posix::fork_epoch()) {}
+Link::Link(posix::FileDescriptor socket, const Credentials& peer, Service* service)
+    : socket_(std::move(socket)), peer_(peer), epoch_(posix::fork_epoch()), service_(service) {}
+
+// The parent goes on watching what a forked child has only copied.
+Link::~Link() {
+  if (watch_ && !forked()) watch_->stop();
+}
 
 Status Link::shake_hands(const SubscriberOptions& options) {
   const Status greeted = say_hello(options);
@@ -59,7 +64,8 @@ Status Link::say_hello(const SubscriberOptions& options) const {
   if (options.hello.size() > max_hello_bytes)
     return failed("subscribe with a hello over 32 KB", options.address);
   const Hello hello{PacketKind::hello, wire_magic, wire_version,
-                    static_cast<std::uint32_t>(options.hello.size())};
+                    static_cast<std::uint32_t>(options.hello.size()),
+                    service_ != nullptr ? std::uint32_t{reads_ring} : 0};
   const iovec parts[] = {{const_cast<Hello*>(&hello), sizeof hello},
                          {const_cast<char*>(options.hello.data()), options.hello.size()}};
   posix::send_packet(fd(), parts, 2);  // when it fails, the refusal that waits to be read says why
@@ -98,14 +104,28 @@ Status Link::accept_welcome(const std::uint8_t* data, std::size_t size, posix::F
   if (!opened) return opened.error();
   page_ = std::move(*opened);
   first_sequence_ = welcome.first_sequence;
+  return service_ != nullptr && (welcome.features & reads_ring) != 0 ? use_ring() : Status(Success{});
+}
+
+Status Link::use_ring() {
+  ring_ = &page_.ring();
+  auto watch = HangUpWatch::start(*service_, fd(), *this);
+  if (!watch) return watch.error();
+  watch_ = std::move(*watch);
   return Success{};
 }
 
-void Link::say_goodbye() const {
+void Link::end() {
+  ended_ = true;
+  if (ring_ != nullptr) wake_reader(*ring_);
+}
+
+void Link::say_goodbye() {
   const Goodbye goodbye{PacketKind::goodbye};
   const iovec whole{const_cast<Goodbye*>(&goodbye), sizeof goodbye};
   posix::send_packet(fd(), &whole, 1);
   posix::stop_receiving(fd());
+  end();
 }
 
 }  // namespace channel

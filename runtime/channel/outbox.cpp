@@ -18,40 +18,45 @@ iovec part(const void* data, std::size_t size) {
   return iovec{const_cast<void*>(data), size};
 }
 
-template <class Packet>
-SendResult write_packet(int socket, const Packet& packet, std::uint64_t& bytes,
-                        const int* descriptors = nullptr, std::size_t count = 0) {
-  const iovec whole = part(&packet, sizeof packet);
-  const SendResult result = posix::send_packet(socket, &whole, 1, descriptors, count);
-  if (result == SendResult::sent) bytes += sizeof packet;
+SendResult counted(SendResult result, std::size_t bytes, Traffic& traffic) {
+  if (result != SendResult::sent) return result;
+  traffic.bytes += bytes;
+  ++traffic.packets;
   return result;
 }
 
-SendResult write_segment(int socket, const Outgoing& item, std::uint64_t& bytes) {
+template <class Packet>
+SendResult write_packet(int socket, const Packet& packet, Traffic& traffic, const int* descriptors = nullptr,
+                        std::size_t count = 0) {
+  const iovec whole = part(&packet, sizeof packet);
+  const SendResult result = posix::send_packet(socket, &whole, 1, descriptors, count);
+  return counted(result, sizeof packet, traffic);
+}
+
+SendResult write_segment(int socket, const Outgoing& item, Traffic& traffic) {
   const segment::Segment& segment = *item.segment;
   const SegmentPacket packet{
       PacketKind::segment, 0, {segment.id(), segment.size(), item.ledger->file_size(), segment.slots()}};
   const int descriptors[] = {segment.fd(), item.ledger->fd()};
-  const SendResult result = write_packet(socket, packet, bytes, descriptors, 2);
+  const SendResult result = write_packet(socket, packet, traffic, descriptors, 2);
   if (result == SendResult::sent) item.ledger->close_descriptor();
   return result;
 }
 
 template <class Prefix>
 SendResult write_slice(int socket, const Prefix& prefix, const std::uint8_t* data, std::size_t size,
-                       std::uint64_t& bytes) {
+                       Traffic& traffic) {
   const iovec parts[] = {part(&prefix, sizeof prefix), part(data, size)};
   const SendResult result = posix::send_packet(socket, parts, 2);
-  if (result == SendResult::sent) bytes += sizeof prefix + size;
-  return result;
+  return counted(result, sizeof prefix + size, traffic);
 }
 
-SendResult write_fragments(int socket, Outgoing& item, std::uint64_t& bytes) {
+SendResult write_fragments(int socket, Outgoing& item, Traffic& traffic) {
   const Record& record = *item.record;
   while (item.written < record.size()) {
     const std::size_t size = std::min(fragment_bytes, record.size() - item.written);
     const FragmentPrefix prefix{PacketKind::fragment, item.sequence, item.written, record.size()};
-    const SendResult result = write_slice(socket, prefix, record.data() + item.written, size, bytes);
+    const SendResult result = write_slice(socket, prefix, record.data() + item.written, size, traffic);
     if (result != SendResult::sent) return result;
     item.written += size;
   }
@@ -60,34 +65,32 @@ SendResult write_fragments(int socket, Outgoing& item, std::uint64_t& bytes) {
 
 // One piece of memory is the quicker write: the kernel reads no list of pieces.
 TZC_HOT SendResult write_small(int socket, const RecordPrefix& prefix, const Record& record,
-                               std::uint64_t& bytes) {
+                               Traffic& traffic) {
   std::uint8_t packet[sizeof prefix + Record::usual_bytes];
   std::memcpy(packet, &prefix, sizeof prefix);
   std::memcpy(packet + sizeof prefix, record.data(), record.size());
   const SendResult result = posix::send_packet(socket, packet, sizeof prefix + record.size());
-  if (result == SendResult::sent) bytes += sizeof prefix + record.size();
-  return result;
+  return counted(result, sizeof prefix + record.size(), traffic);
 }
 
 }  // namespace
 
-SendResult Outbox::write_record(int socket, const Record& record, std::uint32_t sequence,
-                                std::uint64_t& bytes) {
+SendResult Outbox::write_record(int socket, const Record& record, std::uint32_t sequence, Traffic& traffic) {
   posix::step("publish: before write");
   const RecordPrefix prefix{PacketKind::record, sequence};
-  if (record.size() <= Record::usual_bytes) return write_small(socket, prefix, record, bytes);
-  return write_slice(socket, prefix, record.data(), record.size(), bytes);
+  if (record.size() <= Record::usual_bytes) return write_small(socket, prefix, record, traffic);
+  return write_slice(socket, prefix, record.data(), record.size(), traffic);
 }
 
-SendResult Outbox::write(int socket, Outgoing& item, std::uint64_t& bytes) {
+SendResult Outbox::write(int socket, Outgoing& item, Traffic& traffic) {
   switch (item.kind) {
     case PacketKind::segment:
-      return write_segment(socket, item, bytes);
+      return write_segment(socket, item, traffic);
     case PacketKind::retire_segment:
-      return write_packet(socket, RetireSegment{item.kind, 0, item.segment_id}, bytes);
+      return write_packet(socket, RetireSegment{item.kind, 0, item.segment_id}, traffic);
     default:
-      if (item.record->size() > fragment_bytes) return write_fragments(socket, item, bytes);
-      return write_record(socket, *item.record, item.sequence, bytes);
+      if (item.record->size() > fragment_bytes) return write_fragments(socket, item, traffic);
+      return write_record(socket, *item.record, item.sequence, traffic);
   }
 }
 
@@ -96,9 +99,9 @@ void Outbox::push(Outgoing item) {
   items_.push_back(std::move(item));
 }
 
-SendResult Outbox::flush(int socket, std::uint64_t& bytes) {
+SendResult Outbox::flush(int socket, Traffic& traffic) {
   while (!items_.empty()) {
-    const SendResult result = write(socket, items_.front(), bytes);
+    const SendResult result = write(socket, items_.front(), traffic);
     if (result != SendResult::sent) return result;
     if (items_.front().kind == PacketKind::record) --records_;
     items_.pop_front();

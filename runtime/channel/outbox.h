@@ -27,21 +27,27 @@ struct Outgoing {
   std::uint64_t segment_id = 0;               // retire_segment
 };
 
+/// What went through the socket.
+struct Traffic {
+  std::uint64_t bytes = 0;
+  std::uint32_t packets = 0;
+};
+
 /// What waits because the socket was full, in order. Not thread-safe.
 class Outbox {
  public:
-  /// Writes a record that fits in one packet and adds what it wrote to `bytes`.
+  /// Writes a record that fits in one packet and adds what it wrote to `traffic`.
   TZC_HOT static posix::SendResult write_record(int socket, const Record& record, std::uint32_t sequence,
-                                                std::uint64_t& bytes);
-  /// Writes as much of `item` as the socket takes and adds what it wrote to `bytes`.
-  static posix::SendResult write(int socket, Outgoing& item, std::uint64_t& bytes);
+                                                Traffic& traffic);
+  /// Writes as much of `item` as the socket takes and adds what it wrote to `traffic`.
+  static posix::SendResult write(int socket, Outgoing& item, Traffic& traffic);
 
   bool empty() const { return items_.empty(); }
   std::size_t size() const { return items_.size(); }
   std::size_t records() const { return records_; }
   void push(Outgoing item);
   /// Writes from the front until the socket is full or all is written.
-  posix::SendResult flush(int socket, std::uint64_t& bytes);
+  posix::SendResult flush(int socket, Traffic& traffic);
   /// Forgets the record, if it is still here; its receiver skips a half-written one by itself.
   void drop_record(std::uint32_t sequence);
   void clear();

@@ -14,11 +14,13 @@ namespace channel {
 namespace {
 
 constexpr std::size_t in_message = ReceivedMessage::packet_bytes;
+static_assert(slot_bytes <= in_message, "what comes through the ring lies in the message");
 
 }  // namespace
 
 Reader::Reader(std::shared_ptr<const Link> link)
     : link_(std::move(link)),
+      ring_(link_->ring()),
       overflow_(max_packet_bytes - in_message),
       last_sequence_(link_->first_sequence()) {}
 
@@ -43,8 +45,18 @@ Reader::Result Reader::read(posix::Waiting waiting, MessagePtr& message) try {
 
 posix::ReceiveResult Reader::receive(posix::Waiting waiting, posix::ReceivedPacket& packet) {
   if (!next_) next_ = std::make_shared<ReceivedMessage>(link_);
+  const Source source = ring_.await(link_->ended(), waiting == posix::Waiting::block);
+  if (source == Source::nothing) return posix::ReceiveResult::nothing;
+  if (source == Source::socket) return receive_from_socket(waiting, packet);
+  packet.size = ring_.read(next_->packet());
+  return posix::ReceiveResult::packet;
+}
+
+posix::ReceiveResult Reader::receive_from_socket(posix::Waiting waiting, posix::ReceivedPacket& packet) {
   const iovec parts[] = {{next_->packet(), in_message}, {overflow_.data(), overflow_.size()}};
-  return posix::receive_packet(link_->fd(), parts, 2, waiting, true, packet);
+  const auto result = posix::receive_packet(link_->fd(), parts, 2, waiting, true, packet);
+  if (result == posix::ReceiveResult::packet) ring_.count_packet();
+  return result;
 }
 
 template <class Packet>

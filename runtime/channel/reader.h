@@ -9,6 +9,7 @@
 
 #include "channel/link.h"
 #include "channel/received_message.h"
+#include "channel/ring.h"
 #include "posix/hot.h"
 #include "posix/packet.h"
 #include "segment/received_segment.h"
@@ -44,6 +45,7 @@ class Reader {
   };
 
   TZC_HOT posix::ReceiveResult receive(posix::Waiting waiting, posix::ReceivedPacket& packet);
+  TZC_HOT posix::ReceiveResult receive_from_socket(posix::Waiting waiting, posix::ReceivedPacket& packet);
   TZC_HOT bool handle(posix::ReceivedPacket& packet, MessagePtr& message);
   bool open_segment(posix::ReceivedPacket& packet);
   bool retire_segment(const posix::ReceivedPacket& packet);
@@ -60,6 +62,7 @@ class Reader {
   bool broken(const std::string& why);
 
   const std::shared_ptr<const Link> link_;
+  RingReader ring_;
   std::shared_ptr<ReceivedMessage> next_;  // a packet's first bytes go into the message that they may become
   std::vector<std::uint8_t> overflow_;     // and the others here
   std::vector<std::shared_ptr<segment::ReceivedSegment>> segments_;

@@ -69,6 +69,11 @@ void Service::set_deadline(std::uint64_t key, Clock::time_point when) {
 }
 
 void Service::remove(int fd, std::uint64_t key) {
+  forget(fd, key);
+  synchronize();
+}
+
+void Service::forget(int fd, std::uint64_t key) {
   poller_->forget(fd);
   std::shared_ptr<Watcher> last;  // destroyed without the lock
   {
@@ -78,7 +83,6 @@ void Service::remove(int fd, std::uint64_t key) {
     last = std::move(found->second.watcher);
     entries_.erase(found);
   }
-  synchronize();
 }
 
 void Service::synchronize() {

@@ -24,8 +24,8 @@ class Watcher {
   virtual void on_deadline() {}
 };
 
-/// The one thread that serves all publishers of this process: new subscribers, full sockets that drain,
-/// subscribers that leave. Started with the first publisher, anew in a forked child. Thread-safe.
+/// The one thread that serves all connections of this process: new subscribers, full sockets that drain,
+/// peers that leave. Started with the first publisher or subscriber, anew in a forked child. Thread-safe.
 class Service {
  public:
   using Clock = std::chrono::steady_clock;
@@ -38,6 +38,8 @@ class Service {
   void change(int fd, std::uint64_t key, bool readable, bool writable);
   /// on_deadline will be called once at that time.
   void set_deadline(std::uint64_t key, Clock::time_point when);
+  /// Lets go of the watcher, which may be running, and run once more.
+  void forget(int fd, std::uint64_t key);
   /// Lets go of the watcher. Unless called by the service thread itself, a running call has returned
   /// afterwards.
   void remove(int fd, std::uint64_t key);

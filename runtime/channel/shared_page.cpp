@@ -19,7 +19,7 @@ Expected<SharedPage> SharedPage::create(std::uint32_t first_sequence) {
   SharedPage page;
   page.file_ = std::move(*file);
   page.mapping_ = std::move(*mapping);
-  new (page.mapping_.data()) ConnectionPage{{pack(Verdict{first_sequence, first_sequence})}};
+  new (page.mapping_.data()) ConnectionPage{{pack(Verdict{first_sequence, first_sequence})}, {}};
   return {std::move(page)};
 }
 
@@ -34,10 +34,6 @@ Expected<SharedPage> SharedPage::open(posix::FileDescriptor file, std::size_t si
   SharedPage page;
   page.mapping_ = std::move(*mapping);
   return {std::move(page)};
-}
-
-std::atomic<std::uint64_t>& SharedPage::verdict() const {
-  return reinterpret_cast<ConnectionPage*>(mapping_.data())->verdict;
 }
 
 }  // namespace channel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "channel/ring.h"
 #include "channel/verdict.h"
 #include "posix/mapping.h"
 #include "posix/memory_file.h"
@@ -9,19 +10,30 @@
 namespace tzc {
 namespace channel {
 
-/// The page that a publisher and one subscriber share to decide who gets a record.
+/// What a publisher and one subscriber share: the word that decides who gets a record, and the ring. All in
+/// one page of memory.
+struct ConnectionPage {
+  std::atomic<std::uint64_t> verdict;
+  Ring ring;
+};
+static_assert(sizeof(ConnectionPage) <= 4096, "the smallest page there is");
+
+/// That memory. Both sides write to it.
 class SharedPage {
  public:
   static Expected<SharedPage> create(std::uint32_t first_sequence);
   /// From a peer: checked like every received file.
   static Expected<SharedPage> open(posix::FileDescriptor file, std::size_t size);
 
-  std::atomic<std::uint64_t>& verdict() const;
+  std::atomic<std::uint64_t>& verdict() const { return content().verdict; }
+  Ring& ring() const { return content().ring; }
   int fd() const { return file_.shared_fd(); }
   std::size_t size() const { return mapping_.size(); }
   void close_descriptor() { file_.descriptor.reset(); }
 
  private:
+  ConnectionPage& content() const { return *reinterpret_cast<ConnectionPage*>(mapping_.data()); }
+
   posix::MemoryFile file_;
   posix::Mapping mapping_;
 };

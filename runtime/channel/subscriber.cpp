@@ -4,6 +4,8 @@
 
 #include "channel/link.h"
 #include "channel/reader.h"
+#include "channel/service.h"
+#include "posix/futex.h"
 #include "posix/hot.h"
 #include "posix/thread.h"
 #include "tzc/channel.h"
@@ -15,7 +17,7 @@ namespace {
 /// What the reader thread and the user's handle share. The thread may outlive the handle when the handle goes
 /// inside a callback.
 struct Session {
-  Session(SubscriberOptions given, std::shared_ptr<const Link> connected)
+  Session(SubscriberOptions given, std::shared_ptr<Link> connected)
       : options(std::move(given)), link(connected), reader(std::move(connected)) {}
 
   TZC_HOT void run() {
@@ -36,12 +38,19 @@ struct Session {
   }
 
   const SubscriberOptions options;
-  const std::shared_ptr<const Link> link;
+  const std::shared_ptr<Link> link;
   Reader reader;
   std::atomic<bool> stopping{false};
   std::atomic<bool> open{true};
   bool reported = false;
 };
+
+/// Null: the reader thread has to wait on the socket.
+Service* hang_up_service() {
+  if (!posix::has_shared_futex()) return nullptr;
+  const auto service = Service::instance();
+  return service ? *service : nullptr;
+}
 
 class SubscriberHandle final : public Subscriber {
  public:
@@ -105,9 +114,9 @@ Expected<std::shared_ptr<Subscriber>> Subscriber::create(SubscriberOptions optio
     error.where = options.address;
     return error;
   }
-  auto link = Link::connect(options);
-  if (!link) return link.error();
   const bool own_thread = options.own_thread;
+  auto link = Link::connect(options, own_thread ? hang_up_service() : nullptr);
+  if (!link) return link.error();
   auto session = std::make_shared<Session>(std::move(options), std::move(*link));
   auto subscriber = std::make_shared<SubscriberHandle>(std::move(session));
   if (own_thread) {

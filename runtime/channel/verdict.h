@@ -71,10 +71,5 @@ bool win_revoke(Atomic& word, std::uint32_t sequence, std::uint32_t& taken) {
   return false;
 }
 
-/// The shared page of one connection: this word, written by both sides.
-struct ConnectionPage {
-  std::atomic<std::uint64_t> verdict;
-};
-
 }  // namespace channel
 }  // namespace tzc

@@ -6,8 +6,9 @@
 
 #include "segment/received_segment.h"
 
-// What crosses the socket, one structure for each kind of packet. Host byte order: both ends run on one
-// machine. tests/runtime/channel/wire_test.cpp pins every size; a change needs a new wire_version.
+// What crosses the socket, one structure for each kind of packet; records may cross the ring instead
+// (ring.h). Host byte order: both ends run on one machine. tests/runtime/channel/wire_test.cpp pins every
+// size; a change needs a new wire_version.
 //
 //   subscriber                                publisher
 //      | ---- Hello, hello text ----------------> |   authorize, on_connect
@@ -22,7 +23,7 @@
 namespace tzc {
 namespace channel {
 
-constexpr std::uint32_t wire_version = 1;
+constexpr std::uint32_t wire_version = 2;
 constexpr std::uint32_t wire_magic = 0x315a4354;  // "TCZ1"
 constexpr std::size_t fragment_bytes = 64 << 10;  // most bytes of a body in one packet
 constexpr std::size_t max_hello_bytes = 32 << 10;
@@ -42,11 +43,15 @@ enum class PacketKind : std::uint32_t {
   goodbye
 };
 
+/// What a subscriber asks for and a publisher agrees to.
+enum Features : std::uint32_t { reads_ring = 1 };  // usual records come through the ring (channel/ring.h)
+
 struct Hello {
   PacketKind kind;
   std::uint32_t magic;
   std::uint32_t version;
   std::uint32_t hello_bytes;
+  std::uint32_t features;
 };
 
 struct Welcome {
@@ -54,6 +59,7 @@ struct Welcome {
   std::uint32_t version;
   std::uint32_t first_sequence;  // of the first record, minus one
   std::uint32_t page_bytes;
+  std::uint32_t features;
 };
 
 /// Followed by the reason, text.

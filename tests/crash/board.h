@@ -41,11 +41,11 @@ struct Board {
 };
 
 constexpr const char* publisher_steps[] = {
-    "allocate: begin",       "allocate: carved",     "allocate: reclaimed",
-    "allocate: revoking",    "publish: before mark", "publish: marked",
-    "publish: before write", "publish: written",     "publish: revoke decided"};
-constexpr const char* subscriber_steps[] = {"take: before verdict", "take: verdict won", "take: block taken",
-                                            "release: block", "release: released"};
+    "allocate: begin",      "allocate: carved", "allocate: reclaimed",    "allocate: revoking",
+    "publish: before mark", "publish: marked",  "publish: before write",  "publish: slot filled",
+    "publish: before bell", "publish: written", "publish: revoke decided"};
+constexpr const char* subscriber_steps[] = {"take: slot copied", "take: before verdict", "take: verdict won",
+                                            "take: block taken", "release: block",       "release: released"};
 
 inline std::int64_t now_ns() {
   timespec now{};

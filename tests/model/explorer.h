@@ -25,7 +25,7 @@ namespace model {
 using Word = std::uint64_t;
 
 struct Operation {
-  enum Kind { load, compare_exchange, store, push, pop } kind;
+  enum Kind { load, compare_exchange, store, fetch_add, push, pop, fall_asleep, stay_asleep } kind;
   std::size_t index;
   Word expected = 0;
   Word desired = 0;
@@ -62,7 +62,12 @@ class ModelAtomic {
   ModelAtomic(Context& context, std::size_t index) : context_(context), index_(index) {}
 
   Word load(std::memory_order) const { return context_.perform({Operation::load, index_}); }
-  void store(Word value) { context_.perform({Operation::store, index_, 0, value}); }
+  void store(Word value, std::memory_order = std::memory_order_seq_cst) {
+    context_.perform({Operation::store, index_, 0, value});
+  }
+  Word fetch_add(Word value, std::memory_order) {
+    return context_.perform({Operation::fetch_add, index_, 0, value});
+  }
   bool compare_exchange_weak(Word& expected, Word desired, std::memory_order, std::memory_order) {
     const Word before = context_.perform({Operation::compare_exchange, index_, expected, desired});
     if (before == expected) return true;
@@ -73,6 +78,12 @@ class ModelAtomic {
   /// other end is closed (0).
   void push(Word entry) { context_.perform({Operation::push, index_, 0, entry}); }
   Word pop() { return context_.perform({Operation::pop, index_}); }
+  /// A futex: this word says that somebody sleeps on word `on`, unless that is not `expected`; another thread
+  /// wakes it by storing 0.
+  void sleep(std::size_t on, Word expected) {
+    if (context_.perform({Operation::fall_asleep, index_, expected, on}) != 0)
+      context_.perform({Operation::stay_asleep, index_});
+  }
 
  private:
   Context& context_;
@@ -170,6 +181,14 @@ class Explorer {
       case Operation::store:
         word = operation.desired;
         return true;
+      case Operation::fetch_add:
+        word += operation.desired;
+        return true;
+      case Operation::fall_asleep:
+        word = result = state.shared[operation.desired] == operation.expected ? 1 : 0;
+        return true;
+      case Operation::stay_asleep:
+        return word == 0;
       case Operation::push:
         push(word, operation.desired);
         return true;

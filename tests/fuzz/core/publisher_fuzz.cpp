@@ -78,8 +78,9 @@ void read(const Record& record) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  std::string hello, reason;
-  parse_hello(data, size, hello, reason);
+  std::string reason;
+  ConnectionImpl::Peer peer;
+  parse_hello(data, size, peer, reason);
 
   fuzz::Input input(data, size);
   fuzz::SocketPair sockets;
@@ -89,8 +90,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   memory_options.policy = input.take<std::uint8_t>() & 1 ? Policy::best_effort() : Policy::medium_effort();
   const auto memory = *SegmentMemory::create(memory_options);
   auto page = SharedPage::create(first_sequence);
+  peer.reads_ring = (input.take<std::uint8_t>() & 1) != 0;
   auto connection = std::make_shared<ConnectionImpl>(
-      std::move(sockets.ours), ConnectionImpl::Peer{}, std::move(*page), input.take<std::uint8_t>() % 8 + 1,
+      std::move(sockets.ours), std::move(peer), std::move(*page), input.take<std::uint8_t>() % 8 + 1,
       std::weak_ptr<Hub>(), (input.take<std::uint8_t>() & 1) != 0);
   connection->start(**Service::instance());
   connection->uncork();

@@ -3,10 +3,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "channel/link.h"
 #include "channel/reader.h"
+#include "channel/service.h"
 #include "channel/verdict.h"
 #include "channel/wire.h"
 #include "input.h"
@@ -51,9 +53,11 @@ class Hostile {
   }
 
   void welcome(const fuzz::SocketPair& sockets) const {
-    const Welcome packet{PacketKind::welcome, wire_version, 0, 4096};
+    const Welcome packet{PacketKind::welcome, wire_version, 0, 4096, reads_ring};
     sockets.send(&packet, sizeof packet, {page_.file.descriptor.get()});
   }
+
+  Ring& ring() { return reinterpret_cast<ConnectionPage*>(page_.mapping.data())->ring; }
 
   void scribble(fuzz::Input& input) {
     SharedFile& target = *std::array<SharedFile*, 3>{&page_, &data_, &acks_}[input.take<std::uint8_t>() % 3];
@@ -76,6 +80,14 @@ class Hostile {
       default:
         return {};
     }
+  }
+
+  void write_into_ring(const std::vector<std::uint8_t>& packet) {
+    std::atomic<std::uint32_t>& written = ring().publisher.written;
+    Ring::Slot& slot = ring().slots[written % ring_slots];
+    std::copy(packet.begin(), packet.end(), slot.bytes);
+    slot.size = static_cast<std::uint32_t>(packet.size());
+    ++written;
   }
 
  private:
@@ -106,7 +118,7 @@ void damage(std::vector<std::uint8_t>& packet, fuzz::Input& input) {
     packet[input.take<std::uint16_t>() % packet.size()] = input.take<std::uint8_t>();
 }
 
-void send_something(const fuzz::SocketPair& sockets, const Hostile& hostile, std::uint32_t& sequence,
+void send_something(const fuzz::SocketPair& sockets, Hostile& hostile, std::uint32_t& sequence,
                     fuzz::Input& input) {
   std::vector<std::uint8_t> packet;
   const auto choice = input.take<std::uint8_t>();
@@ -122,6 +134,11 @@ void send_something(const fuzz::SocketPair& sockets, const Hostile& hostile, std
       packet = input.take_bytes(input.take<std::uint16_t>() % 2048);
   }
   damage(packet, input);
+  if (choice & 0x80 && packet.size() < slot_bytes) {
+    hostile.write_into_ring(packet);
+    return;
+  }
+  if (choice & 0x40) ++hostile.ring().publisher.packets;
   sockets.send(packet.data(), packet.size(),
                hostile.descriptors(choice % 4 == 0 ? choice / 4 + 4 : choice / 4));
 }
@@ -150,7 +167,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } else {
     hostile.welcome(sockets);
   }
-  auto link = std::make_shared<Link>(std::move(sockets.theirs), Credentials());
+  Service* service = greeting % 2 == 0 ? *Service::instance() : nullptr;
+  auto link = std::make_shared<Link>(std::move(sockets.theirs), Credentials(), service);
   if (!link->shake_hands(options)) return 0;
   Reader reader(link);
   std::vector<MessagePtr> held;

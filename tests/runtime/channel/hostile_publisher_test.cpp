@@ -2,7 +2,9 @@
 // Publishers that lie: the subscriber ends the connection, says why, and touches nothing that is not there.
 #include <dirent.h>
 
+#include "channel/shared_page.h"
 #include "posix/address.h"
+#include "posix/mapping.h"
 #include "posix/memory_file.h"
 #include "raw_peer.h"
 
@@ -24,13 +26,13 @@ class HostilePublisher : public ::testing::Test {
     peer_->receive();
   }
 
-  void subscribe(bool welcome = true) {
+  void subscribe(std::uint32_t features = 0) {
     std::thread server([&] {
       accept();
-      if (!welcome) return;
       auto page = posix::create_memory_file("page", 4096, posix::Sharing::peers_write);
+      page_ = std::move(*posix::Mapping::map(page->descriptor.get(), 4096, posix::Access::read_write));
       posix::seal(*page, posix::Sharing::peers_write);
-      peer_->send(Welcome{PacketKind::welcome, wire_version, 0, 4096}, {page->descriptor.get()});
+      peer_->send(Welcome{PacketKind::welcome, wire_version, 0, 4096, features}, {page->descriptor.get()});
     });
     in_ = std::make_unique<Inbox>(listener_.address());
     server.join();
@@ -48,7 +50,10 @@ class HostilePublisher : public ::testing::Test {
   }
 
   posix::Listener listener_;
+  Ring& ring() { return reinterpret_cast<ConnectionPage*>(page_.data())->ring; }
+
   std::unique_ptr<RawPeer> peer_;
+  posix::Mapping page_;
   std::unique_ptr<Inbox> in_;
 };
 
@@ -105,6 +110,35 @@ TEST_F(HostilePublisher, AFileShorterThanAnnouncedEndsIt) {
 }
 
 #ifndef TZC_PORTABLE
+TEST_F(HostilePublisher, ARingThatClaimsMoreThanItHoldsEndsIt) {
+  subscribe(reads_ring);
+  ring().publisher.written = ring_slots + 1;
+  wake_reader(ring());
+  expect_broken("wrong size");
+}
+
+TEST_F(HostilePublisher, ASlotThatClaimsMoreThanItHoldsEndsIt) {
+  subscribe(reads_ring);
+  ring().slots[0].size = slot_bytes + 1;
+  ring().publisher.written = 1;
+  wake_reader(ring());
+  expect_broken("wrong size");
+}
+
+TEST_F(HostilePublisher, WhatComesThroughTheRingIsCheckedAsAPacket) {
+  subscribe(reads_ring);
+  const SegmentPacket offer{PacketKind::segment, 0, {1, 4096, 4096, 64}};
+  RingWriter(&ring()).write(&offer, sizeof offer, "", 0);
+  expect_broken("without its files");
+}
+
+TEST_F(HostilePublisher, PacketsThatNeverComeHoldNobodyUp) {
+  subscribe(reads_ring);
+  ring().publisher.packets = 1;
+  wake_reader(ring());
+  in_.reset();  // waits for the reader thread
+}
+
 TEST_F(HostilePublisher, AFileThatItCouldStillTruncateEndsIt) {
   subscribe();
   auto file = posix::create_memory_file("open", 8192, posix::Sharing::peers_write);

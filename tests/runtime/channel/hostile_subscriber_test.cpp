@@ -10,7 +10,7 @@ namespace channel {
 namespace test {
 namespace {
 
-constexpr Hello good_hello{PacketKind::hello, wire_magic, wire_version, 0};
+constexpr Hello good_hello{PacketKind::hello, wire_magic, wire_version, 0, 0};
 
 void expect_going_on(Publisher& out) {
   Inbox in(out.address());
@@ -34,7 +34,7 @@ TEST(HostileSubscriber, AGreetingOfAnotherProtocolIsRefused) {
 TEST(HostileSubscriber, AnotherVersionIsToldWhichOneIsOld) {
   const auto out = publisher();
   RawPeer peer = RawPeer::connect(out->address());
-  peer.send(Hello{PacketKind::hello, wire_magic, wire_version + 1, 0});
+  peer.send(Hello{PacketKind::hello, wire_magic, wire_version + 1, 0, 0});
   ASSERT_EQ(peer.receive(), posix::ReceiveResult::packet);
   EXPECT_NE(peer.text(sizeof(Refusal)).find("update the older one"), std::string::npos);
 }
@@ -45,7 +45,8 @@ TEST(HostileSubscriber, SilentPeersHoldNobodyUp) {
   for (int i = 0; i < 300; ++i) silent.push_back(RawPeer::connect(out->address()));
   EXPECT_TRUE(eventually([&] { return out->stats().accept_failures > 0; })) << "more than may wait at a time";
   silent.clear();
-  // Their places are free as soon as the service thread has seen them go; until then others are turned away, too.
+  // Their places are free as soon as the service thread has seen them go; until then others are turned away,
+  // too.
   SubscriberOptions next;
   next.address = out->address();
   next.own_thread = false;

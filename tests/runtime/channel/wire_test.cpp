@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "channel/verdict.h"
+#include "channel/shared_page.h"
 
 // Publisher and subscriber may be built from different versions of this library. When a size here fails you
 // changed the protocol: raise wire_version in channel/wire.h, then update the numbers below.
@@ -14,10 +14,10 @@ namespace {
 
 using Word = std::atomic<std::uint64_t>;
 
-TEST(Wire, VersionOne) {
-  EXPECT_EQ(wire_version, 1u);
-  EXPECT_EQ(sizeof(Hello), 16u);
-  EXPECT_EQ(sizeof(Welcome), 16u);
+TEST(Wire, VersionTwo) {
+  EXPECT_EQ(wire_version, 2u);
+  EXPECT_EQ(sizeof(Hello), 20u);
+  EXPECT_EQ(sizeof(Welcome), 20u);
   EXPECT_EQ(sizeof(Refusal), 8u);
   EXPECT_EQ(sizeof(SegmentPacket), 40u);
   EXPECT_EQ(sizeof(RetireSegment), 16u);
@@ -25,7 +25,7 @@ TEST(Wire, VersionOne) {
   EXPECT_EQ(sizeof(FragmentPrefix), 24u);
   EXPECT_EQ(sizeof(Goodbye), 4u);
   EXPECT_EQ(sizeof(BodyHeader), 24u);
-  EXPECT_EQ(sizeof(ConnectionPage), 8u);
+  EXPECT_EQ(sizeof(ConnectionPage), 4032u);
 }
 
 TEST(Verdict, ExactlyOneSideWinsARecord) {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace tzc {
+namespace posix {
+
+/// Whether threads of different processes can wait for a word in shared memory here (Linux).
+bool has_shared_futex();
+
+/// Sleeps until wake_sleeper, unless `word` isn't `expected` any more. May return for no reason.
+void sleep_while(std::atomic<std::uint32_t>& word, std::uint32_t expected);
+
+/// Wakes the thread that sleeps on `word`, in whichever process. Never blocks.
+void wake_sleeper(std::atomic<std::uint32_t>& word);
+
+}  // namespace posix
+}  // namespace tzc

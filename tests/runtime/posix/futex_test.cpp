@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "posix/futex.h"
+
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <new>
+
+namespace tzc {
+namespace posix {
+namespace {
+
+TEST(Futex, DoesNotSleepOnAnotherValue) {
+  std::atomic<std::uint32_t> word{5};
+  sleep_while(word, 4);
+}
+
+TEST(Futex, WakesAnotherProcess) {
+  if (!has_shared_futex()) return;  // nobody uses it then
+  void* memory = ::mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  ASSERT_NE(memory, MAP_FAILED);
+  auto& word = *new (memory) std::atomic<std::uint32_t>{0};
+  const pid_t child = ::fork();
+  if (child == 0) {
+    while (word == 0) sleep_while(word, 0);
+    ::_exit(word == 1 ? 0 : 1);
+  }
+  ::usleep(1000);  // most likely it sleeps by now; it has to end in either case
+  word = 1;
+  wake_sleeper(word);
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  ::munmap(memory, 4096);
+}
+
+}  // namespace
+}  // namespace posix
+}  // namespace tzc
