@@ -3,6 +3,9 @@
 
 #include <sys/utsname.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -35,17 +38,32 @@ nlohmann::json to_json(const Row& row) {
           {"p99_us", row.p99_us}};
 }
 
-}  // namespace
-
-void print_header() {
-  std::printf("%-20s %12s %12s %8s %10s %10s %10s\n", "contender", "size_bytes", "subscribers", "sent",
-              "delivered", "median_us", "p99_us");
-  std::fflush(stdout);  // or every forked process prints it again
+/// What another contender did with the same messages.
+const Row* find_beside(const std::vector<Row>& rows, const Row& row, const char* contender) {
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& other) {
+    return other.contender == contender && other.size_bytes == row.size_bytes &&
+           other.subscribers == row.subscribers;
+  });
+  return found == rows.end() ? nullptr : &*found;
 }
 
-void print_row(const Row& row) {
-  std::printf("%-20s %12zu %12zu %8zu %10zu %10.1f %10.1f\n", row.contender.c_str(), row.size_bytes,
-              row.subscribers, row.sent, row.delivered, row.median_us, row.p99_us);
+std::string ratio(double a, double b) {
+  return b > 0 ? fmt::format("{:.2f}", a / b) : std::string();
+}
+
+}  // namespace
+
+void print_table(const std::vector<Row>& rows) {
+  std::printf("%-20s %12s %12s %8s %10s %10s %10s %9s %9s\n", "contender", "size_bytes", "subscribers",
+              "sent", "delivered", "median_us", "p99_us", "x_socket", "tcpros_x");
+  for (const Row& row : rows) {
+    const Row* socket = find_beside(rows, row, "seqpacket");
+    const Row* tcpros = find_beside(rows, row, "tcpros");
+    std::printf("%-20s %12zu %12zu %8zu %10zu %10.1f %10.1f %9s %9s\n", row.contender.c_str(), row.size_bytes,
+                row.subscribers, row.sent, row.delivered, row.median_us, row.p99_us,
+                socket != nullptr ? ratio(row.median_us, socket->median_us).c_str() : "",
+                tcpros != nullptr ? ratio(tcpros->median_us, row.median_us).c_str() : "");
+  }
   std::fflush(stdout);
 }
 

@@ -19,8 +19,9 @@ struct Row {
   double p99_us = 0;
 };
 
-void print_header();
-void print_row(const Row& row);
+/// A table of all rows. Where they were measured, too, it says how many times a bare socket's median a row's
+/// is (x_socket), and how many times a row's median TCPROS' is (tcpros_x), at the same size and subscribers.
+void print_table(const std::vector<Row>& rows);
 /// {"machine": {...}, "rows": [...]}; false when the file can't be written.
 bool write_json(const std::string& path, const std::vector<Row>& rows);
 

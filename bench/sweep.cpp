@@ -67,11 +67,9 @@ int sweep(const Options& options, const Contenders& contenders) {
     }
   }
   std::vector<Row> rows;
-  print_header();
-  for (Entry& entry : entries) {
+  for (Entry& entry : entries)
     rows.push_back(summarize(*entry.contender, entry.setup, std::move(entry.samples)));
-    print_row(rows.back());
-  }
+  print_table(rows);
   return options.json.empty() || write_json(options.json, rows) ? 0 : 1;
 }
 

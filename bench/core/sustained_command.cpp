@@ -69,8 +69,7 @@ int run_sustained(int argc, char** argv) {
   Samples samples;
   measure(contender, setup, samples);
   const Row row = summarize(contender, setup, std::move(samples));
-  print_header();
-  print_row(row);
+  print_table({row});
   const bool complete = row.delivered == row.sent;
   if (!complete) std::fprintf(stderr, "%zu messages were lost\n", row.sent - row.delivered);
   const bool written = options.json.empty() || write_json(options.json, {row});

@@ -40,6 +40,20 @@ def check_rows(rows, command):
         assert 0 < row["median_us"] <= row["p99_us"], row
 
 
+def check_ratios(table, rows):
+    """The last columns compare a row with the bare socket and with TCPROS, where these were measured."""
+    for row in rows:
+        beside = {other["contender"]: other["median_us"] for other in rows
+                  if (other["size_bytes"], other["subscribers"]) == (row["size_bytes"], row["subscribers"])}
+        expected = [row["median_us"] / beside["seqpacket"]] if "seqpacket" in beside else []
+        expected += [beside["tcpros"] / row["median_us"]] if "tcpros" in beside else []
+        line = next(line.split() for line in table.splitlines()
+                    if line.split()[:3] == [row["contender"], str(row["size_bytes"]), str(row["subscribers"])])
+        shown = [float(word) for word in line[7:]]
+        assert len(shown) == len(expected), (line, expected)
+        assert all(abs(a - b) < 0.02 * b + 0.01 for a, b in zip(shown, expected)), (line, expected)
+
+
 def check_inside(bench):
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "figures.json")
@@ -63,7 +77,7 @@ def main():
     table, figures = short_run(bench, command)
     assert set(figures) == {"machine", "rows"} and figures["machine"]["cpus"] > 0, figures
     check_rows(figures["rows"], command)
-    assert all(row["contender"] in table for row in figures["rows"]), table
+    check_ratios(table, figures["rows"])
     for mistake in (["--size", "4k"], ["--rate", "-1"], ["--sizes", "many"], ["--subscribers", "99"]):
         told = run(bench, command, *mistake)
         assert told.returncode == 2 and mistake[0] in told.stderr, (mistake, told)
