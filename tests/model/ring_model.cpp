@@ -3,9 +3,8 @@
 // Explores every interleaving of one publisher and one subscriber that share a ring and a socket, on the very
 // code that the library runs for the ring's words (channel/ring.h): the records come in order, none is missed
 // and nobody sleeps forever, whoever dies where. Then plants each mistake and demands that it is found.
-#include <cstdio>
-
 #include "channel/ring.h"
+#include "exploration.h"
 #include "explorer.h"
 
 namespace tzc {
@@ -55,12 +54,7 @@ constexpr Scenario scenarios[] = {
     {"in turns, one dies", 4, 1 << 1 | 1 << 3, 1, Mistake::none},
 };
 
-struct Planted {
-  Mistake mistake;
-  const char* name;
-};
-
-constexpr Planted mistakes[] = {
+constexpr Planted<Mistake> mistakes[] = {
     {Mistake::ring_before_socket_is_read, "using the ring while packets wait in the socket"},
     {Mistake::full_ring, "writing into a full ring"},
     {Mistake::ring_looked_at_first, "looking into the ring before counting the packets"},
@@ -184,38 +178,13 @@ void check_end(const RingExplorer::State& state) {
     violated("a message is missing");
 }
 
-bool explore(const Scenario& which, bool print) {
-  scenario = which;
+int run() {
   RingExplorer explorer;
   explorer.programs = {subscribe_round, publish_round};
   explorer.writer = publisher;
-  explorer.most_deaths = which.deaths;
   explorer.on_death = on_death;
   explorer.check_end = check_end;
-  const bool holds = explorer.explore(RingExplorer::State{});
-  if (print)
-    std::printf("%-32s %9zu states  %s\n", which.name, explorer.states(),
-                holds ? "holds" : explorer.violation().c_str());
-  if (print && !holds) std::printf("  %s\n", explorer.trace().c_str());
-  return holds;
-}
-
-bool is_found(const Planted& planted) {
-  for (Scenario broken : scenarios) {
-    broken.mistake = planted.mistake;
-    if (explore(broken, false)) continue;
-    std::printf("planted: %s: found in \"%s\"\n", planted.name, broken.name);
-    return true;
-  }
-  std::printf("planted: %s: NOT FOUND\n", planted.name);
-  return false;
-}
-
-int run() {
-  int failures = 0;
-  for (const Scenario& each : scenarios) failures += explore(each, true) ? 0 : 1;
-  for (const Planted& each : mistakes) failures += is_found(each) ? 0 : 1;
-  return failures;
+  return Exploration<Scenario, RingExplorer>(explorer, scenario).explore(scenarios, mistakes);
 }
 
 }  // namespace
