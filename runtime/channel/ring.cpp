@@ -33,9 +33,9 @@ bool RingWriter::write(const void* prefix, std::size_t prefix_size, const void* 
 }
 
 void RingWriter::sent_packets(std::uint32_t count) {
-  if (ring_ == nullptr || count == packets_) return;
-  packets_ = count;
-  ring_->publisher.packets.store(count, std::memory_order_release);
+  if (ring_ == nullptr || ring_start + count == packets_) return;
+  packets_ = ring_start + count;
+  ring_->publisher.packets.store(packets_, std::memory_order_release);
   wake_reader(*ring_);
 }
 

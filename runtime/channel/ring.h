@@ -27,6 +27,8 @@ namespace channel {
 
 constexpr std::uint32_t ring_slots = 8;
 constexpr std::size_t slot_bytes = 476;
+constexpr std::uint32_t ring_start =
+    0xffffffff - 5;  // of all counts: every run goes through the wrap (decision 105)
 
 /// The words of a ring: Atomic is a reference to one, or a model's (tests/model).
 template <class Atomic>
@@ -90,8 +92,8 @@ struct Ring {
     std::atomic<std::uint32_t> sleeping, read, packets_read;
   };
 
-  alignas(64) PublishersWords publisher;
-  alignas(64) SubscribersWords subscriber;
+  alignas(64) PublishersWords publisher{{0}, {ring_start}, {ring_start}};
+  alignas(64) SubscribersWords subscriber{{0}, {ring_start}, {ring_start}};
   alignas(64) Slot slots[ring_slots];
 };
 
@@ -108,8 +110,8 @@ class RingWriter {
 
  private:
   Ring* ring_;
-  std::uint32_t written_ = 0;
-  std::uint32_t packets_ = 0;
+  std::uint32_t written_ = ring_start;
+  std::uint32_t packets_ = ring_start;
 };
 
 /// The subscriber's end. Used by one thread at a time.
@@ -127,9 +129,9 @@ class RingReader {
 
  private:
   Ring* ring_;
-  std::uint32_t read_ = 0;
-  std::uint32_t written_ = 0;
-  std::uint32_t packets_read_ = 0;
+  std::uint32_t read_ = ring_start;
+  std::uint32_t written_ = ring_start;
+  std::uint32_t packets_read_ = ring_start;
 };
 
 /// Makes a reader look again, for example because its connection has ended.

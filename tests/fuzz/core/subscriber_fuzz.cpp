@@ -40,6 +40,7 @@ SharedFile shared_file(std::size_t size) {
 class Hostile {
  public:
   Hostile() : page_(shared_file(4096)), data_(shared_file(file_bytes)), acks_(shared_file(file_bytes)) {
+    new (page_.mapping.data()) ConnectionPage();
     const segment::SegmentHeader header{
         segment::segment_magic, segment::layout_version, slots, 1, file_bytes, {}};
     std::memcpy(data_.mapping.data(), &header, sizeof header);

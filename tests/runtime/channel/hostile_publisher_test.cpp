@@ -31,6 +31,7 @@ class HostilePublisher : public ::testing::Test {
       accept();
       auto page = posix::create_memory_file("page", 4096, posix::Sharing::peers_write);
       page_ = std::move(*posix::Mapping::map(page->descriptor.get(), 4096, posix::Access::read_write));
+      new (page_.data()) ConnectionPage();
       posix::seal(*page, posix::Sharing::peers_write);
       peer_->send(Welcome{PacketKind::welcome, wire_version, 0, 4096, features}, {page->descriptor.get()});
     });
@@ -112,15 +113,15 @@ TEST_F(HostilePublisher, AFileShorterThanAnnouncedEndsIt) {
 #ifndef TZC_PORTABLE
 TEST_F(HostilePublisher, ARingThatClaimsMoreThanItHoldsEndsIt) {
   subscribe(reads_ring);
-  ring().publisher.written = ring_slots + 1;
+  ring().publisher.written = ring_start + ring_slots + 1;
   wake_reader(ring());
   expect_broken("wrong size");
 }
 
 TEST_F(HostilePublisher, ASlotThatClaimsMoreThanItHoldsEndsIt) {
   subscribe(reads_ring);
-  ring().slots[0].size = slot_bytes + 1;
-  ring().publisher.written = 1;
+  ring().slots[ring_start % ring_slots].size = slot_bytes + 1;
+  ring().publisher.written = ring_start + 1;
   wake_reader(ring());
   expect_broken("wrong size");
 }
@@ -134,7 +135,7 @@ TEST_F(HostilePublisher, WhatComesThroughTheRingIsCheckedAsAPacket) {
 
 TEST_F(HostilePublisher, PacketsThatNeverComeHoldNobodyUp) {
   subscribe(reads_ring);
-  ring().publisher.packets = 1;
+  ring().publisher.packets = ring_start + 1;
   wake_reader(ring());
   in_.reset();  // waits for the reader thread
 }

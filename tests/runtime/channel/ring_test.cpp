@@ -92,11 +92,11 @@ TEST(Ring, WithoutOneEverythingIsInTheSocket) {
 TEST(Ring, ForgedCountsAndSizesAreNoticed) {
   Ends ends;
   std::uint8_t packet[slot_bytes];
-  ends.ring.publisher.written = ring_slots + 1;
+  ends.ring.publisher.written = ring_start + ring_slots + 1;
   ASSERT_EQ(ends.look(), Source::ring);
   EXPECT_EQ(ends.reader.read(packet), 0u);
-  ends.ring.publisher.written = 1;
-  ends.ring.slots[0].size = slot_bytes + 1;
+  ends.ring.publisher.written = ring_start + 1;
+  ends.ring.slots[ring_start % ring_slots].size = slot_bytes + 1;
   ASSERT_EQ(ends.look(), Source::ring);
   EXPECT_EQ(ends.reader.read(packet), 0u);
 }
@@ -179,6 +179,9 @@ class ByHand : public ::testing::Test {
     ASSERT_TRUE(eventually([&] { return out_->connections().size() == 1; }));
   }
   Ring& ring() { return reinterpret_cast<ConnectionPage*>(mapping_.data())->ring; }
+  Ring::Slot& first_slot() { return ring().slots[ring_start % ring_slots]; }
+  std::uint32_t written() { return ring().publisher.written - ring_start; }
+  std::uint32_t packets() { return ring().publisher.packets - ring_start; }
 
   std::shared_ptr<Publisher> out_ = publisher(20);
   RawPeer peer_ = RawPeer::connect(out_->address());
@@ -187,27 +190,27 @@ class ByHand : public ::testing::Test {
 
 TEST_F(ByHand, AUsualRecordDoesNotCrossTheSocket) {
   out_->publish(text_record("hello"));
-  EXPECT_EQ(ring().publisher.written, 1u);
-  EXPECT_EQ(ring().publisher.packets, 0u);
-  EXPECT_EQ(ring().slots[0].size, sizeof(RecordPrefix) + sizeof(BodyHeader) + 5);
-  EXPECT_EQ(out_->connections().front()->stats().bytes, ring().slots[0].size);
+  EXPECT_EQ(written(), 1u);
+  EXPECT_EQ(packets(), 0u);
+  EXPECT_EQ(first_slot().size, sizeof(RecordPrefix) + sizeof(BodyHeader) + 5);
+  EXPECT_EQ(out_->connections().front()->stats().bytes, first_slot().size);
 }
 
 TEST_F(ByHand, TheSocketIsUsedUntilItsPacketsAreRead) {
   out_->publish(text_record("block", {filled(*out_->memory(), 1000, 1)}));  // its segment's files come first
-  EXPECT_EQ(ring().publisher.packets, 2u);
+  EXPECT_EQ(packets(), 2u);
   out_->publish(text_record("next"));
-  EXPECT_EQ(ring().publisher.packets, 3u);
-  EXPECT_EQ(ring().publisher.written, 0u);
-  ring().subscriber.packets_read = 3;
+  EXPECT_EQ(packets(), 3u);
+  EXPECT_EQ(written(), 0u);
+  ring().subscriber.packets_read = ring_start + 3;
   out_->publish(text_record("and the next"));
-  EXPECT_EQ(ring().publisher.packets, 3u);
-  EXPECT_EQ(ring().publisher.written, 1u);
+  EXPECT_EQ(packets(), 3u);
+  EXPECT_EQ(written(), 1u);
 }
 
 TEST_F(ByHand, AFullRingOverflowsIntoTheSocketAndTheQueueHolds) {
   for (int i = 0; i < 200; ++i) out_->publish(text_record(std::to_string(i)));
-  EXPECT_EQ(ring().publisher.written, ring_slots);
+  EXPECT_EQ(written(), ring_slots);
   const ConnectionStats stats = out_->connections().front()->stats();
   EXPECT_EQ(stats.in_flight, 20u);
   EXPECT_EQ(stats.dropped, 180u);
@@ -216,7 +219,7 @@ TEST_F(ByHand, AFullRingOverflowsIntoTheSocketAndTheQueueHolds) {
 TEST_F(ByHand, ForgedWordsHurtOnlyTheForger) {
   for (std::uint32_t i = 0; i < 100; ++i) {
     ring().subscriber.read = i * 0x01234567u;
-    ring().subscriber.packets_read = i % 3;
+    ring().subscriber.packets_read = ring_start + i % 3;
     ring().subscriber.sleeping = i;
     ring().publisher.written = ~i;
     out_->publish(text_record(std::to_string(i), {filled(*out_->memory(), 1000, 1)}));
