@@ -43,15 +43,16 @@ std::shared_ptr<Attachment> Attachment::create(ros::NodeHandle& node, const ros:
   attachment->port_ =
       Port::of(publication, configured(publisher_options), runtime().worker, runtime().caller);
   if (!attachment->port_) return nullptr;
-  attachment->port_->records().add_codec(codec);
+  attachment->has_header_ = roscpp_access::has_header_(*publication);
+  attachment->add_codec(codec);
   attachment->observer_ = observe(node, options, attachment->port_);
   return attachment;
 }
 
 std::shared_ptr<Attachment> Attachment::join(const ros::AdvertiseOptions& options, const MessageCodec& codec,
                                              const PublisherOptions& publisher_options) {
-  ros::NodeHandle node;
-  if (node.resolveName(options.topic) != options.topic) return nullptr;
+  // A name that was remapped is not to be remapped once more: of two that are swapped it would become the other.
+  ros::NodeHandle node(std::string(), ros::M_string{{options.topic, options.topic}});
   const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(options.topic);
   if (!publication || publication->getMD5Sum() != options.md5sum) return nullptr;
   return create(node, options, codec, publisher_options);
@@ -61,8 +62,12 @@ Attachment::~Attachment() {
   shutdown();
 }
 
-void Attachment::add_codec(const MessageCodec& codec) {
+void Attachment::add_codec(MessageCodec codec) {
+  codec.has_header = has_header_;
   port_->records().add_codec(codec);
+}
+bool Attachment::knows(const std::type_info& type) const {
+  return port_->records().knows(type);
 }
 
 void Attachment::shutdown() {

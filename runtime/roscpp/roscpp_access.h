@@ -74,6 +74,7 @@ TZC_GRANT(AllowConcurrentCallbacks, ros::SubscriptionQueue, bool, allow_concurre
 
 TZC_GRANT(SubscriberLinks, ros::Publication, ros::V_SubscriberLink, subscriber_links_)
 TZC_GRANT(SubscriberLinksMutex, ros::Publication, boost::mutex, subscriber_links_mutex_)
+TZC_GRANT(HasHeader, ros::Publication, bool, has_header_)
 TZC_GRANT(PublishQueue, ros::Publication, SerializedMessages, publish_queue_)
 TZC_GRANT(PublishQueueMutex, ros::Publication, boost::mutex, publish_queue_mutex_)
 

@@ -4,7 +4,10 @@
 #include <ros/node_handle.h>
 #include <tzc/publisher.h>
 
+#include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace tzc {
 
@@ -38,20 +41,50 @@ MessageCodec codec_for(const ros::AdvertiseOptions& options) {
   codec.has_header = options.has_header;
   return codec;
 }
+
+template <class M>
+std::shared_ptr<Attachment> with_foreign_codec(const std::shared_ptr<Attachment>& attachment) {
+  if (attachment) add_foreign_codec<M>(*attachment, typename IsForeign<M>::type());
+  return attachment;
+}
+
+/// Shared memory beside a publisher, for messages that M stands for: null for types without a partial form.
+template <class M, bool = message::HasPartialForm<M>::value>
+struct Attach {
+  static std::shared_ptr<Attachment> create(ros::NodeHandle& node, const ros::AdvertiseOptions& options,
+                                            const PublisherOptions& publisher_options) {
+    return with_foreign_codec<M>(Attachment::create(node, options, codec_for<M>(options), publisher_options));
+  }
+  static std::shared_ptr<Attachment> join(const ros::AdvertiseOptions& options,
+                                          const PublisherOptions& publisher_options) {
+    return with_foreign_codec<M>(Attachment::join(options, codec_for<M>(options), publisher_options));
+  }
+};
+template <class M>
+struct Attach<M, false> {
+  template <class... Arguments>
+  static std::shared_ptr<Attachment> create(const Arguments&...) {
+    return nullptr;
+  }
+  template <class... Arguments>
+  static std::shared_ptr<Attachment> join(const Arguments&...) {
+    return nullptr;
+  }
+};
 }  // namespace detail
 
 /// Advertises `options` through roscpp and attaches shared memory to it. The forms below are shorthands for
 /// this one. M: the tzc:: message type, or the stock type where only stock messages are published. Errors are
-/// roscpp's own (exceptions for bad names, an empty publisher for a conflicting type).
+/// roscpp's own (exceptions for bad names, an empty publisher for a conflicting type). A type without a
+/// partial form (message::HasPartialForm) gets a plain publisher. Publishers of one topic in one process
+/// share memory, which has the options of the first.
 template <class M>
 Publisher advertise(ros::NodeHandle& node, ros::AdvertiseOptions& options,
                     const PublisherOptions& publisher_options) {
-  ros::Publisher publisher = node.advertise(options);
-  std::shared_ptr<detail::Attachment> attachment;
-  if (publisher)
-    attachment = detail::Attachment::create(node, options, detail::codec_for<M>(options), publisher_options);
-  if (attachment) detail::add_foreign_codec<M>(*attachment, typename detail::IsForeign<M>::type());
-  return Publisher(publisher, attachment);
+  const ros::AdvertiseOptions as_written = options;  // roscpp resolves the name in place, and remaps it once
+  const ros::Publisher publisher = node.advertise(options);
+  if (!publisher) return Publisher(publisher, nullptr);
+  return Publisher(publisher, detail::Attach<M>::create(node, as_written, publisher_options));
 }
 
 /// As above, with `memory_size` bytes of shared memory (0: sized by queue and message).
@@ -62,14 +95,29 @@ Publisher advertise(ros::NodeHandle& node, ros::AdvertiseOptions& options, std::
   return advertise<M>(node, options, publisher_options);
 }
 
-/// ros::NodeHandle::advertise(topic, queue_size, latch) with the size of the shared memory in between.
+/// ros::NodeHandle::advertise(topic, queue_size, latch) with the publisher's own options in between: policy,
+/// size of the shared memory and more.
+template <class M>
+Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
+                    const PublisherOptions& publisher_options, bool latch = false) {
+  ros::AdvertiseOptions options = detail::advertise_options<M>(topic, queue_size);
+  options.latch = latch;
+  return advertise<M>(node, options, publisher_options);
+}
+/// The same with the size of the shared memory alone.
 template <class M>
 Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
                     std::size_t memory_size = 0, bool latch = false) {
-  ros::AdvertiseOptions options = detail::advertise_options<M>(topic, queue_size);
-  options.latch = latch;
-  return advertise<M>(node, options, memory_size);
+  PublisherOptions publisher_options;
+  publisher_options.memory_size = memory_size;
+  return advertise<M>(node, topic, queue_size, publisher_options, latch);
 }
+/// `latch` comes after the memory size: as one, `true` would be a single byte.
+template <class M, class Bool>
+typename std::enable_if<std::is_same<Bool, bool>::value, Publisher>::type advertise(ros::NodeHandle& node,
+                                                                                    const std::string& topic,
+                                                                                    std::uint32_t queue_size,
+                                                                                    Bool latch) = delete;
 
 /// ros::NodeHandle::advertise with connect callbacks.
 template <class M>
@@ -92,10 +140,7 @@ Publisher attach_publisher(const ros::Publisher& publisher, std::size_t memory_s
   const ros::AdvertiseOptions options = detail::advertise_options<M>(publisher.getTopic(), 1);
   PublisherOptions publisher_options;
   publisher_options.memory_size = memory_size;
-  const std::shared_ptr<detail::Attachment> attachment =
-      detail::Attachment::join(options, detail::codec_for<M>(options), publisher_options);
-  if (attachment) detail::add_foreign_codec<M>(*attachment, typename detail::IsForeign<M>::type());
-  return Publisher(publisher, attachment);
+  return Publisher(publisher, detail::Attach<M>::join(options, publisher_options));
 }
 
 /// Every form also for a temporary node handle (`tzc::advertise<M>(getNodeHandle(), ...)`).

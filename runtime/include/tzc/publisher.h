@@ -27,7 +27,7 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
   /// gets fresh memory.
   template <class M>
   void publish(const M& message) const {
-    publish_value(message);
+    publish_value(message, message::HasPartialForm<M>());
   }
   /// The same by pointer. As with ros::Publisher the message must not be changed afterwards: subscribers in
   /// this process get this very object (a stock message) or a view of it (a tzc:: message).
@@ -45,25 +45,42 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
   template <class M>
   using Stock = typename message::StockOf<M>::type;
   template <class M>
-  using IsGenerated = std::integral_constant<bool, message::IsTwin<M>::value && !detail::IsForeign<M>::value>;
+  using IsForeign = typename detail::IsForeign<typename std::remove_const<M>::type>::type;
+  template <class M>
+  using IsGenerated = std::integral_constant<bool, message::IsTwin<M>::value && !IsForeign<M>::value>;
 
   template <class M>
-  void publish_value(const M& message) const {
+  void publish_value(const M& message, std::true_type) const {
     if (!publish_by_reference<Stock<M>>([&] { publisher_.publish(message); })) publish_shared(message);
   }
-
+  /// roscpp makes bytes of it, for those on shared memory, too.
   template <class M>
-  void publish_pointer(const boost::shared_ptr<M>& message, std::true_type) const {
-    publish_value(*message);
-  }
-  template <class M>
-  void publish_pointer(const boost::shared_ptr<M>& message, std::false_type) const {
+  void publish_value(const M& message, std::false_type) const {
     publisher_.publish(message);
   }
 
   template <class M>
+  void publish_pointer(const boost::shared_ptr<M>& message, std::true_type) const {
+    publish(*message);
+  }
+  template <class M>
+  void publish_pointer(const boost::shared_ptr<M>& message, std::false_type) const {
+    introduce<typename std::remove_const<M>::type>(IsForeign<M>());
+    publisher_.publish(message);
+  }
+
+  /// A cloud's type is not that of its topic, unless the topic was advertised for it.
+  template <class M>
+  void introduce(std::true_type) const {
+    if (attachment_ && !attachment_->knows(typeid(M))) attachment_->add_codec(detail::make_codec<M>());
+  }
+  template <class M>
+  void introduce(std::false_type) const {}
+
+  template <class M>
   void publish_shared(const M& message) const {
     detail::SharedMessage<M> shared;
+    if (!publisher_) return publisher_.publish(message);  // which complains
     if (!shared.encode(message, *attachment_->memory())) return publish_exhausted(message);
     if (attachment_->publish_directly(typeid(Stock<M>), shared.encoded)) return;
     if (!shared.look(message)) return publish_exhausted(message);

@@ -10,105 +10,162 @@
 #include <boost/function.hpp>
 #include <string>
 #include <type_traits>
-#include <utility>
 
 namespace tzc {
 
 namespace detail {
 
-/// Lets publishers of the resolved topic hand this process their messages through shared memory. Idempotent and
-/// thread-safe. A subscription that is already connected asks its publishers to come over.
+/// Lets publishers of the resolved topic hand this process their messages through shared memory. Idempotent
+/// and thread-safe. A subscription that is already connected asks its publishers to come over.
 void attach_topic(const std::string& resolved_topic, const MessageCodec& codec);
 
-/// "Find the message type in the callback's signature", as ros::NodeHandle::subscribe does without template arguments.
-struct Deduce {};
-
-template <class Callback>
-struct CallbackParameter {};
-template <class P>
-struct CallbackParameter<void (*)(P)> {
-  typedef P type;
-};
-template <class T, class P>
-struct CallbackParameter<void (T::*)(P)> {
-  typedef P type;
-};
-template <class T, class P>
-struct CallbackParameter<void (T::*)(P) const> {
-  typedef P type;
-};
-
-/// How a subscribe call is passed on to roscpp, with or without its written template argument.
+/// Messages of a type without a partial form come over TCPROS, as ever.
 template <class M>
-struct SubscribeCall {
-  template <class Callback>
-  using Message = typename ros::ParameterAdapter<M>::Message;
+void attach_type(const std::string& resolved_topic, std::true_type) {
+  attach_topic(resolved_topic, make_codec<M>());
+}
+template <class M>
+void attach_type(const std::string&, std::false_type) {}
 
-  template <class... Args>
-  static ros::Subscriber call(ros::NodeHandle& node, Args&&... args) {
-    return node.subscribe<M>(std::forward<Args>(args)...);
-  }
-};
-template <>
-struct SubscribeCall<Deduce> {
-  template <class Callback>
-  using Message = typename ros::ParameterAdapter<typename CallbackParameter<Callback>::type>::Message;
+/// A node handle that subscribes, be it a variable or a temporary (`tzc::subscribe(getNodeHandle(), ...)`).
+class Node {
+ public:
+  Node(ros::NodeHandle& handle) : handle_(handle) {}   // NOLINT: stands for the handle
+  Node(ros::NodeHandle&& handle) : handle_(handle) {}  // NOLINT
+  operator ros::NodeHandle&() const { return handle_; }
+  ros::NodeHandle* operator->() const { return &handle_; }
 
-  template <class... Args>
-  static ros::Subscriber call(ros::NodeHandle& node, Args&&... args) {
-    return node.subscribe(std::forward<Args>(args)...);
-  }
+ private:
+  ros::NodeHandle& handle_;
 };
+
+/// The message type of a callback with parameter P.
+template <class P>
+using MessageOf = typename ros::ParameterAdapter<P>::Message;
 
 }  // namespace detail
 
-/// Attaches an existing or coming subscription of this process by topic, as `node` resolves it. M is the stock message
-/// type of the callbacks; they keep their signatures and get views of the shared bytes. Callbacks that may write to
-/// the message (by value, by non-const pointer) get a private copy.
+/// Attaches an existing or coming subscription of this process by topic, as `node` resolves it. M is the
+/// stock message type of the callbacks; they keep their signatures and get views of the shared bytes.
+/// Callbacks that may write to the message (by value, by non-const pointer) get a private copy. Does nothing
+/// for types that have no partial form (message::HasPartialForm): topic_tools::ShapeShifter, types with a
+/// hand-written serializer.
 template <class M>
 void attach(const ros::NodeHandle& node, const std::string& topic) {
-  detail::attach_topic(node.resolveName(topic), detail::make_codec<M>());
+  detail::attach_type<M>(node.resolveName(topic), message::HasPartialForm<M>());
 }
 /// The same for a topic name that is already resolved, such as Subscriber::getTopic().
 template <class M>
 void attach(const std::string& resolved_topic) {
-  detail::attach_topic(resolved_topic, detail::make_codec<M>());
+  detail::attach_type<M>(resolved_topic, message::HasPartialForm<M>());
 }
 
-/// ros::NodeHandle::subscribe in all its overloads, with shared memory: `nh.subscribe(args...)` becomes
-/// `tzc::subscribe(nh, args...)` and `nh.subscribe<M>(args...)` becomes `tzc::subscribe<M>(nh, args...)`.
-/// @param callback a function, a member function (then the object follows), or with a written M anything that converts
-///        to boost::function<void(const boost::shared_ptr<M const>&)>
-/// @param rest object, tracked object, transport hints: as for the ros::NodeHandle::subscribe that is called
-template <class M = detail::Deduce, class Callback, class... Rest>
-ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
-                          Callback&& callback, Rest&&... rest) {
-  typedef detail::SubscribeCall<M> Call;
-  attach<typename Call::template Message<typename std::decay<Callback>::type>>(node, topic);
-  return Call::call(node, topic, queue_size, std::forward<Callback>(callback), std::forward<Rest>(rest)...);
+/// \name ros::NodeHandle::subscribe in all its overloads, with shared memory
+/// `nh.subscribe(args...)` becomes `tzc::subscribe(nh, args...)`, and `nh.subscribe<M>(args...)` becomes
+/// `tzc::subscribe<M>(nh, args...)`. The signatures are roscpp's, so that overload resolution is, too.
+/// @{
+
+/// A member function of an object that outlives the subscription.
+template <class P, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(P), T* object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<detail::MessageOf<P>>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+template <class P, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(P) const, T* object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<detail::MessageOf<P>>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+template <class M, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(const boost::shared_ptr<M const>&), T* object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+template <class M, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(const boost::shared_ptr<M const>&) const, T* object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
 }
 
-/// ros::NodeHandle::subscribe<M, C> with a boost::function<void(C)>.
-template <class M, class C>
-ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
-                          const boost::function<void(C)>& callback,
+/// A member function of an object that is tracked: once it is gone nothing is called any more.
+template <class P, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(P), const boost::shared_ptr<T>& object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<detail::MessageOf<P>>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+template <class P, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(P) const, const boost::shared_ptr<T>& object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<detail::MessageOf<P>>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+template <class M, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(const boost::shared_ptr<M const>&),
+                          const boost::shared_ptr<T>& object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+template <class M, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(const boost::shared_ptr<M const>&) const,
+                          const boost::shared_ptr<T>& object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+
+/// A function.
+template <class P>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (*callback)(P), const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<detail::MessageOf<P>>(node, topic);
+  return node->subscribe(topic, queue_size, callback, hints);
+}
+template <class M>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (*callback)(const boost::shared_ptr<M const>&),
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe(topic, queue_size, callback, hints);
+}
+
+/// Anything that converts to the boost::function, M being written.
+template <class M>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          const boost::function<void(const boost::shared_ptr<M const>&)>& callback,
                           const ros::VoidConstPtr& tracked_object = ros::VoidConstPtr(),
                           const ros::TransportHints& hints = ros::TransportHints()) {
   attach<M>(node, topic);
-  return node.subscribe<M, C>(topic, queue_size, callback, tracked_object, hints);
+  return node->subscribe<M>(topic, queue_size, callback, tracked_object, hints);
+}
+template <class M, class P>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          const boost::function<void(P)>& callback,
+                          const ros::VoidConstPtr& tracked_object = ros::VoidConstPtr(),
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe<M, P>(topic, queue_size, callback, tracked_object, hints);
 }
 
-/// By options; M: the message type that the options were made for.
+/// By options; M, the message type that they were made for, must be written.
 template <class M>
-ros::Subscriber subscribe(ros::NodeHandle& node, ros::SubscribeOptions& options) {
+ros::Subscriber subscribe(detail::Node node, ros::SubscribeOptions& options) {
   attach<M>(node, options.topic);
-  return node.subscribe(options);
+  return node->subscribe(options);
 }
-
-/// Every form also for a temporary node handle (`tzc::subscribe(getNodeHandle(), ...)`).
-template <class M = detail::Deduce, class... Args>
-ros::Subscriber subscribe(ros::NodeHandle&& node, Args&&... args) {
-  return subscribe<M>(static_cast<ros::NodeHandle&>(node), std::forward<Args>(args)...);
-}
+/// @}
 
 }  // namespace tzc

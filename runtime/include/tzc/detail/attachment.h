@@ -23,19 +23,20 @@ class Port;
 class Attachment {
  public:
   /// Null when TZC is off for this node or topic, or when the topic could not be advertised.
-  /// `options.topic` must be resolved the way `node` resolves it; the publication must already exist.
+  /// `options.topic` as `node` was asked to advertise it, not resolved yet; the publication must already exist.
   static std::shared_ptr<Attachment> create(ros::NodeHandle& node, const ros::AdvertiseOptions& options,
                                             const MessageCodec& codec, const PublisherOptions& publisher_options);
   /// The same for a topic that other code advertised. `options.topic` is resolved already. Null also when the
-  /// topic carries another type, or when a remapping would resolve its name once more.
+  /// topic carries another type.
   static std::shared_ptr<Attachment> join(const ros::AdvertiseOptions& options, const MessageCodec& codec,
                                           const PublisherOptions& publisher_options);
   ~Attachment();
   Attachment(const Attachment&) = delete;
   Attachment& operator=(const Attachment&) = delete;
 
-  /// Messages of this type are published by pointer, too.
-  void add_codec(const MessageCodec& codec);
+  /// Messages of this type are published by pointer, too. Their header.seq counts if the topic's does.
+  void add_codec(MessageCodec codec);
+  bool knows(const std::type_info& type) const;
 
   /// Ends the attachment: no further subscriber is moved over; who was moved stays so while the topic lives. Idempotent.
   void shutdown();
@@ -58,6 +59,7 @@ class Attachment {
  private:
   Attachment() = default;
   std::shared_ptr<Port> port_;
+  bool has_header_ = false;
   ros::Publisher observer_;  ///< carries our connect callback; ends with this object
 };
 

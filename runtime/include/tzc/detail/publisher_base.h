@@ -3,9 +3,11 @@
 
 #include <tzc/detail/attachment.h>
 #include <tzc/detail/find_publisher.h>
+#include <tzc/detail/shared_message.h>
 #include <tzc/message.h>
 #include <tzc/options.h>
 
+#include <boost/make_shared.hpp>
 #include <boost/shared_ptr.hpp>
 #include <cstdint>
 #include <memory>
@@ -43,6 +45,20 @@ class PublisherBase {
   std::shared_ptr<MemorySource> memory() const {
     return attachment_ ? attachment_->memory() : std::shared_ptr<MemorySource>();
   }
+  /// The stock message over the very bytes of a tzc:: message, for code that takes stock messages: nothing is
+  /// copied that lies in this publisher's shared memory, what does not is copied there. Read-only. Costs what
+  /// publishing the message costs, and has the same effect on it: the next write to an array gets fresh
+  /// memory. May itself be published, by any publisher of this process, without a copy. Never null: without
+  /// shared memory it is a copy. The way back is `M(stock)`, a deep copy.
+  template <class M>
+  boost::shared_ptr<const typename message::StockOf<M>::type> stock_view(const M& message) const {
+    typedef typename message::StockOf<M>::type View;
+    SharedMessage<M> shared;
+    if (attachment_ && shared.encode(message, *attachment_->memory()) && shared.look(message))
+      return shared.view;
+    return boost::make_shared<View>(message::to_stock(message));
+  }
+
   PublisherStatistics statistics() const {
     return attachment_ ? attachment_->statistics() : PublisherStatistics();
   }

@@ -2,8 +2,9 @@
 /// Publishes PCL clouds as they are, or listens to them as PointCloud2; lines as in image_line.h.
 ///
 /// Private parameters: role (talker, listener). Talker: topic_type (cloud, message: what the topic is
-/// advertised as), pointer (publish by pointer), count, points (of each cloud), memory (bytes). Listener:
-/// keep (all it gets).
+/// advertised as; attached: as a message by other code, and then attached for clouds), pointer (publish by
+/// pointer), count, points (of each cloud), memory (bytes). Listener: keep (all it gets), as_cloud (its
+/// callback takes clouds).
 #include <pcl/point_types.h>
 #include <pcl_ros/point_cloud.h>
 #include <ros/ros.h>
@@ -28,25 +29,29 @@ Cloud make_cloud(std::uint32_t number, std::uint32_t points) {
   return cloud;
 }
 
-bool is_right(const sensor_msgs::PointCloud2& message, std::uint32_t number) {
-  Cloud cloud;
-  pcl::fromROSMsg(message, cloud);
+bool is_right(const Cloud& cloud, std::uint32_t number) {
   for (std::uint32_t i = 0; i < cloud.points.size(); ++i)
     if (cloud.points[i].x != static_cast<float>(i) || cloud.points[i].y != static_cast<float>(number))
       return false;
   return !cloud.points.empty();
 }
 
-void print(const sensor_msgs::PointCloud2& message) {
-  const auto number = static_cast<std::uint32_t>(std::stoul(message.header.frame_id));
-  std::printf("{\"number\": %u, \"seq\": %u, \"right\": %s, \"shared\": %s}\n", number, message.header.seq,
-              is_right(message, number) ? "true" : "false",
-              tzc::in_segment(message.data.data()) ? "true" : "false");
+void print(const Cloud& cloud, bool shared) {
+  const auto number = static_cast<std::uint32_t>(std::stoul(cloud.header.frame_id));
+  std::printf("{\"number\": %u, \"seq\": %u, \"right\": %s, \"shared\": %s}\n", number, cloud.header.seq,
+              is_right(cloud, number) ? "true" : "false", shared ? "true" : "false");
   std::fflush(stdout);
+}
+void print(const sensor_msgs::PointCloud2& message) {
+  Cloud cloud;
+  pcl::fromROSMsg(message, cloud);
+  print(cloud, tzc::in_segment(message.data.data()));
 }
 
 tzc::Publisher advertise(ros::NodeHandle& node, const ros::NodeHandle& options) {
   const int memory = options.param("memory", 0);
+  if (options.param<std::string>("topic_type", "cloud") == "attached")
+    return tzc::attach_publisher<Cloud>(node.advertise<sensor_msgs::PointCloud2>("points", 200), memory);
   if (options.param<std::string>("topic_type", "cloud") == "message")
     return tzc::advertise<tzc::sensor_msgs::PointCloud2>(node, "points", 200, memory);
   return tzc::advertise<Cloud>(node, "points", 200, memory);
@@ -79,7 +84,11 @@ void listen(ros::NodeHandle& node, const ros::NodeHandle& options) {
         print(*message);
         if (keeps) kept.push_back(message);
       };
-  const ros::Subscriber subscriber = tzc::subscribe<sensor_msgs::PointCloud2>(node, "points", 200, take);
+  const boost::function<void(const boost::shared_ptr<Cloud const>&)> take_cloud =
+      [](const boost::shared_ptr<Cloud const>& cloud) { print(*cloud, false); };
+  const ros::Subscriber subscriber =
+      options.param("as_cloud", false) ? tzc::subscribe<Cloud>(node, "points", 200, take_cloud)
+                                       : tzc::subscribe<sensor_msgs::PointCloud2>(node, "points", 200, take);
   ros::spin();
 }
 
