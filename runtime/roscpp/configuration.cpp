@@ -5,7 +5,10 @@
 #include <ros/param.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <iomanip>
 #include <map>
 #include <set>
 #include <sstream>
@@ -27,10 +30,19 @@ constexpr Variable kVariables[] = {
     {"TZC_ON_EXHAUSTED", "on_exhausted"}, {"TZC_TRIES", "tries"},
 };
 
+/// Whole numbers as such: one beyond 2^31, which XMLRPC's integers cannot hold, comes as a double.
+std::string to_text(double number) {
+  std::ostringstream text;
+  if (number == std::floor(number)) text << std::fixed << std::setprecision(0);
+  text << number;
+  return text.str();
+}
+
 std::string to_text(XmlRpc::XmlRpcValue& value) {
   using XmlRpc::XmlRpcValue;
   std::ostringstream text;
   if (value.getType() == XmlRpcValue::TypeString) return static_cast<std::string>(value);
+  if (value.getType() == XmlRpcValue::TypeDouble) return to_text(static_cast<double>(value));
   if (value.getType() == XmlRpcValue::TypeArray) {
     for (int i = 0; i < value.size(); ++i) text << (i ? "," : "") << to_text(value[i]);
   } else {
@@ -66,10 +78,12 @@ bool is_true(const std::string& text) {
   return text != "0" && text != "false";
 }
 
-std::set<std::string> split(const std::string& list) {
+/// Blanks are no part of a name.
+std::set<std::string> split(std::string list) {
+  std::replace(list.begin(), list.end(), ',', ' ');
   std::set<std::string> items;
   std::istringstream stream(list);
-  for (std::string item; std::getline(stream, item, ',');) items.insert(item);
+  for (std::string item; stream >> item;) items.insert(item);
   return items;
 }
 
@@ -113,15 +127,24 @@ int most_tries() {
   return tries;
 }
 
-PublisherOptions configured(const PublisherOptions& in_code) {
-  PublisherOptions options = in_code;
-  read_number("memory_size", options.memory_size);
-  read_number("attempts", options.policy.attempts);
+/// Another policy than the code's comes with its own number of attempts: the code's may be none at all.
+static Policy configured(const Policy& in_code) {
+  PolicyKind kind = in_code.kind;
   choose<PolicyKind>("policy",
                      {{"best_effort", PolicyKind::best_effort},
                       {"medium_effort", PolicyKind::medium_effort},
                       {"worst_effort", PolicyKind::worst_effort}},
-                     options.policy.kind);
+                     kind);
+  Policy policy = kind == in_code.kind ? in_code : Policy();
+  policy.kind = kind;
+  read_number("attempts", policy.attempts);
+  return policy;
+}
+
+PublisherOptions configured(const PublisherOptions& in_code) {
+  PublisherOptions options = in_code;
+  read_number("memory_size", options.memory_size);
+  options.policy = configured(in_code.policy);
   choose<Prefault>(
       "prefault",
       {{"none", Prefault::none}, {"on_first_use", Prefault::on_first_use}, {"all", Prefault::all}},

@@ -7,8 +7,8 @@
 /// segment of their own), topics (several, separated by blanks), first (number), count, rate (Hz), bytes,
 /// latch, rows, encoding (of an image: mono8, bgr8), subscribers (wait for so many), shared (and for so many
 /// of them on shared memory), settle (seconds to wait then), echo (a topic: the next image goes out when that
-/// one's number has come back on it), linger (seconds to stay), queue, memory. SIGUSR1 ends a count that has
-/// no end. Says when it has published all.
+/// one's number has come back on it), linger (seconds to stay), queue, memory, policy (worst_effort). SIGUSR1
+/// ends a count that has no end. Says when it has published all.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <std_msgs/UInt8MultiArray.h>
@@ -43,7 +43,8 @@ class Talker {
     if (mode_ == "attached") shared_ = tzc::attach_publisher<tzc::sensor_msgs::Image>(plain_, memory);
     if (mode_ == "attached_wrong") shared_ = tzc::attach_publisher<std_msgs::UInt8MultiArray>(plain_, memory);
     if (mode_ != "plain" && !attached)
-      shared_ = tzc::advertise<tzc::sensor_msgs::Image>(node, topic, queue, memory, latch);
+      shared_ =
+          tzc::advertise<tzc::sensor_msgs::Image>(node, topic, queue, publisher_options(options), latch);
   }
 
   void publish(std::uint32_t number) {
@@ -77,6 +78,14 @@ class Talker {
   }
 
  private:
+  static tzc::PublisherOptions publisher_options(const ros::NodeHandle& options) {
+    tzc::PublisherOptions in_code;
+    in_code.memory_size = static_cast<std::size_t>(options.param("memory", 0));
+    if (options.param<std::string>("policy", "") == "worst_effort")
+      in_code.policy = tzc::Policy::worst_effort();
+    return in_code;
+  }
+
   template <class Image>
   void fill(Image& image, std::uint32_t number) const {
     tzc_test::fill_image(image, number, bytes_);
