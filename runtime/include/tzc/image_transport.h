@@ -68,8 +68,10 @@ class Publisher : public detail::ImagePublisherBase<::image_transport::Publisher
   }
 
  private:
+  /// Nothing is copied or converted for nobody; the library's plugins look for subscribers, too.
   template <class M>
   void publish_twin(const M& message) const {
+    if (publisher_.getNumSubscribers() == 0) return;
     ::tzc::detail::publish_as_stock(
         attachment_.get(), message,
         [this](const ::sensor_msgs::ImageConstPtr& view) { publisher_.publish(view); });
@@ -92,11 +94,14 @@ class CameraPublisher : public detail::ImagePublisherBase<::image_transport::Cam
                const ::sensor_msgs::CameraInfoConstPtr& info) const {
     publisher_.publish(image, info);
   }
+  void publish(const ::sensor_msgs::Image& image, const ::sensor_msgs::CameraInfo& info) const {
+    if (!publish_by_reference<::sensor_msgs::Image>([&] { publisher_.publish(image, info); }))
+      publish_image(image, boost::make_shared<::sensor_msgs::CameraInfo>(info));
+  }
   /// Image and info by reference; either may be its tzc:: type.
   template <class Image, class Info>
   void publish(const Image& image, const Info& info) const {
-    const auto stock_info = boost::make_shared<::sensor_msgs::CameraInfo>(message::to_stock(info));
-    publish_image(image, stock_info);
+    publish_image(image, boost::make_shared<::sensor_msgs::CameraInfo>(message::to_stock(info)));
   }
   /// A tzc::sensor_msgs::Image by pointer, with the camera info by pointer.
   template <class Image, class Info>
@@ -174,30 +179,86 @@ inline CameraPublisher attach_publisher(const ::image_transport::CameraPublisher
   return CameraPublisher(publisher, memory_size);
 }
 
+namespace detail {
+
+/// An image transport that subscribes, be it a variable or a temporary.
+class Transport {
+ public:
+  Transport(::image_transport::ImageTransport& transport) : transport_(transport) {}  // NOLINT: stands for it
+  Transport(::image_transport::ImageTransport&& transport) : transport_(transport) {}  // NOLINT
+  ::image_transport::ImageTransport* operator->() const { return &transport_; }
+
+ private:
+  ::image_transport::ImageTransport& transport_;
+};
+
+template <class Subscriber>
+Subscriber attached(const Subscriber& subscriber) {
+  if (subscriber) attach<::sensor_msgs::Image>(subscriber.getTopic());
+  return subscriber;
+}
+
+}  // namespace detail
+
 /// image_transport::ImageTransport::subscribe in all its overloads. Only the raw transport has something to
 /// share.
-template <class... Args>
-::image_transport::Subscriber subscribe(::image_transport::ImageTransport& transport, Args&&... args) {
-  ::image_transport::Subscriber subscriber = transport.subscribe(std::forward<Args>(args)...);
-  if (subscriber) attach<::sensor_msgs::Image>(subscriber.getTopic());
-  return subscriber;
+inline ::image_transport::Subscriber subscribe(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    const boost::function<void(const ::sensor_msgs::ImageConstPtr&)>& callback,
+    const ros::VoidPtr& tracked_object = ros::VoidPtr(),
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribe(base_topic, queue_size, callback, tracked_object, hints));
 }
-template <class... Args>
-::image_transport::Subscriber subscribe(::image_transport::ImageTransport&& transport, Args&&... args) {
-  return subscribe(transport, std::forward<Args>(args)...);
+inline ::image_transport::Subscriber subscribe(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    void (*callback)(const ::sensor_msgs::ImageConstPtr&),
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribe(base_topic, queue_size, callback, hints));
 }
+template <class T>
+::image_transport::Subscriber subscribe(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    void (T::*callback)(const ::sensor_msgs::ImageConstPtr&), T* object,
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribe(base_topic, queue_size, callback, object, hints));
+}
+template <class T>
+::image_transport::Subscriber subscribe(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    void (T::*callback)(const ::sensor_msgs::ImageConstPtr&), const boost::shared_ptr<T>& object,
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribe(base_topic, queue_size, callback, object, hints));
+}
+
 /// image_transport::ImageTransport::subscribeCamera in all its overloads.
-template <class... Args>
-::image_transport::CameraSubscriber subscribeCamera(::image_transport::ImageTransport& transport,
-                                                    Args&&... args) {
-  ::image_transport::CameraSubscriber subscriber = transport.subscribeCamera(std::forward<Args>(args)...);
-  if (subscriber) attach<::sensor_msgs::Image>(subscriber.getTopic());
-  return subscriber;
+inline ::image_transport::CameraSubscriber subscribeCamera(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    const ::image_transport::CameraSubscriber::Callback& callback,
+    const ros::VoidPtr& tracked_object = ros::VoidPtr(),
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(
+      transport->subscribeCamera(base_topic, queue_size, callback, tracked_object, hints));
 }
-template <class... Args>
-::image_transport::CameraSubscriber subscribeCamera(::image_transport::ImageTransport&& transport,
-                                                    Args&&... args) {
-  return subscribeCamera(transport, std::forward<Args>(args)...);
+inline ::image_transport::CameraSubscriber subscribeCamera(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    void (*callback)(const ::sensor_msgs::ImageConstPtr&, const ::sensor_msgs::CameraInfoConstPtr&),
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribeCamera(base_topic, queue_size, callback, hints));
+}
+template <class T>
+::image_transport::CameraSubscriber subscribeCamera(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    void (T::*callback)(const ::sensor_msgs::ImageConstPtr&, const ::sensor_msgs::CameraInfoConstPtr&),
+    T* object, const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribeCamera(base_topic, queue_size, callback, object, hints));
+}
+template <class T>
+::image_transport::CameraSubscriber subscribeCamera(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    void (T::*callback)(const ::sensor_msgs::ImageConstPtr&, const ::sensor_msgs::CameraInfoConstPtr&),
+    const boost::shared_ptr<T>& object,
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribeCamera(base_topic, queue_size, callback, object, hints));
 }
 
 /// A drop-in for image_transport::SubscriberFilter.

@@ -12,9 +12,9 @@ class ImageTransport(TopicCase):
     session_env = {"ROS_PACKAGE_PATH": os.pathsep.join(filter(None, [
         JPEG_TRANSPORT, os.environ.get("ROS_PACKAGE_PATH", "/usr/share")]))}
 
-    def view(self, transport="raw"):
+    def view(self, transport="raw", **parameters):
         suffix = "" if transport == "raw" else f"/{transport}"
-        viewer = self.node("camera", "viewer_" + transport, {"role": "viewer", "transport": transport})
+        viewer = self.node("camera", "viewer_" + transport, dict(parameters, role="viewer", transport=transport))
         self.wait_for_subscribers(self.name("second" + suffix), 1)
         return Listener(viewer)
 
@@ -38,6 +38,31 @@ class ImageTransport(TopicCase):
                         self.assertEqual([m["number"] for m in mine], list(range(50)), callback)
                         self.assertTrue(all(m["right"] for m in mine))
                         self.assertTrue(all(m["shared"] for m in mine) or callback == "both", callback)
+
+    def test_attached_to_publishers_that_others_advertised(self):
+        viewer = self.view()
+        counters = self.film(attached="true")
+        self.assertEqual(counters["copied_bytes"], 0)
+        for callback in ("camera", "image"):
+            self.assert_got(viewer, range(50), shared=True, callback=callback)
+        self.assert_got(viewer, range(50), callback="both")
+
+    def test_nothing_is_copied_for_plain_viewers_of_stock_messages(self):
+        """Which the library serializes once, and so does the port."""
+        for pointer in ("false", "true"):
+            with self.subTest(pointer=pointer):
+                self.ros.stop_since(self.before)
+                viewer = self.view(plain="true")
+                counters = self.film(stock="true", pointer=pointer)
+                self.assertEqual(counters["copied_bytes"], 0)
+                for callback in ("camera", "image"):
+                    self.assert_got(viewer, range(50), shared=False, callback=callback)
+
+    def test_nothing_is_copied_for_nobody(self):
+        for stock in ("false", "true"):
+            for pointer in ("false", "true"):
+                with self.subTest(stock=stock, pointer=pointer):
+                    self.assertEqual(self.film(stock=stock, pointer=pointer, subscribers=0, count=5)["copied_bytes"], 0)
 
     def test_compressed_beside_raw(self):
         raw, compressed = self.view(), self.view("compressed")

@@ -2,9 +2,10 @@
 /// A camera or its viewer, both through the image_transport and message_filters wrappers.
 ///
 /// Private parameters: role (camera, viewer). Camera: count, subscribers (of each topic, waited for), stock
-/// (messages), pointer (publish by pointer). Viewer: transport (raw, compressed); its lines tell which of its
-/// callbacks saw an image: "camera" (CameraSubscriber), "image" (Subscriber), "both" (two topics synchronized
-/// by message_filters).
+/// (messages), pointer (publish by pointer), attached (to publishers that other code
+/// advertised). Viewer: plain (image_transport's own), transport (raw, compressed); its
+/// lines tell which of its callbacks saw an image: "camera" (CameraSubscriber), "image" (Subscriber), "both"
+/// (two topics synchronized by message_filters).
 #include <message_filters/sync_policies/exact_time.h>
 #include <message_filters/synchronizer.h>
 #include <ros/ros.h>
@@ -36,11 +37,16 @@ void print_both(const ImageConstPtr& one, const ImageConstPtr&) {
 template <class Image>
 class Camera {
  public:
-  Camera(ros::NodeHandle& node, bool by_pointer)
-      : transport_(node),
-        camera_(tzc::image_transport::advertiseCamera(transport_, "image", 100)),
-        second_(tzc::image_transport::advertise(transport_, "second", 100)),
-        by_pointer_(by_pointer) {}
+  Camera(ros::NodeHandle& node, const ros::NodeHandle& options)
+      : transport_(node), by_pointer_(options.param("pointer", false)) {
+    if (options.param("attached", false)) {
+      camera_ = tzc::image_transport::attach_publisher(transport_.advertiseCamera("image", 100));
+      second_ = tzc::image_transport::attach_publisher(transport_.advertise("second", 100), 4000000);
+    } else {
+      camera_ = tzc::image_transport::advertiseCamera(transport_, "image", 100);
+      second_ = tzc::image_transport::advertise(transport_, "second", 100);
+    }
+  }
 
   std::uint32_t subscribers() const {
     return std::min(camera_.getNumSubscribers(), second_.getNumSubscribers());
@@ -90,7 +96,7 @@ class Camera {
 
 template <class Image>
 void run_camera(ros::NodeHandle& node, const ros::NodeHandle& options) {
-  Camera<Image> camera(node, options.param("pointer", false));
+  Camera<Image> camera(node, options);
   const auto wanted = static_cast<std::uint32_t>(options.param("subscribers", 1));
   while (ros::ok() && camera.subscribers() < wanted) ros::WallDuration(0.01).sleep();
   ros::WallDuration(1.0).sleep();
@@ -100,6 +106,16 @@ void run_camera(ros::NodeHandle& node, const ros::NodeHandle& options) {
   }
   ros::WallDuration(0.5).sleep();
   camera.report();
+}
+
+void run_plain_viewer(ros::NodeHandle& node) {
+  image_transport::ImageTransport transport(node);
+  const image_transport::CameraSubscriber camera = transport.subscribeCamera(
+      "image", 100, [](const ImageConstPtr& image, const CameraInfoConstPtr&) { print("camera", *image); },
+      ros::VoidPtr());
+  const image_transport::Subscriber second = transport.subscribe(
+      "second", 100, [](const ImageConstPtr& image) { print("image", *image); }, ros::VoidPtr());
+  ros::spin();
 }
 
 void run_viewer(ros::NodeHandle& node, const ros::NodeHandle& options) {
@@ -125,7 +141,10 @@ void run_viewer(ros::NodeHandle& node, const ros::NodeHandle& options) {
 int main(int argc, char** argv) {
   ros::init(argc, argv, "camera");
   ros::NodeHandle node, options("~");
-  if (options.param<std::string>("role", "camera") == "viewer")
+  const bool is_viewer = options.param<std::string>("role", "camera") == "viewer";
+  if (is_viewer && options.param("plain", false))
+    run_plain_viewer(node);
+  else if (is_viewer)
     run_viewer(node, options);
   else if (options.param("stock", false))
     run_camera<sensor_msgs::Image>(node, options);
