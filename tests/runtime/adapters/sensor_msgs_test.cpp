@@ -44,6 +44,28 @@ TEST(FillImage, FillsLikeTheLibrary) {
   EXPECT_TRUE(ours.data.empty());
 }
 
+TEST(FillImage, TakesAnySizeThatTheLibraryTakes) {
+  const std::vector<std::uint8_t> pixels(64, 7);
+  struct Shape {
+    std::uint32_t rows, columns, step;
+  };
+  for (const Shape& shape :
+       {Shape{0, 8, 8}, Shape{8, 0, 0}, Shape{0, 0, 0}, Shape{4, 100, 3},
+        Shape{1u << 16, 1, 1u << 16}}) {  // the last one's size is 2^32, which wraps to 0
+    SCOPED_TRACE(std::to_string(shape.rows) + " rows of " + std::to_string(shape.step));
+    ::sensor_msgs::Image stock;
+    sensor_msgs::Image ours;
+    stock.data.assign(5, 1), ours.data.assign(5, 1);
+    stock.is_bigendian = ours.is_bigendian = 1;
+    EXPECT_TRUE(
+        ::sensor_msgs::fillImage(stock, "mono8", shape.rows, shape.columns, shape.step, pixels.data()));
+    EXPECT_TRUE(sensor_msgs::fillImage(ours, "mono8", shape.rows, shape.columns, shape.step, pixels.data()));
+    EXPECT_EQ(stock, message::to_stock(ours));
+  }
+  sensor_msgs::Image empty;
+  EXPECT_TRUE(sensor_msgs::fillImage(empty, "mono8", 0, 0, 0, nullptr));
+}
+
 TEST(FillImage, CopiesOnceLikeTheLibrary) {
   const std::vector<std::uint8_t> pixels(1 << 20, 7);
   test::FakePublisher publisher;
@@ -73,6 +95,36 @@ TEST(PointCloud2Modifier, ModifiesLikeTheLibrary) {
       modify(clouds, [](auto& m) { m.resize(2); });
     }
   }
+}
+
+/// What a node does with a cloud: describe, make room, write each point.
+template <class Modifier, template <class> class Iterator, class Cloud>
+void build(Cloud& cloud, std::size_t points) {
+  Modifier modifier(cloud);
+  modifier.setPointCloud2FieldsByString(2, "xyz", "rgb");
+  modifier.resize(points);
+  Iterator<float> x(cloud, "x"), y(cloud, "y");
+  Iterator<std::uint8_t> red(cloud, "r");
+  for (float n = 0; x != x.end(); ++x, ++y, ++red, ++n) *x = n, *y = 2 * n, *red = 3;
+}
+
+TEST(PointCloud2Modifier, ACloudIsBuiltInOnePlaceLikeTheLibrarys) {
+  const std::size_t points = 10000, size = points * 32;
+  test::FakePublisher publisher;
+  Clouds clouds;
+  ASSERT_TRUE(message::allocate(clouds.ours, publisher.memory()));
+  const auto librarys = test::places_for(size, *publisher.test_memory, [&] {
+    build< ::sensor_msgs::PointCloud2Modifier, ::sensor_msgs::PointCloud2Iterator>(clouds.stock, points);
+  });
+  const auto ours = test::places_for(size, *publisher.test_memory, [&] {
+    build<sensor_msgs::PointCloud2Modifier, sensor_msgs::PointCloud2Iterator>(clouds.ours, points);
+    message::Encoded encoded;
+    ASSERT_TRUE(message::encode(clouds.ours, *publisher.test_memory, encoded));
+    EXPECT_EQ(0u, encoded.copied_bytes) << "publishing copies nothing more";
+  });
+  clouds.expect_equal();
+  EXPECT_EQ(1u, librarys);
+  EXPECT_EQ(1u, ours);
 }
 
 TEST(PointCloud2Modifier, RefusesUnknownNames) {
