@@ -37,6 +37,31 @@ class Overloads(TopicCase):
                     self.assert_got(listener, range(20), shared=shared, topic=topic)
 
 
+class Filters(TopicCase):
+    WAYS = ("time", "exact", "approximate", "cache", "sequencer", "chain", "again")
+
+    def test_all_that_message_filters_has(self):
+        """Seven ways, each of which sees every image; in shared memory but for message_filters' own subscriber."""
+        for plain in ("true", "false"):
+            with self.subTest(plain=plain):
+                self.ros.stop_since(self.before)
+                filters = Listener(self.node("filters", "filters", {"plain": plain}))
+                self.wait_for_subscribers(self.name("second"), 1)
+                camera = self.node("camera", "camera", {"count": 50})
+                self.wait_for(filters, 40, timeout=30, callback="sequencer")  # which holds back the last ones
+                for way in self.WAYS:
+                    if way not in ("sequencer", "approximate"):
+                        self.assert_got(filters, range(50), callback=way, shared=plain == "false")
+                    else:
+                        numbers = filters.numbers(callback=way)
+                        self.assertEqual(numbers, list(range(len(numbers))))
+                        self.assertGreaterEqual(len(numbers), 40)
+                self.assertEqual(filters.numbers(callback="never"), [])
+                names = [line for line in filters.lines() if "resolved" in line]
+                self.assertEqual(names, [{"topic": self.name("second"), "resolved": self.name("second")}])
+                self.assertEqual(camera.wait(30), 0, camera.tail())
+
+
 class Pictures(TopicCase):
     """A type with a hand-written serializer, whose partial form nobody else could read."""
 
