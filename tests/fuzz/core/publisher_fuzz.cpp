@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A hostile subscriber: any greeting, any packets, and any acknowledgements while the publisher goes on.
+#include <cstdio>
 #include <cstring>
 #include <thread>
 
@@ -122,6 +123,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   while (connection.use_count() > 1) std::this_thread::yield();
   for (const RecordPtr& record : connection->take_undelivered()) read(*record);
   connection.reset();
-  if (!memory->allocate(256 << 10)) __builtin_trap();
+  if (!memory->allocate(256 << 10)) {
+    std::fprintf(stderr, "not free: %s\n", memory->last_failure().text().c_str());
+    __builtin_trap();
+  }
   return 0;
 }
