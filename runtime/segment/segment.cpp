@@ -189,7 +189,7 @@ void Segment::revoke(const Block& block) {
 
 void Segment::attach(const std::shared_ptr<Ledger>& ledger, const std::weak_ptr<Revoker>& revoker) {
   const std::lock_guard<std::mutex> lock(attachments_mutex_);
-  attachments_.push_back(Attachment{ledger, revoker});
+  attachments_.push_back(Attachment{ledger, revoker, ledger->releases()});
 }
 
 void Segment::detach(const std::shared_ptr<Ledger>& ledger) {
@@ -198,14 +198,22 @@ void Segment::detach(const std::shared_ptr<Ledger>& ledger) {
       std::remove_if(attachments_.begin(), attachments_.end(),
                      [&ledger](const Attachment& attachment) { return attachment.ledger == ledger; });
   attachments_.erase(gone, attachments_.end());
-  count_release(ledger->releases() + 1);  // the sum must not fall back to an earlier value
+  count_release();
 }
 
-std::uint64_t Segment::releases() const {
-  std::uint64_t sum = releases_.load(std::memory_order_acquire);
+// Each count is compared with itself: a sum could come back to an earlier value, and a subscriber chooses its
+// own.
+bool Segment::notice_releases() {
+  const std::uint64_t own = releases_.load(std::memory_order_acquire);
+  bool noticed = own != noticed_releases_;
+  noticed_releases_ = own;
   const std::lock_guard<std::mutex> lock(attachments_mutex_);
-  for (const Attachment& attachment : attachments_) sum += attachment.ledger->releases();
-  return sum;
+  for (Attachment& attachment : attachments_) {
+    const std::uint64_t now = attachment.ledger->releases();
+    noticed |= now != attachment.noticed_releases;
+    attachment.noticed_releases = now;
+  }
+  return noticed;
 }
 
 BufferPtr Segment::find(const std::uint8_t* address, std::size_t bytes) const {

@@ -53,9 +53,9 @@ class Segment {
 
   void attach(const std::shared_ptr<Ledger>& ledger, const std::weak_ptr<Revoker>& revoker);
   void detach(const std::shared_ptr<Ledger>& ledger);
-  /// Changes whenever a handle or a subscriber released something: nothing to reclaim while it stays the
-  /// same.
-  std::uint64_t releases() const;
+  /// Whether a handle, a subscriber or the end of one released anything here since this was last asked. For
+  /// the allocator alone.
+  bool notice_releases();
 
   /// The live block that contains the bytes.
   BufferPtr find(const std::uint8_t* address, std::size_t bytes) const;
@@ -78,14 +78,13 @@ class Segment {
 
   void add_user() noexcept { users_.fetch_add(1, std::memory_order_relaxed); }
   void drop_user() noexcept;
-  void count_release(std::uint64_t count = 1) noexcept {
-    releases_.fetch_add(count, std::memory_order_release);
-  }
+  void count_release() noexcept { releases_.fetch_add(1, std::memory_order_release); }
 
  private:
   struct Attachment {
     std::shared_ptr<Ledger> ledger;
     std::weak_ptr<Revoker> revoker;
+    std::uint64_t noticed_releases;
   };
 
   Segment(posix::MemoryFile file, posix::Mapping mapping, const std::string& name, Prefault prefault);
@@ -105,6 +104,7 @@ class Segment {
   const std::uint32_t epoch_;
   std::atomic<std::uint32_t> users_{0};
   std::atomic<std::uint64_t> releases_{0};  // by handles, and by ledgers that are gone
+  std::uint64_t noticed_releases_ = ~std::uint64_t{0};
   std::atomic<bool> retired_{false};
 
   Extents extents_;

@@ -86,12 +86,11 @@ void SegmentMemoryImpl::reclaim(std::size_t visits) {
   }
 }
 
+// Asks before the walk: what is released meanwhile counts for the next one.
 void SegmentMemoryImpl::reclaim_everything() {
-  const std::uint64_t now =
-      releases();  // read before the walk: what is released meanwhile counts for the next one
-  if (now == releases_at_full_walk_) return;
-  releases_at_full_walk_ = now;
-  reclaim(SIZE_MAX);
+  bool anything = false;
+  for (const SegmentPtr& segment : segments_) anything |= segment->notice_releases();
+  if (anything) reclaim(SIZE_MAX);
 }
 
 void SegmentMemoryImpl::take_back(Block& block) {
@@ -167,12 +166,6 @@ std::size_t SegmentMemoryImpl::total_size() const {
   std::size_t total = 0;
   for (const SegmentPtr& segment : segments_) total += segment->size();
   return total;
-}
-
-std::uint64_t SegmentMemoryImpl::releases() const {
-  std::uint64_t sum = 0;
-  for (const SegmentPtr& segment : segments_) sum += segment->releases();
-  return sum;
 }
 
 BufferPtr SegmentMemoryImpl::hand_out(Block& block) {

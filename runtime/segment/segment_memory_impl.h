@@ -44,7 +44,6 @@ class SegmentMemoryImpl {
   void drop_unused_segments();
   std::size_t first_size(std::size_t bytes) const;
   std::size_t total_size() const;
-  std::uint64_t releases() const;
   BufferPtr hand_out(Block& block);
   BufferPtr refuse(std::size_t bytes);
 
@@ -53,7 +52,6 @@ class SegmentMemoryImpl {
   mutable std::mutex mutex_;
   std::vector<SegmentPtr> segments_;
   BlockQueue queue_;
-  std::uint64_t releases_at_full_walk_ = ~std::uint64_t{0};
   MemoryStats stats_;
   Error failure_;  // of the system, during the allocate that runs
   Error last_;     // of the latest allocate that was refused
