@@ -69,7 +69,8 @@ bool Ledger::idle() const {
 }
 
 std::uint64_t Ledger::releases() const {
-  return header().releases.load(std::memory_order_acquire) + revocations_.load(std::memory_order_acquire);
+  const std::uint64_t by_subscriber = header().releases.load(std::memory_order_acquire);
+  return by_subscriber << 32 | static_cast<std::uint32_t>(revocations_.load(std::memory_order_acquire));
 }
 
 std::atomic<std::uint64_t>& Ledger::word(std::uint32_t slot) const {

@@ -34,7 +34,8 @@ class Ledger {
   bool taken(std::uint32_t slot, std::uint32_t generation) const;
   /// The subscriber holds nothing at all. Slow: looks at every slot.
   bool idle() const;
-  /// Changes whenever the subscriber released something, or something was revoked.
+  /// Changes whenever the subscriber released something, or something was revoked. Both counts side by side:
+  /// the subscriber chooses one of them.
   std::uint64_t releases() const;
 
   int fd() const { return file_.shared_fd(); }

@@ -116,6 +116,27 @@ TEST(HostileSubscriber, AForgedCountOfReleasesHidesNothing) {
   }
 }
 
+TEST(HostileSubscriber, AForgedCountOfReleasesHidesNoRevocation) {
+  constexpr int blocks = 20;  // more than each allocate looks at anyway
+  for (std::uint32_t forged = 1000 - 2 * blocks; forged < 1000; ++forged) {
+    const auto out = publisher(blocks, mb);
+    RawPeer peer = RawPeer::connect(out->address());
+    peer.send(good_hello);
+    ASSERT_EQ(peer.receive(), posix::ReceiveResult::packet);
+    ASSERT_TRUE(eventually([&] { return out->connections().size() == 1; }));
+    for (int i = 0; i < blocks; ++i) out->publish(text_record("x", {filled(*out->memory(), mb / 32, 1)}));
+    ASSERT_EQ(peer.receive(), posix::ReceiveResult::packet);
+    auto acks = posix::Mapping::map(peer.packet.descriptors[1].get(), 4096, posix::Access::read_write);
+    ASSERT_TRUE(acks);
+    std::atomic<std::uint32_t>& releases = reinterpret_cast<segment::AckHeader*>(acks->data())->releases;
+    releases = 1000;
+    EXPECT_FALSE(out->memory()->allocate(mb)) << "looked through in vain";
+    releases = forged;
+    for (int i = 0; i < blocks; ++i) out->publish(text_record("without a block"));  // revokes those with one
+    EXPECT_TRUE(out->memory()->allocate(mb)) << forged;
+  }
+}
+
 TEST(HostileSubscriber, DataCanNotBeMadeWritable) {
   const auto out = publisher();
   Inbox in(out->address());
