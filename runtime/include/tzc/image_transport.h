@@ -185,7 +185,7 @@ namespace detail {
 class Transport {
  public:
   Transport(::image_transport::ImageTransport& transport) : transport_(transport) {}  // NOLINT: stands for it
-  Transport(::image_transport::ImageTransport&& transport) : transport_(transport) {}  // NOLINT
+  Transport(::image_transport::ImageTransport&& transport) : transport_(transport) {}  // NOLINT: as above
   ::image_transport::ImageTransport* operator->() const { return &transport_; }
 
  private:

@@ -31,7 +31,7 @@ void attach_type(const std::string&, std::false_type) {}
 class Node {
  public:
   Node(ros::NodeHandle& handle) : handle_(handle) {}   // NOLINT: stands for the handle
-  Node(ros::NodeHandle&& handle) : handle_(handle) {}  // NOLINT
+  Node(ros::NodeHandle&& handle) : handle_(handle) {}  // NOLINT: as above
   operator ros::NodeHandle&() const { return handle_; }
   ros::NodeHandle* operator->() const { return &handle_; }
 
