@@ -63,7 +63,7 @@ void publish_at_rate(const std::function<void(std::uint64_t)>& publish, double r
   }
 }
 
-// The warm-up has a clock of its own: what its page faults make late is not caught up in what is measured.
+// The warm-up has its own schedule: the measured messages do not catch up on delays of its page faults.
 void send_all(Contender& contender, const Setup& setup, Board& board) {
   std::vector<Recorder> here;
   if (contender.in_one_process()) {

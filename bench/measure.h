@@ -25,7 +25,7 @@ std::int64_t now_ns();
 constexpr std::size_t most_messages = 1 << 16;
 constexpr std::size_t most_subscribers = 16;
 
-/// Shared by the processes of one measurement.
+/// Memory that the processes of one measurement share.
 struct Board {
   std::atomic<std::uint32_t> ready;
   std::atomic<bool> stop;
@@ -33,7 +33,7 @@ struct Board {
   std::uint32_t latency_ns[most_subscribers][most_messages];
 };
 
-/// Where one subscriber notes what it receives.
+/// The record of what one subscriber receives.
 class Recorder {
  public:
   Recorder(Board& board, std::size_t who) : board_(board), who_(who) {}
@@ -76,7 +76,7 @@ class Contender {
   virtual std::function<void(std::uint64_t index)> publish(const Setup& setup) = 0;
 };
 
-/// What the subscribers of one or several measurements saw.
+/// The results of the subscribers of one or several measurements.
 struct Samples {
   std::size_t sent = 0;                   // times the number of subscribers
   std::vector<std::uint32_t> latency_ns;  // of each delivered message

@@ -9,7 +9,7 @@
 namespace tzc {
 namespace bench {
 
-/// What every latency command understands; `tzc-bench COMMAND --help` describes them.
+/// The options of every latency command; `tzc-bench COMMAND --help` describes them.
 struct Options {
   std::vector<std::size_t> sizes{4096, 1 << 20, 4 << 20, 64 << 20};
   std::vector<std::size_t> subscribers{1, 8};
@@ -20,7 +20,8 @@ struct Options {
   std::string json;
 };
 
-/// Replaces what the command line names. An exit code: the command is over (help shown, or a mistake told).
+/// Sets the options that the command line names. Returns an exit code when the command is over (it showed
+/// help or reported an error).
 std::optional<int> parse_options(int argc, char** argv, const std::string& help, Options& options);
 
 }  // namespace bench

@@ -73,7 +73,7 @@ bool write_json(const std::string& path, const std::vector<Row>& rows) {
   std::ofstream file(path);
   file << document.dump(2) << "\n";
   if (file) return true;
-  std::fprintf(stderr, "can't write %s\n", path.c_str());
+  std::fprintf(stderr, "cannot write %s\n", path.c_str());
   return false;
 }
 

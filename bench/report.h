@@ -19,10 +19,10 @@ struct Row {
   double p99_us = 0;
 };
 
-/// A table of all rows. Where they were measured, too, it says how many times a bare socket's median a row's
-/// is (x_socket), and how many times a row's median TCPROS' is (tcpros_x), at the same size and subscribers.
+/// A table of all rows. x_socket: a row's median divided by a bare socket's; tcpros_x: TCPROS' median divided
+/// by the row's; both at the same size and number of subscribers, where those were measured.
 void print_table(const std::vector<Row>& rows);
-/// {"machine": {...}, "rows": [...]}; false when the file can't be written.
+/// {"machine": {...}, "rows": [...]}; false when the file cannot be written.
 bool write_json(const std::string& path, const std::vector<Row>& rows);
 
 }  // namespace bench

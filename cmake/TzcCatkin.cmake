@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The ROS side: catkin's macros, roscpp with what the transport needs of it, and tzc as a catkin package, which
-# find_package(tzc) and find_package(catkin COMPONENTS tzc) find in an install tree and in a build tree (its devel/).
+# The ROS side: catkin's macros, roscpp with what the transport needs of it, and tzc as a catkin package. The files by
+# which other packages find tzc are tzc's own (TzcInstall): catkin's know the prefix of configuration only.
 
 # catkin runs the first python3 on the PATH; a private Python in front of the system's lacks catkin_pkg.
 if(NOT PYTHON_EXECUTABLE)
@@ -11,18 +11,24 @@ if(NOT PYTHON_EXECUTABLE)
   endif()
 endif()
 set(ENV{ROS_VERSION} 1)  # Debian's pluginlib asks for ament otherwise
-set(CATKIN_ENABLE_TESTING OFF CACHE BOOL "tzc has its own tests")
+if(TZC_STANDALONE)
+  set(CATKIN_ENABLE_TESTING OFF CACHE BOOL "tzc has its own tests")
+  set(CATKIN_INSTALL_INTO_PREFIX_ROOT FALSE)  # catkin would install setup.bash to the prefix of configuration
+endif()
 
-find_package(catkin REQUIRED COMPONENTS roscpp roscpp_serialization roscpp_traits rosconsole roslib)
+set(TZC_CATKIN_DEPENDS roscpp roscpp_serialization roscpp_traits rosconsole roslib sensor_msgs std_msgs)
+find_package(catkin REQUIRED COMPONENTS ${TZC_CATKIN_DEPENDS})
 
 file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/include)
-catkin_package(
-  INCLUDE_DIRS runtime/include ${CATKIN_DEVEL_PREFIX}/include
-  LIBRARIES tzc_roscpp tzc_core
-  CATKIN_DEPENDS roscpp roscpp_serialization roscpp_traits rosconsole roslib
-  CFG_EXTRAS tzc-extras.cmake)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)  # package.xml, which rosrun looks for
+catkin_package(SKIP_CMAKE_CONFIG_GENERATION SKIP_PKG_CONFIG_GENERATION CATKIN_DEPENDS ${TZC_CATKIN_DEPENDS})
 
-# catkin_package() has its own idea of where binaries go. Packages that use tzc look for libraries in the devel space.
-set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+# catkin_package() has its own idea of where binaries go. Packages that use tzc look for libraries in the devel space,
+# and a workspace's setup.bash puts the devel space's bin folder on the PATH.
+if(TZC_STANDALONE)
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+else()
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/bin)
+endif()
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib)
-set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# For the rooms on the way from publish() to the callback. After an idle pause every cache line and page of code on it
+# For the modules between publish() and the callback. After an idle pause every cache line and page of code on it
 # is a miss, so it has to be short: direct calls, and inlining across files where the compiler is GCC. The objects are
 # ordinary ones, too: tests link them without link-time optimisation.
 set(TZC_HOT_PATH_LINK_OPTIONS "")

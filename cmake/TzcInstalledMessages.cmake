@@ -7,7 +7,7 @@
 if(CATKIN_DEVEL_PREFIX)
   set(TZC_MESSAGES_INCLUDE_DIR ${CATKIN_DEVEL_PREFIX}/include)
 else()
-  set(TZC_MESSAGES_INCLUDE_DIR ${CMAKE_BINARY_DIR}/devel/include)
+  set(TZC_MESSAGES_INCLUDE_DIR ${PROJECT_BINARY_DIR}/devel/include)
 endif()
 file(MAKE_DIRECTORY ${TZC_MESSAGES_INCLUDE_DIR}/tzc)
 
@@ -20,13 +20,6 @@ add_library(tzc_messages INTERFACE)
 add_library(tzc::messages ALIAS tzc_messages)
 target_include_directories(tzc_messages INTERFACE ${TZC_MESSAGES_INCLUDE_DIR})
 add_dependencies(tzc_messages tzc_installed_messages)
-
-install(DIRECTORY ${TZC_MESSAGES_INCLUDE_DIR}/tzc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.h")
-
-# What packages that use tzc need to make headers of their own messages; see tzc-extras.cmake.in.
-install(FILES ${PROJECT_SOURCE_DIR}/cmake/tzc_generate_messages.cmake DESTINATION share/tzc/cmake)
-install(FILES ${PROJECT_SOURCE_DIR}/cmake/gentzc/gentzcConfig.cmake DESTINATION share/tzc/cmake/gentzc)
 
 # In one workspace with tzc, targets that link its library find the headers made.
 if(TARGET tzc_roscpp)

@@ -2,8 +2,20 @@
 # Settings that every target of the project shares.
 include(GNUInstallDirs)
 
+# In /usr catkin follows Debian's multiarch folders.
+set(TZC_INSTALL_LIBDIR lib)
+set(TZC_INSTALL_CMAKEDIR share/tzc/cmake)
+if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+  set(TZC_INSTALL_LIBDIR ${CMAKE_INSTALL_LIBDIR})
+  set(TZC_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/tzc)
+endif()
+
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
-  set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "Build type" FORCE)
+  if(TZC_STANDALONE)
+    set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "Build type" FORCE)
+  else()
+    set(CMAKE_BUILD_TYPE RelWithDebInfo)  # for this folder: how the rest of the workspace is built is not ours to say
+  endif()
 endif()
 find_program(TZC_CCACHE ccache)
 if(TZC_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
@@ -16,10 +28,17 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
-set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 
 add_compile_options(-Wall -Wextra)
+# What is installed must not name the folder that it was built in: log lines and debug information name files relative
+# to the project. A Debug build keeps whole paths for the debugger.
+if(CMAKE_BUILD_TYPE MATCHES "^(Release|RelWithDebInfo|MinSizeRel)$")
+  set(prefix_maps -ffile-prefix-map=${PROJECT_SOURCE_DIR}=. -ffile-prefix-map=${PROJECT_BINARY_DIR}=build)
+  add_compile_options(${prefix_maps})
+  add_link_options(${prefix_maps})  # link-time optimisation writes debug information of its own
+endif()
 if(TZC_SANITIZE)
   add_compile_options(-fsanitize=${TZC_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${TZC_SANITIZE})

@@ -56,7 +56,7 @@ function(_tzc_include_flags package flags_result)
     find_file(paths_file share/${dependency}/cmake/${dependency}-msg-paths.cmake
       PATHS ${CATKIN_DEVEL_PREFIX} ${CATKIN_WORKSPACES} ${CMAKE_PREFIX_PATH} ${${dependency}_DIR}/../../..)
     if(NOT paths_file)
-      message(FATAL_ERROR "tzc_generate_messages(): can't find ${dependency}-msg-paths.cmake, which a package gets that "
+      message(FATAL_ERROR "tzc_generate_messages(): cannot find ${dependency}-msg-paths.cmake, which a package gets that "
         "calls generate_messages(). Is ${dependency} a message package, and among find_package(catkin COMPONENTS)?")
     endif()
     include(${paths_file})
@@ -86,7 +86,7 @@ function(_tzc_definition_files package result)
   set(${result} ${files} PARENT_SCOPE)
 endfunction()
 
-# Does somebody provide tzc/PACKAGE/*.h already?
+# Whether tzc/PACKAGE/*.h exists already.
 function(_tzc_has_headers package result)
   set(${result} FALSE PARENT_SCOPE)
   if(TARGET ${package}_generate_messages_tzc)

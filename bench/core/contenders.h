@@ -11,9 +11,9 @@ namespace bench {
 /// Bytes of the application's control part in every contender that has one.
 constexpr std::size_t control_bytes = 64;
 
-/// Nothing but a seqpacket socket that carries a record of the size that tzc's has: the floor.
+/// Only a seqpacket socket that carries a record of the size of tzc's: the floor.
 std::unique_ptr<Contender> seqpacket_contender();
-/// Nothing but a futex in shared memory: the floor of what iceoryx does.
+/// Only a futex in shared memory: the floor of iceoryx.
 std::unique_ptr<Contender> futex_contender();
 /// Callback on tzc's reader thread.
 std::unique_ptr<Contender> tzc_reader_contender();

@@ -26,7 +26,7 @@ std::shared_ptr<channel::Subscriber> connect(channel::SubscriberOptions options)
     if (subscriber) return *subscriber;
     ::usleep(1000);  // the publisher is still starting
   }
-  std::fprintf(stderr, "tzc: can't subscribe\n");
+  std::fprintf(stderr, "tzc: cannot subscribe\n");
   ::_exit(1);
 }
 

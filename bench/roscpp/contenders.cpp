@@ -54,7 +54,7 @@ void wait_for(const std::function<bool()>& condition) {
   while (!condition()) ::usleep(1000);
 }
 
-/// What the contenders of several processes have in common.
+/// Base of the contenders of several processes.
 class NodeContender : public Contender {
  public:
   void subscribe(const Setup& setup, std::size_t, Recorder& recorder) override {

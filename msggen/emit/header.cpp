@@ -39,7 +39,7 @@ std::string alias_header(const std::string& package, const std::string& name, co
 
 Header emit_message(const Message& message, Analysis& analysis) {
   const std::string path = path_of(message.package, message.name);
-  if (analysis.facts(message).supported()) return {path, twin_header(message, analysis)};
+  if (analysis.facts(message).has_data_part()) return {path, twin_header(message, analysis)};
   const std::string typedefs = fmt::format(
       "typedef ::{0}::{1} {1};\n"
       "typedef ::{0}::{1}Ptr {1}Ptr;\n"

@@ -30,7 +30,7 @@ std::string note(const Field& field, Analysis& analysis) {
   return {};
 }
 
-// What a reader should know first: which fields travel how.
+// The comment at the top: how each field travels.
 std::string summary(const Message& message, Analysis& analysis) {
   std::size_t width = 0;
   for (const Field& f : message.fields) width = std::max(width, f.type.size() + f.name.size() + 1);
@@ -44,7 +44,7 @@ std::string summary(const Message& message, Analysis& analysis) {
 std::string includes(const Message& message, Analysis& analysis) {
   std::vector<std::string> nested;
   for (const Field& f : message.fields) {
-    if (f.message && analysis.facts(*f.message).supported()) {
+    if (f.message && analysis.facts(*f.message).has_data_part()) {
       nested.push_back(fmt::format("#include <tzc/{}/{}.h>\n", f.message->package, f.message->name));
     }
   }

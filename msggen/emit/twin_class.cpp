@@ -28,7 +28,7 @@ class ClassEmitter {
         "\n"
         "  {name}() = default;\n"
         "\n"
-        "  /// Copies everything, the data part too: explicit, like the way back.\n"
+        "  /// Copies everything, the data part too: explicit, like the reverse conversion.\n"
         "{from_stock}"
         "\n"
         "{to_stock}"
@@ -57,7 +57,7 @@ class ClassEmitter {
            std::any_of(message_.constants.begin(), message_.constants.end(), is);
   }
 
-  // A class can't have a member of its own name; roscpp's class is called NAME_, so its message may.
+  // A class cannot have a member of its own name; roscpp's class is called NAME_, so its message may.
   std::string free_name() const { return is_member(message_.name) ? message_.name + "_" : message_.name; }
 
   // As in roscpp's class, but a field or constant of such a name comes first.

@@ -96,7 +96,7 @@ std::string serializer(const std::string& twin, const Message& message) {
       twin, body);
 }
 
-// Printing copies: whoever prints megabytes of numbers does not notice, and the text stays roscpp's.
+// Printing copies, which is negligible beside writing megabytes of numbers, and the text stays roscpp's.
 std::string printer(const std::string& twin, const std::string& stock) {
   return fmt::format(
       "namespace message_operations {{\n"

@@ -7,8 +7,8 @@
 
 namespace tzc::msggen {
 
-/// What makes the twin a ROS message (traits, printing and wire format, all those of the stock type) and a
-/// TZC message (where its data arrays are).
+/// The traits that make the twin a ROS message (traits, printing and wire format, all those of the stock
+/// type) and a TZC message (its data arrays).
 std::string twin_traits(const Message& message, Analysis& analysis);
 
 }  // namespace tzc::msggen

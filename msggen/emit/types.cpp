@@ -10,7 +10,7 @@ std::string stock_type(const Message& message) {
 }
 
 std::string twin_type(const Message& message, Analysis& analysis) {
-  return analysis.facts(message).supported() ? "::tzc" + stock_type(message) : stock_type(message);
+  return analysis.facts(message).has_data_part() ? "::tzc" + stock_type(message) : stock_type(message);
 }
 
 std::string twin_element(const Field& field, Analysis& analysis) {

@@ -9,7 +9,7 @@ namespace tzc::msggen {
 
 enum class BuiltinKind { integer, boolean, floating, string, time };
 
-/// What is known about one of the language's own types.
+/// The properties of a builtin type.
 struct Builtin {
   std::string_view name;
   std::string_view cpp;  ///< the C++ type that roscpp uses for it

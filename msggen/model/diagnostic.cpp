@@ -29,7 +29,7 @@ std::string padding(const std::string& line, std::size_t count) {
   return blanks;
 }
 
-// A terminal must not act on what a definition contains, and a line of a megabyte helps nobody.
+// A terminal must not act on what a definition contains, and a line of a megabyte is useless.
 std::string printable(const std::string& line) {
   constexpr std::size_t longest = 240;
   std::string clean = line.substr(0, longest);

@@ -13,7 +13,7 @@ struct Position {
   std::size_t column = 0;
 };
 
-/// One thing that is wrong with the input, with all that a person needs to put it right.
+/// A fault of the input, with what a person needs to correct it.
 struct Diagnostic {
   std::string file;
   Position at;

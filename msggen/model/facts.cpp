@@ -65,10 +65,10 @@ Facts Analysis::compute(const Message& message) {
 void Analysis::add_field(const Field& field, Facts& facts) {
   const bool variable = field.array == ArrayKind::variable;
   facts.fixed_length &= !variable && fixed_length(field);
-  facts.needs_support |= variable;
+  facts.has_variable_array |= variable;
   if (field.message) {
     const Facts& inner = this->facts(*field.message);
-    facts.needs_support |= inner.needs_support;
+    facts.has_variable_array |= inner.has_variable_array;
     facts.comparable &= inner.comparable;
     add_once(facts.nested, field.message);
     for (const Message* nested : inner.nested) add_once(facts.nested, nested);
@@ -103,7 +103,7 @@ bool Analysis::fixed_length(const Field& field) {
 
 Part Analysis::part(const Field& field) {
   if (field.array == ArrayKind::variable && fixed_length(field)) return Part::data;
-  if (field.message && facts(*field.message).supported()) return Part::mixed;
+  if (field.message && facts(*field.message).has_data_part()) return Part::mixed;
   return Part::control;
 }
 

@@ -16,18 +16,19 @@ struct Layout {
   std::uint64_t alignment = 1;
 };
 
-/// What follows from a message's definition and those of all messages inside it.
+/// Facts that follow from a message's definition and those of all messages inside it.
 struct Facts {
   std::string md5;
   bool fixed_length = false;
-  bool needs_support = false;  ///< a variable-length array at any depth
-  bool comparable = false;     ///< roscpp's operator== compiles for it (it has none for empty messages)
+  bool has_variable_array = false;  ///< at any depth
+  bool comparable = false;          ///< roscpp's operator== compiles for it (it has none for empty messages)
   std::vector<std::string> data_fields;  ///< "points", "channels[].values": the data part, in wire order
   std::uint64_t wire_size = 0;           ///< bytes on the wire; of a type that is not fixed-length: at least
   Layout memory;                         ///< of a fixed-length type
   std::vector<const Message*> nested;    ///< every type inside, in the order of genmsg's full text
 
-  bool supported() const { return !data_fields.empty(); }
+  /// A variable-length array of a fixed-length type, at any depth.
+  bool has_data_part() const { return !data_fields.empty(); }
 };
 
 /// A field's role in partial serialization.

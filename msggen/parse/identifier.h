@@ -6,9 +6,8 @@
 
 namespace tzc::msggen {
 
-/// Why the text can't name a field, constant, message or package, as the end of a sentence that begins with
-/// the name
-/// ("is a C++ keyword"); empty when it can.
+/// Why the text cannot name a field, constant, message or package, as the end of a sentence that begins with
+/// the name ("is a C++ keyword"); empty when it can.
 std::string identifier_fault(std::string_view name);
 
 }  // namespace tzc::msggen

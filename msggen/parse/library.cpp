@@ -157,7 +157,7 @@ bool Library::resolve_field(const Message& message, Field& field) {
   }
   if (inner->state == Entry::State::resolving) {
     report(message, field, fmt::format("circular definition: {}", cycle_text(field.base)),
-           "a message can't contain itself, not even in an array");
+           "a message cannot contain itself, not even in an array");
     return false;
   }
   if (resolving_.size() >= deepest_nesting) {

@@ -14,9 +14,6 @@
 
 namespace tzc::msggen {
 
-/// Where the definitions of a package lie: package name to folders of .msg files.
-using SearchPath = std::map<std::string, std::vector<std::string>>;
-
 struct LibraryOptions {
   SearchPath path;
   /// The packages of this machine; asked for once, at the first name that `path` does not explain.
@@ -24,9 +21,8 @@ struct LibraryOptions {
   bool use_installed = false;  ///< look types up in `installed` too; otherwise it serves hints only
 };
 
-/// All messages of a run by name. Reads nested types when they are first asked for, and sees to it that a
-/// message that it calls good is complete: every type inside is known, none contains itself, all fit into a
-/// ROS message.
+/// All messages of a run by name. Reads nested types when they are first needed. A message that find()
+/// returns is complete: every type inside is known, none contains itself, all fit into a ROS message.
 class Library {
  public:
   Library(LibraryOptions options, Diagnostics& diagnostics);
@@ -36,7 +32,7 @@ class Library {
   std::vector<std::string> add_file(const std::string& file, const std::string& package);
   std::vector<std::string> add_source(const Source& source, const std::string& package);
 
-  /// The message if it is good. Everything that is wrong with it or inside it has been reported otherwise.
+  /// The message if it is complete and valid; otherwise null, and all its faults are reported.
   const Message* find(const std::string& full_name);
 
   /// Reports a name that find() does not know and that no field asked for.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "parse/library.h"
+#include "parse/package_path.h"
 
 namespace tzc::msggen {
 
@@ -14,11 +14,11 @@ struct KnownPackage {
   std::vector<std::string> names;  ///< types that have been read already
 };
 
-/// What to do about a package that nobody named: the -I that helps, or the nearest name.
+/// A hint for a package that no -I names: the -I that helps, or the nearest name.
 std::string package_hint(const std::string& package, const SearchPath& path, const PackageIndex& installed,
                          bool installed_was_searched);
 
-/// What to do about a type that its package doesn't have: the package that has it, or the nearest name.
+/// A hint for a type that its package does not have: the package that has it, or the nearest name.
 std::string type_hint(const std::string& package, const std::string& name, const KnownPackage& known,
                       const SearchPath& path, const PackageIndex& installed);
 

@@ -113,7 +113,7 @@ void PackageIndex::add_install_space(const std::string& share) {
   }
 }
 
-// As rospack crawls: not into packages, hidden folders and those that say so.
+// Like rospack: does not enter packages, hidden folders, and folders with CATKIN_IGNORE.
 void PackageIndex::add_tree(const std::string& folder, int depth) {
   constexpr int deepest = 16;
   if (depth > deepest || is_file(fs::path(folder) / "CATKIN_IGNORE")) return;

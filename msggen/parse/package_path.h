@@ -8,6 +8,9 @@
 
 namespace tzc::msggen {
 
+/// Where the definitions of a package lie: package name to folders of .msg files.
+using SearchPath = std::map<std::string, std::vector<std::string>>;
+
 /// A package's folder, and those inside it that hold definitions.
 struct Package {
   std::string name;
@@ -15,18 +18,16 @@ struct Package {
   bool installed = false;  ///< lies in PREFIX/share, its C++ headers therefore in PREFIX/include
 
   std::string message_directory() const { return directory + "/msg"; }
-  /// All .msg, .srv and .action files, sorted; an action's messages that are installed as .msg too are not
-  /// repeated.
+  /// All .msg, .srv and .action files, sorted, without an action's messages that are also installed as .msg.
   std::vector<std::string> definition_files() const;
 };
 
 /// The packages under some folders. A package is a folder with a package.xml, or one with a msg/, srv/ or
-/// action/ folder inside; packages inside packages don't count. When two have one name, the first found is
-/// the package.
+/// action/ folder inside; packages inside packages do not count. Of two packages with one
+/// name, the first found counts.
 class PackageIndex {
  public:
-  /// Looks into each folder; one that is called `share` is an install space, whose packages lie directly in
-  /// it.
+  /// Looks into each folder. A folder called `share` is an install space: packages lie directly in it.
   explicit PackageIndex(const std::vector<std::string>& folders);
 
   const Package* find(const std::string& name) const;

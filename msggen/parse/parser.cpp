@@ -157,7 +157,7 @@ class LineParser {
     const Builtin* type = find_builtin(type_name);
     if (!type || !type->may_be_constant()) {
       const bool known = type != nullptr;
-      return report(type_name, fmt::format("'{}' can't be the type of a constant", type_name),
+      return report(type_name, fmt::format("'{}' cannot be the type of a constant", type_name),
                     known ? "constants of time and duration do not exist" : "numbers, bool and string can");
     }
     if (type->kind == BuiltinKind::string) {

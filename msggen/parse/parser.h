@@ -9,12 +9,12 @@
 
 namespace tzc::msggen {
 
-/// Parses the lines of one message. Whatever is wrong with them is reported, every fault; the message then
-/// holds what could be understood. Nested types are named, not looked up.
+/// Parses the lines of one message and reports every fault; the message then holds what could be parsed.
+/// Names nested types without looking them up.
 Message parse_message(const Section& section, const std::string& file, const std::string& package,
                       const std::string& name, Diagnostics& diagnostics);
 
-/// What a definition file contains, by its extension.
+/// The content of a definition file, by its extension.
 struct ParsedFile {
   enum class Kind { message, service, action };
   Kind kind = Kind::message;

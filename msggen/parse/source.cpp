@@ -66,7 +66,8 @@ std::optional<Source> read_source(const std::string& file, Diagnostics& diagnost
   std::ifstream in(file, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (!in.is_open() || in.bad() || errno == EISDIR) {
-    diagnostics.report(fault_of_file(file, fmt::format("can't read the file: {}", std::strerror(errno)), ""));
+    diagnostics.report(
+        fault_of_file(file, fmt::format("cannot read the file: {}", std::strerror(errno)), ""));
     return std::nullopt;
   }
   return decode(file, bytes, diagnostics);

@@ -24,7 +24,7 @@ std::size_t column_of(std::string_view line, std::string_view piece);
 /// How many characters UTF-8 text has.
 std::size_t character_count(std::string_view text);
 
-/// Offset of the first byte that is not UTF-8; npos when all is well.
+/// Offset of the first byte that is not UTF-8; npos: there is none.
 std::size_t find_invalid_utf8(std::string_view text);
 
 /// The text with every byte that is not UTF-8, and every NUL, replaced by '?'.

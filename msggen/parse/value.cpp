@@ -149,7 +149,7 @@ Value convert_value(const Builtin& type, std::string_view text) {
     case BuiltinKind::time:
       break;
   }
-  return {"", fmt::format("{} can't be a constant", type.name), ""};
+  return {"", fmt::format("{} cannot be a constant", type.name), ""};
 }
 
 }  // namespace tzc::msggen

@@ -17,11 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Totals {
-  std::size_t types = 0, needs_support = 0, supported = 0;
-  std::size_t unsupported() const { return needs_support - supported; }
+  std::size_t types = 0, has_variable_array = 0, has_data_part = 0;
+  std::size_t without_data_part() const { return has_variable_array - has_data_part; }
 };
 
-// What a census goes through: definition files, each with its package.
+// The input of a census: definition files, each with its package.
 struct Input {
   std::string file, package;
 };
@@ -56,7 +56,7 @@ class Census {
     for (const std::string& name : names) count(name, library);
     options_.json ? print_json(console.out) : print_text(console.out);
     for (const Diagnostic& d : diagnostics_.sorted()) console.err << render(d);
-    return exit_good;  // what can't be resolved is part of the answer
+    return exit_good;  // what cannot be resolved is part of the answer
   }
 
  private:
@@ -93,7 +93,7 @@ class Census {
     if (files.empty()) empty_folders_.push_back(folder);
   }
 
-  // One among others counts as none; if there is nothing else it was not what was meant.
+  // Among other inputs it counts as none; alone it is an error.
   void report_empty_folders() {
     for (const std::string& folder : empty_folders_) {
       report_usage(folder + ": no message definitions", "packages have a msg/ folder", usage_);
@@ -108,20 +108,24 @@ class Census {
     }
     const Facts& facts = library.analysis().facts(*message);
     types_[name] = {{"fixed_length", facts.fixed_length},
-                    {"needs_support", facts.needs_support},
-                    {"supported", facts.supported()},
+                    {"has_variable_array", facts.has_variable_array},
+                    {"has_data_part", facts.has_data_part()},
+                    {"needs_support", facts.has_variable_array},  // former names, until the next release
+                    {"supported", facts.has_data_part()},
                     {"data_fields", facts.data_fields},
                     {"md5", facts.md5}};
     ++totals_.types;
-    totals_.needs_support += facts.needs_support;
-    totals_.supported += facts.supported();
+    totals_.has_variable_array += facts.has_variable_array;
+    totals_.has_data_part += facts.has_data_part();
   }
 
   void print_json(std::ostream& out) const {
     const nlohmann::json totals = {{"types", totals_.types},
-                                   {"needs_support", totals_.needs_support},
-                                   {"supported", totals_.supported},
-                                   {"unsupported", totals_.unsupported()}};
+                                   {"has_variable_array", totals_.has_variable_array},
+                                   {"has_data_part", totals_.has_data_part},
+                                   {"needs_support", totals_.has_variable_array},  // former names
+                                   {"supported", totals_.has_data_part},
+                                   {"unsupported", totals_.without_data_part()}};
     const nlohmann::json result = {{"types", types_}, {"totals", totals}, {"unresolved", unresolved_}};
     out << result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   }
@@ -132,16 +136,16 @@ class Census {
     for (const auto& [name, type] : types_.items()) {
       const std::string data =
           fmt::format("{}", fmt::join(type["data_fields"].get<std::vector<std::string>>(), ", "));
-      const char* kind = type["supported"]       ? "supported"
-                         : type["needs_support"] ? "unsupported"
-                         : type["fixed_length"]  ? "fixed-length"
-                                                 : "control only";
+      const char* kind = type["has_data_part"]        ? "supported"
+                         : type["has_variable_array"] ? "unsupported"
+                         : type["fixed_length"]       ? "fixed-length"
+                                                      : "control only";
       const std::string line = fmt::format("{:<{}}  {:<12}  {}", name, width, kind, data);
       out << line.substr(0, line.find_last_not_of(' ') + 1) << '\n';
     }
     for (const std::string& name : unresolved_) out << fmt::format("{:<{}}  unresolved\n", name, width);
     out << fmt::format("\n{} types: {} data-heavy, of which {} supported and {} unsupported", totals_.types,
-                       totals_.needs_support, totals_.supported, totals_.unsupported());
+                       totals_.has_variable_array, totals_.has_data_part, totals_.without_data_part());
     out << (unresolved_.empty() ? "\n" : fmt::format("; {} unresolved\n", unresolved_.size()));
   }
 

@@ -27,7 +27,7 @@ struct GenerateOptions {
 struct ClassifyOptions {
   std::vector<std::string> inputs;    ///< folders and files
   std::vector<std::string> includes;  ///< "PKG:DIR"
-  std::string package;                ///< of files whose folder does not tell it
+  std::string package;                ///< of files that lie in no package's folder
   bool json = false;
 };
 

@@ -72,11 +72,11 @@ std::string summary(const Facts& facts) {
     return fmt::format("fixed-length: {} on the wire, {} in memory", bytes(facts.wire_size),
                        bytes(facts.memory.size));
   }
-  const char* kind = facts.supported() ? "has a data part"
-                     : facts.needs_support
+  const char* kind = facts.has_data_part() ? "has a data part"
+                     : facts.has_variable_array
                          ? "data-heavy, but no array is of a fixed-length type: all is control"
                          : "no variable-length array: all is control";
-  if (!facts.supported()) return kind;
+  if (!facts.has_data_part()) return kind;
   return fmt::format("{}: {}", kind, fmt::join(facts.data_fields, ", "));
 }
 

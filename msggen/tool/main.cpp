@@ -28,7 +28,8 @@ CLI::App* add_generate(CLI::App& app, GenerateOptions& options) {
 
 CLI::App* add_classify(CLI::App& app, ClassifyOptions& options) {
   CLI::App* command = app.add_subcommand("classify", "A census: which types have a data part");
-  command->add_option("-p,--package", options.package, "The package of files whose folder does not tell it");
+  command->add_option("-p,--package", options.package,
+                      "The package of files that lie in no package's folder");
   command->add_option("-I", options.includes, include_help)->type_name("PKG:DIR")->allow_extra_args(false);
   command->add_flag("--json", options.json, "As JSON");
   command->add_option("inputs", options.inputs, "Folders of packages, or definition files")

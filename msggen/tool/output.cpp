@@ -40,14 +40,14 @@ class Staging {
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
     out << text;
     out.close();
-    return out ? "" : fmt::format("can't write {}: {}", temporary.string(), std::strerror(errno));
+    return out ? "" : fmt::format("cannot write {}: {}", temporary.string(), std::strerror(errno));
   }
 
   std::string commit() {
     std::error_code error;
     for (const Staged& file : staged_) {
       fs::rename(file.temporary, file.target, error);
-      if (error) return fmt::format("can't write {}: {}", file.target.string(), error.message());
+      if (error) return fmt::format("cannot write {}: {}", file.target.string(), error.message());
     }
     created_.clear();
     return "";
@@ -65,7 +65,7 @@ class Staging {
     if (std::string above = create_folders(folder.parent_path()); !above.empty()) return above;
     if (fs::create_directory(folder, error)) created_.push_back(folder);
     if (fs::is_directory(folder)) return "";
-    return fmt::format("can't create {}: {}", folder.string(), error.message());
+    return fmt::format("cannot create {}: {}", folder.string(), error.message());
   }
 
   std::vector<Staged> staged_;

@@ -133,7 +133,7 @@ Edit add_section(const CmakeListFile& file, const CmakeCommand& command, const s
   const bool one_line =
       content.substr(command.begin, end - command.begin).find('\n') == std::string_view::npos;
   const std::string gap = one_line ? " " : line_ending(content) + indentation(content, end);
-  return Edit{file.path, end, 0, gap + text, -1, "build-files"};
+  return Edit{file.path, end, 0, gap + text, {}, "build-files"};
 }
 
 }  // namespace
@@ -223,6 +223,20 @@ Edits add_catkin_depends(const CmakeProject& project) {
   return edits;
 }
 
+namespace {
+
+/// A variable without a known value may be anything; packages usually export `include`.
+std::string exported_folder(std::string folder, const std::string& package_dir) {
+  for (const std::string name : {"${PROJECT_SOURCE_DIR}", "${CMAKE_CURRENT_SOURCE_DIR}",
+                                 "${CMAKE_SOURCE_DIR}", "${CMAKE_CURRENT_LIST_DIR}"})
+    if (folder.rfind(name, 0) == 0) folder.replace(0, name.size(), package_dir);
+  if (folder.find("${") != std::string::npos) folder = "include";
+  const std::string path = (std::filesystem::path(package_dir) / folder).lexically_normal();
+  return path.back() == '/' ? path.substr(0, path.size() - 1) : path;
+}
+
+}  // namespace
+
 std::set<std::string> exported_folders(const CmakeProject& project, const std::string& package_dir) {
   std::set<std::string> folders;
   each_command(project, "catkin_package", [&](const CmakeListFile& file, const CmakeCommand& command) {
@@ -230,7 +244,7 @@ std::set<std::string> exported_folders(const CmakeProject& project, const std::s
     if (keyword == std::string::npos) return;
     for (std::size_t i = keyword + 1; i <= section_end(command, keyword, catkin_package_words); ++i)
       for (const std::string& folder : file.values.expand(command.arguments[i].text))
-        folders.insert((std::filesystem::path(package_dir) / folder).lexically_normal());
+        folders.insert(exported_folder(folder, package_dir));
   });
   return folders;
 }

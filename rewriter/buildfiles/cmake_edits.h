@@ -6,19 +6,19 @@
 #include <vector>
 
 #include "buildfiles/cmake_project.h"
-#include "edits/edit.h"
+#include "model/edit.h"
 
 namespace tzc::rewriter {
 
-/// Whether CMakeLists.txt asks for catkin in a way that we can add to.
+/// Whether CMakeLists.txt has a find_package(catkin) to which components can be added.
 enum class CatkinUse { components, simple, none };
 CatkinUse catkin_use(const CmakeProject& project);
 
 /// `tzc` among the components of each find_package(catkin ...).
 Edits add_component(const CmakeProject& project);
 
-/// What makes the target compile and link against TZC, as far as it lacks it. The target must be
-/// found_target().
+/// The edits that make the target compile and link against TZC; none for what it has already. The target must
+/// be found_target().
 Edits add_include(const CmakeProject& project, const std::string& target);
 Edits add_link(const CmakeProject& project, const std::string& target);
 
@@ -26,8 +26,8 @@ Edits add_link(const CmakeProject& project, const std::string& target);
 Edits add_message_dependency(const CmakeProject& project, const std::string& target,
                              const std::string& package);
 
-/// tzc_generate_messages(PACKAGE) behind find_package(catkin): another package's twins are made by this one's
-/// build.
+/// tzc_generate_messages(PACKAGE) after find_package(catkin): this package's build makes another package's
+/// twins.
 Edits add_foreign_messages(const CmakeProject& project, const std::string& package);
 
 /// For --dual, behind find_package(catkin): a block that uses TZC where it is found.

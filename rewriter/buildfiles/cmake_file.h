@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "edits/expected.h"
+#include "model/expected.h"
 
 namespace tzc::rewriter {
 
@@ -31,7 +31,7 @@ struct CmakeCommand {
 /// commands like others. An error where the file is no CMake: an unclosed parenthesis, quote or bracket.
 Expected<std::vector<CmakeCommand>> parse_cmake(std::string_view content, const std::string& path);
 
-/// The argument's position among a command's, npos when it has none such.
+/// The position of the argument with this text in a command; npos: there is none.
 std::size_t find_argument(const CmakeCommand& command, std::string_view text, std::size_t from = 0);
 
 }  // namespace tzc::rewriter

@@ -10,15 +10,14 @@
 
 namespace tzc::rewriter {
 
-/// What variables may hold, without running CMake: every value that some set(), list(APPEND), foreach() or
-/// project() of the file gives them, whatever the control flow. References to unknown variables stay as
+/// The values that variables may have, without running CMake: every one that a set(), list(APPEND), foreach()
+/// or project() of the file gives them; control flow is ignored. References to unknown variables stay as
 /// written: "${catkin_LIBRARIES}".
 class CmakeValues {
  public:
   void learn(const CmakeCommand& command);
 
-  /// Every text that an argument may expand to (lists split at ';'). Bounded: after 256 values it gives up
-  /// growing.
+  /// Every text that an argument may expand to (lists split at ';'). At most 256.
   std::set<std::string> expand(const std::string& text) const;
   std::set<std::string> expand(const CmakeCommand& command, std::size_t first = 0) const;
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "buildfiles/cmake_file.h"
-#include "edits/edit.h"
+#include "model/edit.h"
 
 namespace tzc::rewriter {
 

@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "edits/edit.h"
+#include "model/edit.h"
+#include "model/expected.h"
 
 namespace tzc::rewriter {
 
@@ -13,13 +14,13 @@ struct PackageXml {
   std::string path;
   std::string name;
   int format = 1;
-  bool catkin = false;  ///< its build tool, or nothing is said and it is format 1
+  bool catkin = false;  ///< is its build tool, or format 1 names no build tool
 };
 
 Expected<PackageXml> read_package_xml(const std::string& package_dir);
 
-/// <depend>tzc</depend> (format 1: build_depend and run_depend), behind the last of its kind; nothing where
-/// the dependency stands already.
+/// Adds <depend>tzc</depend> (format 1: build_depend and run_depend) after the last element of its kind. No
+/// edit when the dependency exists.
 Expected<Edits> depend_on_tzc(std::string_view content, const std::string& path);
 
 }  // namespace tzc::rewriter

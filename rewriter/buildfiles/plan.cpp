@@ -2,11 +2,11 @@
 #include "buildfiles/plan.h"
 
 #include "buildfiles/cmake_edits.h"
-#include "buildfiles/compile_targets.h"
+#include "buildfiles/compile_database.h"
 #include "buildfiles/language_standard.h"
 #include "buildfiles/package_xml.h"
 #include "edits/files.h"
-#include "report/codes.h"
+#include "model/codes.h"
 
 namespace tzc::rewriter {
 namespace {

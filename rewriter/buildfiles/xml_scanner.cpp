@@ -34,7 +34,7 @@ class Scanner {
       if (depth_ < 0 || (depth_ == 0 && tag.closing)) break;
     }
     if (broken_ || depth_ != 0 || document_.root.empty())
-      return Error{"is not well-formed XML", path_, "repair it; catkin can not read it either"};
+      return Error{"is not well-formed XML", path_, "repair it; catkin cannot read it either"};
     return document_;
   }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "edits/expected.h"
+#include "model/expected.h"
 
 namespace tzc::rewriter {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "edits/edit.h"
+#include "edits/apply.h"
 
 namespace tzc::rewriter {
 namespace {

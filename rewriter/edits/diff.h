@@ -32,7 +32,7 @@ struct FileDiff {
 };
 
 /// `git_paths`: `path` is relative to the top of a git repository, so that `git apply` works in any of its
-/// folders; else it is relative to where the patch is going to be applied.
+/// folders; otherwise to the folder where the patch is applied.
 FileDiff unified_diff(const std::string& path, std::string_view before, std::string_view after,
                       bool git_paths);
 

@@ -18,8 +18,8 @@ bool ends_with_backslash(std::string_view line) {
   return !line.empty() && line.back() == '\\';
 }
 
-/// Whether a block comment is open after the line. Comment marks in strings are rare enough to err on the
-/// safe side.
+/// Whether a block comment is open after the line. A comment mark in a string counts as a comment, which errs
+/// on the safe side.
 bool comment_open_after(std::string_view line, bool open) {
   for (std::size_t at = 0; at != std::string_view::npos && at < line.size();) {
     const std::size_t mark = line.find(open ? "*/" : "/*", at);
@@ -36,7 +36,7 @@ class Writer {
  public:
   explicit Writer(const Lines& lines) : lines_(lines) {}
 
-  /// The number of the line that can not be wrapped; 0: all is well.
+  /// The number of the line that cannot be wrapped; 0: all is well.
   unsigned run() {
     for (std::size_t at = 0; at < lines_.size();) {
       if (lines_[at].change == LineChange::same) {
@@ -86,7 +86,7 @@ Expected<std::string> dual_text(const std::string& path, const std::string& befo
   const Lines lines = diff_lines(before, after);
   Writer writer(lines);
   if (const unsigned line = writer.run())
-    return Error{"the change lies in a directive or comment that spans lines, --dual can not wrap it",
+    return Error{"the change lies in a directive or comment that spans lines, --dual cannot wrap it",
                  path + ":" + std::to_string(line),
                  "port without --dual, or leave the file out with --except"};
   return writer.text;

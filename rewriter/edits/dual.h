@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "edits/expected.h"
+#include "model/expected.h"
 
 namespace tzc::rewriter {
 
@@ -12,7 +12,7 @@ constexpr const char* dual_macro = "TZC_ENABLED";
 
 /// A source that reads as `after` where the macro is defined and as `before` where it is not: each run of
 /// changed lines stands in an #ifdef of its own. An error where a change lies inside a directive or a comment
-/// that spans lines, which can not hold an #ifdef.
+/// that spans lines, which cannot hold an #ifdef.
 Expected<std::string> dual_text(const std::string& path, const std::string& before, const std::string& after);
 
 /// Whether a line (from 1) lies in, or is, a branch that dual_text() made.

@@ -44,7 +44,7 @@ bool is_hidden(const fs::path& path) {
 
 Expected<std::string> read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) return system_error("can not be read", path);
+  if (!file) return system_error("cannot be read", path);
   std::ostringstream content;
   content << file.rdbuf();
   return content.str();
@@ -52,9 +52,9 @@ Expected<std::string> read_file(const std::string& path) {
 
 Expected<void> write_file(const std::string& path, std::string_view content) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) return system_error("can not be written", path);
+  if (descriptor < 0) return system_error("cannot be written", path);
   const bool written = write_all(descriptor, content) && ::fsync(descriptor) == 0;
-  const Error error = system_error("can not be written", path);
+  const Error error = system_error("cannot be written", path);
   ::close(descriptor);
   if (!written) return error;
   return {};
@@ -104,6 +104,12 @@ Expected<void> check_unchanged(const std::string& package_dir, const Snapshot& s
   if (!changed) return {};
   return Error{"changed while the package was being analysed; nothing was written", *changed,
                "run tzc-rewrite again"};
+}
+
+std::string canonical_path(const std::string& path) {
+  std::error_code failed;
+  const fs::path found = fs::canonical(path, failed);
+  return failed ? fs::path(path).lexically_normal().string() : found.string();
 }
 
 bool is_below(const std::string& path, const std::string& folder) {

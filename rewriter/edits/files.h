@@ -6,7 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "edits/edit.h"
+#include "model/edit.h"
+#include "model/expected.h"
 
 namespace tzc::rewriter {
 
@@ -27,6 +28,9 @@ Snapshot snapshot(const std::string& package_dir);
 
 /// An error that names the first file that changed, appeared or vanished since.
 Expected<void> check_unchanged(const std::string& package_dir, const Snapshot& since);
+
+/// `path` without symbolic links; as it is, made normal, where it does not exist.
+std::string canonical_path(const std::string& path);
 
 /// Whether a path lies in a folder (both canonical).
 bool is_below(const std::string& path, const std::string& folder);

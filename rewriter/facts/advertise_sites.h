@@ -1,30 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What the collectors of advertise sites share.
+#include <clang/AST/ExprCXX.h>
 
 #include <optional>
-#include <string>
 
-#include "facts/unit.h"
+#include "facts/entity_table.h"
 
 namespace tzc::rewriter {
 
-/// A site at the call, an image as long as nothing else is said.
-Advertise advertise_at(Unit& unit, const clang::CallExpr* call, const char* rule);
-/// What is advertised: advertise<type>(...).
-void describe_type(const Unit& unit, clang::QualType type, Advertise& site);
-void add_advertise(Unit& unit, Advertise site);
-std::optional<std::string> written_text(Unit& unit, const clang::CallExpr* call, unsigned index);
-/// advertise<T>(...) in a template: T stays written, and stands for the stock message.
-bool is_template_parameter(const clang::TemplateArgument& argument);
+/// Calls that advertise. Adds the publisher that a call returns to the table.
+class AdvertiseCollector {
+ public:
+  AdvertiseCollector(const Unit& unit, EntityTable& entities) : unit_(unit), entities_(entities) {}
 
-/// The rule for a call of a library's function that advertises for the package; null: it is none.
-const LibraryAdvertise* library_advertise_rule(Unit& unit, const clang::CallExpr* call);
-/// The call that an earlier run has put around it; null: none.
-const clang::CallExpr* attaching_call(Unit& unit, const clang::CallExpr* call, const LibraryAdvertise& rule);
-/// tzc::attach_publisher<M>(...), as `rule` writes it.
-bool attaches_publisher(const Unit& unit, const clang::CallExpr* call);
-void collect_library_advertise(Unit& unit, const clang::CallExpr* call);
+  /// nh.advertise<M>(...), as `rule` matches it.
+  Advertise of_call(const clang::CXXMemberCallExpr* call, const MethodCall& rule);
+  /// What `rule` wrote in an earlier run: tzc::advertise<M>(nh, ...).
+  Advertise of_ported_call(const clang::CallExpr* call, const MethodCall& rule);
+
+  /// A library's call that advertises for the package and returns the publisher.
+  struct LibraryCall {
+    Advertise site;
+    const clang::CallExpr* publisher;  ///< the call whose value is the publisher that the package keeps
+  };
+  std::optional<LibraryCall> of_library_call(const clang::CallExpr* call);
+
+ private:
+  Advertise site_at(const clang::CallExpr* call, const char* rule) const;
+  void describe_type(Advertise& site, clang::QualType type) const;
+  void describe_topic(Advertise& site, const clang::CallExpr* call) const;
+  void change(Advertise& site, const clang::CXXMemberCallExpr* call, const MethodCall& rule) const;
+  void add_memory(Advertise& site, const clang::CXXMemberCallExpr* call, const MethodCall& rule) const;
+  void attach(Advertise& site, const clang::CallExpr* call, const LibraryAdvertise& rule);
+  std::string attach_text(const Advertise& site, const clang::CallExpr* call,
+                          const LibraryAdvertise& rule) const;
+
+  const Unit& unit_;
+  EntityTable& entities_;
+};
 
 }  // namespace tzc::rewriter

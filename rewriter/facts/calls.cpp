@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <clang/AST/ParentMapContext.h>
+#include "facts/calls.h"
 
-#include "facts/unit.h"
-#include "report/codes.h"
+#include <set>
 
 namespace tzc::rewriter {
 namespace {
@@ -27,7 +26,7 @@ Place span(const Place& from, unsigned begin, unsigned end) {
 }
 
 /// The parenthesis that opens the arguments, behind the function's name.
-unsigned first_paren(Unit& unit, const Place& call, unsigned from) {
+unsigned first_paren(const Unit& unit, const Place& call, unsigned from) {
   const std::string text = unit.source.text(span(call, from, call.end));
   return from + static_cast<unsigned>(text.find('('));
 }
@@ -44,7 +43,7 @@ Receiver receiver_of(const clang::CXXMemberCallExpr* call) {
   return {callee->getBase()->IgnoreImpCasts(), callee->isArrow()};
 }
 
-std::string written_template_arguments(Unit& unit, const clang::CXXMemberCallExpr* call) {
+std::string written_template_arguments(const Unit& unit, const clang::CXXMemberCallExpr* call) {
   const clang::MemberExpr* callee = callee_of(call);
   if (!callee || !callee->hasExplicitTemplateArgs() || callee->getNumTemplateArgs() == 0) return "";
   const clang::SourceRange range(
@@ -53,8 +52,8 @@ std::string written_template_arguments(Unit& unit, const clang::CXXMemberCallExp
   return unit.source.text(range);
 }
 
-std::vector<Change> receiver_first(Unit& unit, const clang::CXXMemberCallExpr* call, const std::string& to,
-                                   const char* rule, const char* header, const std::string& last) {
+std::vector<Change> receiver_first(const Unit& unit, const clang::CXXMemberCallExpr* call,
+                                   const Callee& callee, const std::string& last) {
   const Receiver receiver = receiver_of(call);
   if (!receiver.expr) return {};
   const auto* self = llvm::dyn_cast<clang::CXXThisExpr>(receiver.expr);
@@ -75,9 +74,69 @@ std::vector<Change> receiver_first(Unit& unit, const clang::CXXMemberCallExpr* c
   std::string separator = (count > 0 || !last.empty() ? "," : "") + comments_in(unit.source.text(between));
   const std::string behind = unit.source.text(span(*whole, open_paren + 1, open_paren + 2));
   if (!separator.empty() && count > 0 && behind != " " && behind != "\n" && behind != "\r") separator += " ";
-  const std::string open = to + "(" + (receiver.pointer ? "*" : "") + (implicit ? "this" : "");
-  return {{span(*whole, object->begin, object->begin), open, rule, {header}},
-          {between, separator + (last.empty() ? "" : (count > 0 ? "" : " ") + last), rule, {}}};
+  const std::string open = callee.to + "(" + (receiver.pointer ? "*" : "") + (implicit ? "this" : "");
+  return {{span(*whole, object->begin, object->begin), open, callee.rule, {callee.header}},
+          {between, separator + (last.empty() ? "" : (count > 0 ? "" : " ") + last), callee.rule, {}}};
+}
+
+unsigned written_arguments(const clang::CallExpr* call) {
+  unsigned count = 0;
+  for (const clang::Expr* argument : call->arguments())
+    if (!llvm::isa<clang::CXXDefaultArgExpr>(argument)) ++count;
+  return count;
+}
+
+bool passes_through(const clang::FunctionDecl* function) {
+  static const std::set<std::string> names = {
+      "std::move",      "std::forward", "std::ref",    "std::cref",      "boost::move",
+      "boost::forward", "boost::ref",   "boost::cref", "std::addressof", "boost::addressof"};
+  return function && names.count(qualified_name_of(function)) != 0;
+}
+
+bool makes_object(const clang::CallExpr* call) {
+  static const std::set<std::string> names = {"boost::make_shared", "std::make_shared", "std::make_unique",
+                                              "boost::make_unique"};
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  return function && names.count(qualified_name_of(function)) != 0;
+}
+
+bool is_single_subscriber(const std::string& name) {
+  return name == "ros::SingleSubscriberPublisher" || name == "image_transport::SingleSubscriberPublisher";
+}
+
+bool is_publisher_class(const std::string& name) {
+  static const std::set<std::string> names = {"Publisher", "CameraPublisher"};
+  static const std::set<std::string> spaces = {
+      "ros::", "image_transport::", "tzc::", "tzc::image_transport::"};
+  const std::size_t colons = name.rfind("::");
+  if (colons == std::string::npos) return false;
+  return is_single_subscriber(name) ||
+         (names.count(name.substr(colons + 2)) && spaces.count(name.substr(0, colons + 2)));
+}
+
+bool removes_const(const clang::ExplicitCastExpr* cast) {
+  const clang::Expr* from = cast->getSubExprAsWritten();
+  if (cast->isGLValue()) return from->getType().isConstQualified() && !cast->getType().isConstQualified();
+  const clang::QualType before = from->getType()->getPointeeType();
+  const clang::QualType after = cast->getType()->getPointeeType();
+  if (from->getType()->isArrayType() || before.isNull() || after.isNull()) return false;
+  return before.isConstQualified() && !after.isConstQualified();
+}
+
+bool is_publish(const clang::CXXMemberCallExpr* call) {
+  const clang::CXXMethodDecl* method = call->getMethodDecl();
+  return method && method->getNameAsString() == "publish" &&
+         is_publisher_class(qualified_name_of(method->getParent()));
+}
+
+std::optional<std::string> written_text(const Unit& unit, const clang::CallExpr* call, unsigned index) {
+  if (written_arguments(call) <= index) return {};
+  return unit.text(call->getArg(index));
+}
+
+bool is_template_parameter(const clang::TemplateArgument& argument) {
+  return argument.getKind() == clang::TemplateArgument::Type &&
+         argument.getAsType()->getAs<clang::SubstTemplateTypeParmType>() != nullptr;
 }
 
 std::optional<std::string> constant_string(const clang::Expr* expr) {
@@ -99,46 +158,6 @@ std::optional<std::string> constant_string(const clang::Expr* expr) {
       return {};
     }
   }
-}
-
-bool serves_plain_field(Unit& unit, const clang::Expr* cast) {
-  const clang::Expr* at = cast;
-  for (;;) {
-    const auto parents = unit.ast().getParents(*at);
-    const auto* parent = parents.empty() ? nullptr : parents[0].get<clang::Expr>();
-    if (!parent) return false;
-    if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(parent)) {
-      const bool field = llvm::isa<clang::FieldDecl>(member->getMemberDecl());
-      if (field) return !is_data_array(member->getType()) && !carried_by(member->getType(), unit.rules);
-    } else if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(parent)) {
-      if (op->getOperator() != clang::OO_Arrow && op->getOperator() != clang::OO_Star) return false;
-    } else if (!llvm::isa<clang::ParenExpr, clang::ImplicitCastExpr, clang::FullExpr,
-                          clang::MaterializeTemporaryExpr, clang::CXXBindTemporaryExpr, clang::UnaryOperator>(
-                   parent)) {
-      return false;
-    }
-    at = parent;
-  }
-}
-
-void check_const_cast(Unit& unit, const clang::ExplicitCastExpr* cast) {
-  const clang::Expr* from = cast->getSubExpr();
-  if (!llvm::isa<clang::CXXConstCastExpr>(cast) || !carried_by(from->getType(), unit.rules)) return;
-  if (serves_plain_field(unit, cast)) return;
-  for (const Key& key : sources_of(unit, from).keys)
-    add_obstacle(unit, key, codes::TZC2002, "const is cast away from it", cast->getBeginLoc());
-}
-
-std::string function_name_around(Unit& unit, const clang::Stmt& stmt) {
-  const clang::FunctionDecl* function = function_around(unit, stmt);
-  while (function) {
-    const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
-    if (!method || !method->getParent()->isLambda()) break;
-    const auto* outer = llvm::dyn_cast<clang::FunctionDecl>(method->getParent()->getDeclContext());
-    if (!outer) break;
-    function = outer;
-  }
-  return function ? qualified_name_of(function) : "";
 }
 
 }  // namespace tzc::rewriter

@@ -2,16 +2,9 @@
 #include "facts/collect_unit.h"
 
 #include <clang/AST/ASTContext.h>
-#include <llvm/Support/FileSystem.h>
+#include <clang/AST/RecursiveASTVisitor.h>
 
-#include <algorithm>
-#include <fstream>
-#include <regex>
-#include <sstream>
-
-#include "facts/api_calls.h"
-#include "facts/unit.h"
-#include "report/codes.h"
+#include "facts/collect.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -20,25 +13,52 @@ bool lies_in(const std::string& file, const std::string& dir) {
   return file.rfind(dir + "/", 0) == 0;
 }
 
-void note_files(Unit& unit, const CompileUnit& compiled, const CollectOptions& options) {
+/// The files of the package that the unit includes.
+std::set<std::string> files_of(const Unit& unit, const CollectOptions& options) {
+  std::set<std::string> files;
   const clang::SourceManager& manager = unit.source.manager();
-  // Over the places where files were entered: to ask for each file where it was takes the square of that.
+  // Iterates over the places where files were entered: searching them for each file would take quadratic
+  // time.
   for (unsigned i = 1; i < manager.local_sloc_entry_size(); ++i) {
     const clang::SrcMgr::SLocEntry& entry = manager.getLocalSLocEntry(i);
     if (!entry.isFile()) continue;
     const std::string path =
         unit.source.file_of(clang::SourceLocation::getFromRawEncoding(entry.getOffset()));
-    if (lies_in(path, options.package_dir) && !lies_in(path, options.build_dir))
-      unit.facts.units_of_file[path].insert(compiled.file);
+    if (lies_in(path, options.package_dir) && !lies_in(path, options.build_dir)) files.insert(path);
   }
+  return files;
 }
+
+/// The instances of generic lambdas, which no other declaration leads to.
+class LambdaInstances : public clang::RecursiveASTVisitor<LambdaInstances> {
+ public:
+  explicit LambdaInstances(std::vector<clang::Decl*>& found) : found_(found) {}
+  bool shouldVisitTemplateInstantiations() const { return true; }
+  bool VisitLambdaExpr(clang::LambdaExpr* lambda) {
+    const clang::FunctionTemplateDecl* pattern = lambda->getLambdaClass()->getDependentLambdaCallOperator();
+    if (!pattern || !lambda->isGenericLambda()) return true;
+    for (clang::FunctionDecl* instance : pattern->specializations())
+      if (instance->hasBody() && !llvm::is_contained(found_, instance)) {
+        found_.push_back(instance);
+        TraverseDecl(instance);
+      }
+    return true;
+  }
+
+ private:
+  std::vector<clang::Decl*>& found_;
+};
 
 /// The declarations of the package alone: the parents of system headers are of no interest, and there are
 /// many.
-void limit_to_package(Unit& unit) {
+void limit_to_package(const Unit& unit) {
   std::vector<clang::Decl*> own;
   for (clang::Decl* decl : unit.ast().getTranslationUnitDecl()->decls())
     if (unit.source.in_package(decl->getLocation())) own.push_back(decl);
+  std::vector<clang::Decl*> instances;
+  LambdaInstances visitor(instances);
+  for (clang::Decl* decl : own) visitor.TraverseDecl(decl);
+  own.insert(own.end(), instances.begin(), instances.end());
   unit.ast().setTraversalScope(own);
 }
 
@@ -60,64 +80,15 @@ std::vector<std::string> include_dirs_of(const CompileUnit& unit, const CollectO
   return dirs;
 }
 
-void note_branches(const ParseResult& parsed, const CollectOptions& options, Facts& facts) {
-  for (const SkippedBranch& branch : parsed.skipped)
-    if (lies_in(branch.file, options.package_dir) && !lies_in(branch.file, options.build_dir))
-      facts.skipped.push_back({branch.file, branch.begin, branch.end, branch.line, 1});
-}
-
 }  // namespace
 
-bool has_twin(const Unit& unit, const std::string& message) {
-  return std::any_of(unit.include_dirs.begin(), unit.include_dirs.end(), [&](const std::string& dir) {
-    return llvm::sys::fs::exists(dir + "/" + twin_header(message));
-  });
-}
-
-std::vector<Diagnostic> collect_unit(const CompileUnit& unit, const CollectOptions& options, Facts& facts) {
-  ParseOptions parse_options;
-  parse_options.include_dirs = options.include_dirs;
-  parse_options.skip_bodies_outside = options.package_dir;
-  const ParseResult parsed = parse(unit, parse_options, [&](clang::ASTContext& ast) {
-    if (ast.getDiagnostics().hasErrorOccurred()) return;
-    Unit collected{Source(ast, options.package_dir),
-                   *options.rules,
-                   facts,
-                   options.exported_dirs,
-                   include_dirs_of(unit, options),
-                   {},
-                   {},
-                   {}};
-    note_files(collected, unit, options);
-    limit_to_package(collected);
-    collect(collected);
-    facts.api_calls = api_calls(ast, options.package_dir);
-    facts.calls[unit.id()] = package_calls(ast, options.package_dir);
-  });
-  note_branches(parsed, options, facts);
-  return parsed.errors;
-}
-
-std::set<std::string> exported_dirs(const std::string& package_dir) {
-  std::ifstream file(package_dir + "/CMakeLists.txt");
-  std::ostringstream text;
-  text << file.rdbuf();
-  const std::string content = std::regex_replace(text.str(), std::regex("#[^\n]*"), "");
-  std::set<std::string> dirs;
-  std::smatch call;
-  if (!std::regex_search(content, call, std::regex("catkin_package\\s*\\(([^)]*)\\)"))) return dirs;
-  std::istringstream words(call[1].str());
-  bool listing = false;
-  for (std::string word; words >> word;) {
-    if (word == "INCLUDE_DIRS") {
-      listing = true;
-    } else if (std::regex_match(word, std::regex("[A-Z_]+"))) {
-      listing = false;
-    } else if (listing) {
-      dirs.insert(word[0] == '/' ? word : package_dir + "/" + word);
-    }
-  }
-  return dirs;
+Facts collect_unit(clang::ASTContext& ast, const CompileUnit& unit, const CollectOptions& options) {
+  const Unit parsed{Source(ast, options.package_dir), *options.rules, options.exported_dirs,
+                    include_dirs_of(unit, options), options.trusted};
+  limit_to_package(parsed);
+  Facts facts = collect(parsed);
+  for (const std::string& file : files_of(parsed, options)) facts.units_of_file[file].insert(unit.file);
+  return facts;
 }
 
 }  // namespace tzc::rewriter

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "facts/facts.h"
-#include "facts/parse.h"
+#include "model/facts.h"
+#include "parse/compile_commands.h"
 #include "rules/rule.h"
+
+namespace clang {
+class ASTContext;
+}
 
 namespace tzc::rewriter {
 
@@ -16,14 +21,11 @@ struct CollectOptions {
   std::string build_dir;
   std::set<std::string> exported_dirs;  ///< of headers that other packages may include
   const RuleSet* rules;
-  std::vector<std::string>
-      include_dirs;  ///< TZC's: the package may be ported already, its build folder older
+  std::vector<std::string> include_dirs;  ///< TZC's: the package may already be ported, but not built since
+  std::map<std::string, std::string> trusted;  ///< functions that keep nothing, with the reason
 };
 
-/// Parses one unit and collects its facts. The errors, when it does not parse.
-std::vector<Diagnostic> collect_unit(const CompileUnit& unit, const CollectOptions& options, Facts& facts);
-
-/// The include folders that the package's CMakeLists.txt exports.
-std::set<std::string> exported_dirs(const std::string& package_dir);
+/// The facts of one unit that parses. Limits the AST's traversal scope to the package.
+Facts collect_unit(clang::ASTContext& ast, const CompileUnit& unit, const CollectOptions& options);
 
 }  // namespace tzc::rewriter

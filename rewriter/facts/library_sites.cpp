@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Libraries that publish or subscribe on the package's behalf. Their own code is out of reach, so their sites
-// stay on TCPROS; the report names them.
-#include "facts/unit.h"
-#include "report/codes.h"
+#include "facts/library_sites.h"
+
+#include "facts/ast_walk.h"
+#include "facts/calls.h"
+#include "facts/message_type.h"
+#include "model/codes.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -38,66 +40,63 @@ std::optional<MessageType> message_of_class(const clang::CXXRecordDecl* record) 
 }
 
 /// What all three kinds of sites have.
-template <class Site>
-Site site_at(Unit& unit, const clang::Expr* expr, const MessageType& message, const char* code,
-             const std::string& reason) {
-  Site site;
+void describe(SiteFact& site, const Unit& unit, const clang::Expr* expr, const MessageType& message) {
   site.where = unit.source.where(expr->getExprLoc());
-  site.function = function_name_around(unit, *expr);
+  site.function = enclosing_function_name(unit.ast(), *expr);
   site.type = message.name;
-  site.heavy = message.has_data;
-  site.obstacles.push_back({code, reason, location_of(site.where)});
-  return site;
+  site.has_data_part = message.has_data_part;
 }
 
-std::string id_of(const Place& where, const std::string& type) {
-  return where.file + ":" + std::to_string(where.begin) + "<" + type;
-}
-
-void add_advertise(Unit& unit, const clang::Expr* expr, const clang::CXXRecordDecl* record,
-                   llvm::ArrayRef<const clang::Expr*> arguments) {
+template <class Call>
+std::optional<Advertise> advertise(const Unit& unit, const Call* call, const clang::CXXRecordDecl* record) {
   const auto message = message_of_class(record);
-  if (!message || arguments.size() < 3) return;
-  auto site = site_at<Advertise>(unit, expr, *message, codes::TZC1021,
-                                 "'" + qualified_name_of(record) + "' advertises it");
-  site.topic = constant_string(arguments[1]);
-  unit.facts.advertises.emplace(id_of(site.where, site.type), site);
+  if (!message || call->getNumArgs() < 3) return {};
+  Advertise site;
+  describe(site, unit, call, *message);
+  site.obstacles.push_back(
+      {codes::TZC1021, "'" + qualified_name_of(record) + "' advertises it", location_of(site.where)});
+  site.topic = constant_string(call->getArg(1));
+  return site;
 }
 
 }  // namespace
 
-void collect_library_construction(Unit& unit, const clang::CXXConstructExpr* construct) {
+std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXConstructExpr* construct) {
   const clang::CXXRecordDecl* record = construct->getConstructor()->getParent();
   const PublishingClass* known = publishing_class(record);
-  if (known && known->advertise)
-    add_advertise(unit, construct, record,
-                  llvm::ArrayRef<const clang::Expr*>(construct->getArgs(), construct->getNumArgs()));
+  return known && known->advertise ? advertise(unit, construct, record) : std::nullopt;
 }
 
-void collect_library_member_call(Unit& unit, const clang::CXXMemberCallExpr* call) {
+std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXMemberCallExpr* call) {
   const clang::CXXRecordDecl* record = call->getMethodDecl()->getParent();
   const PublishingClass* known = publishing_class(record);
-  if (!known) return;
-  const std::string name = call->getMethodDecl()->getNameAsString();
-  if (known->advertise && name == known->advertise)
-    add_advertise(unit, call, record,
-                  llvm::ArrayRef<const clang::Expr*>(call->getArgs(), call->getNumArgs()));
-  const auto message = message_of_class(record);
-  if (!message || name != known->publish) return;
-  const auto site = site_at<Publish>(unit, call, *message, codes::TZC1021,
-                                     "'" + qualified_name_of(record) + "' publishes it");
-  unit.facts.publishes.emplace(id_of(site.where, site.type), site);
+  if (!known || !known->advertise || call->getMethodDecl()->getNameAsString() != known->advertise) return {};
+  return advertise(unit, call, record);
 }
 
-void collect_wait_for_message(Unit& unit, const clang::CallExpr* call) {
+std::optional<Publish> library_publish(const Unit& unit, const clang::CXXMemberCallExpr* call) {
+  const clang::CXXRecordDecl* record = call->getMethodDecl()->getParent();
+  const PublishingClass* known = publishing_class(record);
+  const auto message = known ? message_of_class(record) : std::nullopt;
+  if (!message || call->getMethodDecl()->getNameAsString() != known->publish) return {};
+  Publish site;
+  describe(site, unit, call, *message);
+  site.obstacles.push_back(
+      {codes::TZC1021, "'" + qualified_name_of(record) + "' publishes it", location_of(site.where)});
+  return site;
+}
+
+std::optional<Subscribe> library_subscribe(const Unit& unit, const clang::CallExpr* call) {
   const clang::FunctionDecl* function = call->getDirectCallee();
-  if (!function || qualified_name_of(function) != "ros::topic::waitForMessage") return;
+  if (!function || qualified_name_of(function) != "ros::topic::waitForMessage") return {};
   const auto message = first_message(function->getTemplateSpecializationArgs());
-  if (!message) return;
-  auto site = site_at<Subscribe>(unit, call, *message, codes::TZC2008,
-                                 "the call subscribes inside roscpp for one message");
+  if (!message) return {};
+  Subscribe site;
+  describe(site, unit, call, *message);
+  site.obstacles.push_back(
+      {codes::TZC2008, "the call subscribes inside roscpp for one message", location_of(site.where)});
   if (call->getNumArgs() > 0) site.topic = constant_string(call->getArg(0));
-  unit.facts.subscribes.emplace(id_of(site.where, site.type), site);
+  return site;
 }
 
 }  // namespace tzc::rewriter

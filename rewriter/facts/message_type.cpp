@@ -4,23 +4,9 @@
 #include <clang/AST/DeclCXX.h>
 #include <clang/AST/DeclTemplate.h>
 
-#include "facts/unit.h"
+#include "parse/names.h"
 
 namespace tzc::rewriter {
-
-std::string qualified_name_of(const clang::NamedDecl* decl) {
-  std::string name;
-  for (const clang::DeclContext* context = decl->getDeclContext(); context && !context->isTranslationUnit();
-       context = context->getParent()) {
-    const auto* space = llvm::dyn_cast<clang::NamedDecl>(context);
-    const auto* as_namespace = llvm::dyn_cast<clang::NamespaceDecl>(context);
-    if (!space || (as_namespace && (as_namespace->isInline() || as_namespace->isAnonymousNamespace())))
-      continue;
-    name = space->getNameAsString() + "::" + name;
-  }
-  return name + decl->getNameAsString();
-}
-
 namespace {
 
 const clang::CXXRecordDecl* record_of(clang::QualType type) {
@@ -79,11 +65,10 @@ void look_into_pattern(clang::QualType type, bool nested, MessageType& message, 
 void look_into(clang::QualType type, bool nested, MessageType& message) {
   const auto* templated = specialization_of(type);
   if (is_std_template(templated, "vector")) {
-    message.heavy = true;
     const clang::QualType element = first_argument(templated);
     if (!is_fixed_length(element)) return look_into(element, true, message);
-    message.has_data = true;
-    if (!nested) message.direct_data = true;
+    message.has_data_part = true;
+    if (!nested) message.has_direct_data_part = true;
   } else if (templated && templated->getName() == "array") {
     look_into(first_argument(templated), nested, message);
   } else if (has_message_shape(templated)) {
@@ -95,8 +80,8 @@ void look_into(clang::QualType type, bool nested, MessageType& message) {
   }
 }
 
-// A message that is only used by pointer is not instantiated: then its template tells, whose types are
-// dependent.
+// A message that is only used by pointer is not instantiated; its template, whose types are dependent, is
+// examined.
 
 const clang::TemplateSpecializationType* template_type_of(clang::QualType type) {
   return type->getAs<clang::TemplateSpecializationType>();
@@ -126,11 +111,10 @@ void look_into_pattern(clang::QualType type, bool nested, MessageType& message, 
   const clang::ClassTemplateDecl* decl = template_decl_of(written);
   if (!decl || depth > 8) return;
   if (decl->getName() == "vector") {
-    message.heavy = true;
     const clang::QualType element = written->template_arguments()[0].getAsType();
     if (!is_fixed_pattern(element, 0)) return look_into_pattern(element, true, message, depth + 1);
-    message.has_data = true;
-    if (!nested) message.direct_data = true;
+    message.has_data_part = true;
+    if (!nested) message.has_direct_data_part = true;
   } else if (decl->getName() == "array") {
     look_into_pattern(written->template_arguments()[0].getAsType(), nested, message, depth + 1);
   } else if (decl->getName().ends_with("_")) {
@@ -159,14 +143,14 @@ std::optional<Carried> carried_at(clang::QualType type, const RuleSet& rules, un
   if (!record) return {};
   const std::string name = qualified_name_of(record);
   if (const ClassRename* rename = rules.find_class_or_ported(name)) {
-    const Carrier carrier = rename->role == ClassRename::Role::publisher ? Carrier::publisher
-                            : rename->role == ClassRename::Role::filter  ? Carrier::filter
-                                                                         : Carrier::message;
-    return Carried{carrier, {}, rename, name != rename->from};
+    const EntityRole role = rename->role == ClassRename::Role::publisher ? EntityRole::publisher
+                            : rename->role == ClassRename::Role::filter  ? EntityRole::filter
+                                                                         : EntityRole::message;
+    return Carried{role, {}, rename, name != rename->from};
   }
   if (std::optional<MessageType> message = message_of(record)) {
-    if (!message->has_data) return {};
-    return Carried{Carrier::message, message, nullptr, false};
+    if (!message->has_data_part) return {};
+    return Carried{EntityRole::message, message, nullptr, false};
   }
   return carried_by_template(llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record), rules, depth);
 }

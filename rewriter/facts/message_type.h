@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "facts/facts.h"
+#include "model/facts.h"
 #include "rules/rule.h"
 
 namespace tzc::rewriter {
@@ -15,16 +15,15 @@ namespace tzc::rewriter {
 /// A generated ROS message struct.
 struct MessageType {
   const clang::CXXRecordDecl* record = nullptr;
-  std::string name;          ///< "sensor_msgs/Image"
-  bool heavy = false;        ///< has a variable-length array at any depth
-  bool has_data = false;     ///< has a data part: an array of a fixed-length type, at any depth
-  bool direct_data = false;  ///< has a data part outside arrays of messages
-  bool service = false;      ///< request or response of a service
+  std::string name;                   ///< "sensor_msgs/Image"
+  bool has_data_part = false;         ///< has a data part: an array of a fixed-length type, at any depth
+  bool has_direct_data_part = false;  ///< has a data part outside arrays of messages
+  bool service = false;               ///< request or response of a service
 };
 
 /// What a C++ type carries, however deep in pointers and containers.
 struct Carried {
-  Carrier carrier;
+  EntityRole role;
   std::optional<MessageType> message;
   const ClassRename* rename = nullptr;
   bool ported = false;  ///< it is the class that `rename` writes

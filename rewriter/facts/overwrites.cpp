@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `image.data.resize(n)` fills with zeros, and keeps doing so, unless what follows provably writes all n
+// `image.data.resize(n)` fills with zeros. That is left out only where what follows provably writes all n
 // elements:
 //   image.data.resize(n);
 //   memcpy(&image.data[0], pixels, n);      // or of image.data.size() bytes, or std::fill over begin() ...
 //   end()
-#include <clang/AST/ParentMapContext.h>
+#include "facts/overwrites.h"
 
-#include "facts/unit.h"
+#include "facts/ast_walk.h"
+#include "facts/calls.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -15,7 +16,7 @@ const clang::Expr* bare(const clang::Expr* expr) {
   return expr->IgnoreParenCasts();
 }
 
-std::string text_of(Unit& unit, const clang::Expr* expr) {
+std::string text_of(const Unit& unit, const clang::Expr* expr) {
   return unit.source.text(bare(expr)->getSourceRange());
 }
 
@@ -28,19 +29,19 @@ std::string squeezed(const std::string& text) {
 }
 
 /// &x[0], x.data(), &x.front(): where the array begins.
-bool is_begin_of(Unit& unit, const clang::Expr* expr, const std::string& array) {
+bool is_begin_of(const Unit& unit, const clang::Expr* expr, const std::string& array) {
   const std::string text = squeezed(text_of(unit, expr));
   return text == "&" + array + "[0]" || text == array + ".data()" || text == "&" + array + ".front()" ||
          text == "&(" + array + "[0])";
 }
 
-bool is_all_bytes(Unit& unit, const clang::Expr* count, const std::string& array, const std::string& size,
-                  bool bytes) {
+bool is_all_bytes(const Unit& unit, const clang::Expr* count, const std::string& array,
+                  const std::string& size, bool bytes) {
   const std::string text = squeezed(text_of(unit, count));
   return bytes && (text == size || text == array + ".size()");
 }
 
-/// Only names and literals mean the same a few statements later.
+/// Only names and literals have the same value a few statements later.
 bool is_stable(const clang::Expr* size) {
   const clang::Expr* expr = bare(size);
   if (llvm::isa<clang::IntegerLiteral>(expr)) return true;
@@ -49,8 +50,8 @@ bool is_stable(const clang::Expr* size) {
   return variable && variable->getType().isConstQualified();
 }
 
-bool overwrites(Unit& unit, const clang::Stmt* statement, const std::string& array, const std::string& size,
-                bool bytes, bool stable) {
+bool overwrites(const Unit& unit, const clang::Stmt* statement, const std::string& array,
+                const std::string& size, bool bytes, bool stable) {
   if (const auto* full = llvm::dyn_cast<clang::ExprWithCleanups>(statement)) statement = full->getSubExpr();
   const auto* call = llvm::dyn_cast<clang::CallExpr>(statement);
   const clang::FunctionDecl* function = call ? call->getDirectCallee() : nullptr;
@@ -63,8 +64,8 @@ bool overwrites(Unit& unit, const clang::Stmt* statement, const std::string& arr
          squeezed(text_of(unit, call->getArg(1))) == array + ".end()";
 }
 
-/// A simple statement that can neither leave the function nor touch the array.
-bool is_harmless(Unit& unit, const clang::Stmt* statement, const std::string& array) {
+/// A simple statement that does not leave the function and does not touch the array.
+bool is_harmless(const Unit& unit, const clang::Stmt* statement, const std::string& array) {
   if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(statement))
     return op->isAssignmentOp() &&
            squeezed(unit.source.text(op->getSourceRange())).find(array) == std::string::npos;
@@ -73,11 +74,10 @@ bool is_harmless(Unit& unit, const clang::Stmt* statement, const std::string& ar
 
 }  // namespace
 
-void collect_overwrite(Unit& unit, const clang::CXXMemberCallExpr* resize, const std::vector<Key>& keys) {
-  const auto parents = unit.ast().getParents(*resize);
-  const auto* block = parents.empty() ? nullptr : parents[0].get<clang::CompoundStmt>();
+std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMemberCallExpr* resize) {
+  const auto* block = parent_as<clang::CompoundStmt>(unit.ast(), *resize);
   const auto behind = unit.source.place(resize->getArg(0)->getSourceRange());
-  if (!block || !behind || written_arguments(resize) != 1) return;
+  if (!block || !behind || written_arguments(resize) != 1) return {};
   const clang::Expr* object = resize->getImplicitObjectArgument();
   const std::string array = squeezed(unit.source.text(object->getSourceRange()));
   const std::string size = squeezed(text_of(unit, resize->getArg(0)));
@@ -88,13 +88,12 @@ void collect_overwrite(Unit& unit, const clang::CXXMemberCallExpr* resize, const
   for (const clang::Stmt* statement : block->body()) {
     if (behind_it && overwrites(unit, statement, array, size, bytes, is_stable(resize->getArg(0)))) {
       const Place at{behind->file, behind->end, behind->end, behind->line, behind->column};
-      for (const Key& key : keys)
-        unit.facts.uses.push_back({key, {at, ", tzc::uninitialized", "uninitialized", {}}});
-      return;
+      return Change{at, ", tzc::uninitialized", "uninitialized", {}};
     }
-    if (behind_it && !is_harmless(unit, statement, array)) return;
+    if (behind_it && !is_harmless(unit, statement, array)) return {};
     if (statement == resize) behind_it = true;
   }
+  return {};
 }
 
 }  // namespace tzc::rewriter

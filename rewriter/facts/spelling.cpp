@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How a type is written, and how it is written once ported.
-#include <clang/AST/TypeLoc.h>
+#include "facts/spelling.h"
 
-#include "facts/unit.h"
-#include "report/codes.h"
+#include "facts/message_type.h"
+#include "model/codes.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -23,7 +23,7 @@ std::string pointer_name(const std::string& twin, clang::QualType type) {
 }
 
 /// The ported name of a type that is written as one name; empty when there is none.
-std::optional<Spelling> ported_name(Unit& unit, clang::QualType type) {
+std::optional<Spelling> ported_name(const Unit& unit, clang::QualType type) {
   const clang::CXXRecordDecl* record = type.getCanonicalType()->getAsCXXRecordDecl();
   if (record)
     if (const ClassRename* rename = unit.rules.find_class(qualified_name_of(record)))
@@ -37,7 +37,8 @@ std::optional<Spelling> ported_name(Unit& unit, clang::QualType type) {
   return Spelling{pointer_name(twin_name(message->name), type), twin_header(message->name), "message-type"};
 }
 
-void add_change(Entity& entity, Place where, const Spelling& spelling, const std::string& old_text) {
+/// The edit that writes `spelling` over `old_text`: where only the namespace differs, an insertion.
+Change change_of(Place where, const Spelling& spelling, const std::string& old_text) {
   Change change{std::move(where), spelling.text, spelling.rule, {spelling.header}};
   const std::string prefix = "tzc::";
   const std::string package = spelling.text.rfind(prefix, 0) == 0
@@ -53,67 +54,92 @@ void add_change(Entity& entity, Place where, const Spelling& spelling, const std
     change.where.end = change.where.begin;
     change.text = "::tzc";
   }
-  for (const Change& known : entity.changes)
-    if (known.where.file == change.where.file && known.where.begin == change.where.begin) return;
-  entity.changes.push_back(std::move(change));
+  return change;
 }
 
-void obstruct(Unit& unit, Entity& entity, const char* code, const std::string& reason,
-              clang::SourceLocation where) {
-  for (const Obstacle& known : entity.obstacles)
-    if (known.code == code) return;
-  entity.obstacles.push_back({code, reason, location_of(unit.source.where(where))});
+/// A typedef of a filter class hides the message, which the ported class has to be given.
+std::string hidden_arguments(clang::QualType type) {
+  const auto* made = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
+      type.getCanonicalType()->getAsCXXRecordDecl());
+  if (!made || message_of(made) || !pointee_of(type).isNull() || made->getTemplateArgs().size() == 0)
+    return "";
+  const clang::TemplateArgument& first = made->getTemplateArgs()[0];
+  if (first.getKind() != clang::TemplateArgument::Type) return "";
+  const auto message = message_of(first.getAsType());
+  return message ? "<" + stock_name(message->name) + ">" : "";
 }
 
-void change_name(Unit& unit, clang::SourceRange tokens, const Spelling& spelling, Entity& entity) {
-  if (const std::optional<Place> where = unit.source.place(tokens))
-    return add_change(entity, *where, spelling, unit.source.text(*where));
-  obstruct(unit, entity, codes::TZC1006, "its type is written by a macro", tokens.getBegin());
+class Speller {
+ public:
+  explicit Speller(const Unit& unit) : unit_(unit) {}
+
+  void respell(clang::TypeLoc type);
+  Respelling result() && { return std::move(result_); }
+
+ private:
+  void change_name(clang::SourceRange tokens, const Spelling& spelling);
+  void respell_template(clang::TemplateSpecializationTypeLoc type, clang::SourceLocation begin);
+  void respell_name(clang::TypeLoc type, clang::SourceRange tokens);
+  void obstruct(const char* code, const std::string& reason, clang::SourceLocation where) {
+    result_.obstacles.push_back({code, reason, unit_.location(where)});
+  }
+
+  const Unit& unit_;
+  Respelling result_;
+};
+
+void Speller::change_name(clang::SourceRange tokens, const Spelling& spelling) {
+  if (const std::optional<Place> where = unit_.source.place(tokens))
+    result_.changes.push_back(change_of(*where, spelling, unit_.source.text(*where)));
+  else
+    obstruct(codes::TZC1006, "its type is written by a macro", tokens.getBegin());
 }
 
-void retype_template(Unit& unit, clang::TemplateSpecializationTypeLoc type, clang::SourceLocation begin,
-                     Entity& entity) {
+void Speller::respell_template(clang::TemplateSpecializationTypeLoc type, clang::SourceLocation begin) {
   const clang::CXXRecordDecl* record = type.getType().getCanonicalType()->getAsCXXRecordDecl();
   if (record)
-    if (const ClassRename* rename = unit.rules.find_class(qualified_name_of(record)))
-      return change_name(unit, {begin, type.getTemplateNameLoc()}, {rename->to, rename->header, rename->rule},
-                         entity);
+    if (const ClassRename* rename = unit_.rules.find_class(qualified_name_of(record)))
+      return change_name({begin, type.getTemplateNameLoc()}, {rename->to, rename->header, rename->rule});
   for (unsigned i = 0; i < type.getNumArgs(); ++i)
     if (clang::TypeSourceInfo* argument = type.getArgLoc(i).getTypeSourceInfo())
-      retype(unit, argument->getTypeLoc(), entity);
+      respell(argument->getTypeLoc());
 }
 
-void retype_name(Unit& unit, clang::TypeLoc type, clang::SourceRange tokens, Entity& entity) {
+void Speller::respell_name(clang::TypeLoc type, clang::SourceRange tokens) {
   if (type.getAs<clang::SubstTemplateTypeParmTypeLoc>() || type.getAs<clang::TemplateTypeParmTypeLoc>())
     return;
-  if (const auto spelling = ported_name(unit, type.getType()); spelling && !spelling->text.empty())
-    return change_name(unit, tokens, *spelling, entity);
-  if (carried_by(type.getType(), unit.rules))
-    obstruct(unit, entity, codes::TZC1005,
-             "its type hides behind the name '" + unit.source.text(tokens) + "'", tokens.getBegin());
+  if (auto spelling = ported_name(unit_, type.getType()); spelling && !spelling->text.empty()) {
+    spelling->text += hidden_arguments(type.getType());
+    return change_name(tokens, *spelling);
+  }
+  if (carried_by(type.getType(), unit_.rules))
+    obstruct(codes::TZC1005, "its type hides behind the name '" + unit_.source.text(tokens) + "'",
+             tokens.getBegin());
 }
 
-}  // namespace
-
-void retype(Unit& unit, clang::TypeLoc type, Entity& entity) {
+void Speller::respell(clang::TypeLoc type) {
   const clang::SourceRange tokens = type.getSourceRange();
-  if (type.isNull() || tokens.isInvalid() || entity.ported) return;
+  if (type.isNull() || tokens.isInvalid()) return;
   if (const auto qualified = type.getAs<clang::QualifiedTypeLoc>())
-    return retype(unit, qualified.getUnqualifiedLoc(), entity);
-  if (const auto pointer = type.getAs<clang::PointerTypeLoc>())
-    return retype(unit, pointer.getPointeeLoc(), entity);
-  if (const auto reference = type.getAs<clang::ReferenceTypeLoc>())
-    return retype(unit, reference.getPointeeLoc(), entity);
-  if (const auto array = type.getAs<clang::ArrayTypeLoc>())
-    return retype(unit, array.getElementLoc(), entity);
-  if (const auto parens = type.getAs<clang::ParenTypeLoc>())
-    return retype(unit, parens.getInnerLoc(), entity);
+    return respell(qualified.getUnqualifiedLoc());
+  if (const auto pointer = type.getAs<clang::PointerTypeLoc>()) return respell(pointer.getPointeeLoc());
+  if (const auto reference = type.getAs<clang::ReferenceTypeLoc>()) return respell(reference.getPointeeLoc());
+  if (const auto array = type.getAs<clang::ArrayTypeLoc>()) return respell(array.getElementLoc());
+  if (const auto parens = type.getAs<clang::ParenTypeLoc>()) return respell(parens.getInnerLoc());
   if (type.getAs<clang::AutoTypeLoc>() || type.getAs<clang::DecltypeTypeLoc>()) return;
   const auto elaborated = type.getAs<clang::ElaboratedTypeLoc>();
   const clang::TypeLoc named = elaborated ? elaborated.getNamedTypeLoc() : type;
   if (const auto templated = named.getAs<clang::TemplateSpecializationTypeLoc>())
-    return retype_template(unit, templated, tokens.getBegin(), entity);
-  retype_name(unit, named, tokens, entity);
+    return respell_template(templated, tokens.getBegin());
+  respell_name(named, tokens);
+}
+
+}  // namespace
+
+Respelling respell(const Unit& unit, clang::TypeLoc written) {
+  Speller speller(unit);
+  speller.respell(written);
+  return std::move(speller).result();
 }
 
 }  // namespace tzc::rewriter

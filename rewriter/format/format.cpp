@@ -13,7 +13,7 @@
 namespace tzc::rewriter {
 namespace {
 
-/// The byte ranges of `after` that hold lines which `before` has not.
+/// The byte ranges of the lines of `after` that `before` does not have.
 std::vector<clang::tooling::Range> changed_ranges(const std::string& before, const std::string& after) {
   std::vector<clang::tooling::Range> ranges;
   std::size_t offset = 0;
@@ -40,7 +40,7 @@ std::string format_changes(const std::string& path, const std::string& before, c
       clang::format::getStyle("file", path, "none", after, nullptr, true);
   if (!style) return llvm::consumeError(style.takeError()), after;
   if (style->DisableFormat) return after;
-  style->MaxEmptyLinesToKeep = 1000;  // those in front of a changed line are not ours
+  style->MaxEmptyLinesToKeep = 1000;  // keeps the empty lines before a changed line
   style->SortIncludes = clang::format::FormatStyle::SI_Never;
   const auto replacements = clang::format::reformat(*style, after, changed_ranges(before, after), path);
   llvm::Expected<std::string> formatted = clang::tooling::applyAllReplacements(after, replacements);

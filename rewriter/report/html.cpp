@@ -3,169 +3,122 @@
 
 #include <algorithm>
 
-#include "report/codes.h"
+#include "report/estimate.h"
 #include "report/html_diff.h"
+#include "report/html_estimate.h"
+#include "report/html_package.h"
+#include "report/html_script.h"
 #include "report/html_style.h"
 #include "report/output.h"
+#include "report/utf8.h"
 
 namespace tzc::rewriter {
 namespace {
 
-const char* class_of(Level level) {
-  switch (level) {
-    case Level::zero_copy:
-    case Level::shared:
-      return "good";
-    case Level::one_copy:
-    case Level::copied:
-      return "fair";
-    case Level::plain:
-      return "bad";
-    case Level::not_needed:
-      return "none";
+/// The numbers of one package, or of all.
+struct Totals {
+  unsigned publish = 0, published_in_memory = 0, subscribe = 0, read_in_memory = 0, left = 0;
+  EstimateSum copies;
+  DiffStat stat;
+
+  void add(const Totals& other) {
+    publish += other.publish;
+    published_in_memory += other.published_in_memory;
+    subscribe += other.subscribe;
+    read_in_memory += other.read_in_memory;
+    left += other.left;
+    copies.before += other.copies.before;
+    copies.after += other.copies.after;
+    stat += other.stat;
   }
-  return "";
-}
-
-std::string plural(unsigned n, const std::string& thing) {
-  return fmt::format("{} {}{}", n, thing, n == 1 ? "" : "s");
-}
-
-class PackagePage {
- public:
-  explicit PackagePage(const PackageReport& package) : package_(package), report_(package.report) {}
-
-  std::string run() {
-    html_ = fmt::format("<h1>{}</h1>\n<p class=\"lead\">{}</p>\n", html_escaped(report_.package), lead());
-    html_ += "<div class=\"cards\">\n" + card(SiteKind::publish) + card(SiteKind::subscribe) +
-             changes_card() + "</div>\n";
-    sites();
-    notes();
-    diffs();
-    return html_;
-  }
-
- private:
-  std::string lead() const {
-    const auto left =
-        static_cast<unsigned>(std::count_if(report_.sites.begin(), report_.sites.end(), is_refusal));
-    return left == 0 ? "Every data-heavy site of the package is ported."
-                     : plural(left, "site") + (left == 1 ? " stays" : " stay") +
-                           " on TCPROS; the reasons are below.";
-  }
-
-  std::string card(SiteKind kind) const {
-    unsigned total = 0;
-    std::string bar, legend;
-    for (const Level level : levels_of(kind)) {
-      const unsigned n = count(report_, kind, level);
-      if (n == 0) continue;
-      total += n;
-      bar += fmt::format("<i class=\"{}\" style=\"flex:{}\"></i>", class_of(level), n);
-      legend += fmt::format("{}<span class=\"{}\">{} {}</span>", legend.empty() ? "" : " &middot; ",
-                            class_of(level), n, name_of(level));
-    }
-    return fmt::format("<div class=\"card\"><b>{}</b>{} sites<div class=\"bar\">{}</div><p>{}</p></div>\n",
-                       total, name_of(kind), bar, legend.empty() ? "none in this package" : legend);
-  }
-
-  std::string changes_card() const {
-    const DiffStat stat = package_.stat();
-    return fmt::format(
-        "<div class=\"card\"><b>{}</b>changed file{}<p><span class=\"good\">+{} lines</span> &middot; "
-        "<span class=\"bad\">&minus;{} lines</span></p></div>\n",
-        stat.files, stat.files == 1 ? "" : "s", stat.added, stat.removed);
-  }
-
-  std::string anchor(const std::string& path) const { return html_escaped(report_.package + "/" + path); }
-
-  std::string place(const Location& where) const {
-    const std::string file = relative_file(report_, where.file);
-    const std::string text =
-        fmt::format("<code>{}:{}:{}</code>", html_escaped(file), where.line, where.column);
-    const bool changed = std::any_of(package_.changes.begin(), package_.changes.end(),
-                                     [&](const FileChange& change) { return change.path == file; });
-    return changed ? fmt::format("<a href=\"#{}\">{}</a>", anchor(file), text) : text;
-  }
-
-  void sites() {
-    html_ += "<h2>Sites</h2>\n";
-    if (report_.sites.empty()) {
-      html_ += "<p>No advertise, publish or subscribe site.</p>\n";
-      return;
-    }
-    html_ +=
-        "<table "
-        "class=\"sites\"><thead><tr><th>where</th><th>kind</th><th>message</th><th>topic</th><th>level</th>"
-        "</tr></thead>\n<tbody>\n";
-    for (const Site& site : report_.sites) site_row(site);
-    html_ += "</tbody></table>\n";
-  }
-
-  void site_row(const Site& site) {
-    const std::string topic = site.topic ? "<code>" + html_escaped(*site.topic) + "</code>"
-                                         : "<span class=\"none\">not a constant</span>";
-    const std::string why = reasons(site);
-    html_ += fmt::format(
-        "<tr{}><td>{}</td><td>{}</td><td><code>{}</code></td><td>{}</td><td class=\"level "
-        "{}\">{}</td></tr>\n",
-        why.empty() ? "" : " class=\"has-why\"", place(site.where), name_of(site.kind),
-        html_escaped(site.message_type), topic, class_of(site.level), name_of(site.level));
-    if (!why.empty()) html_ += "<tr class=\"why\"><td></td><td colspan=\"4\">" + why + "</td></tr>\n";
-  }
-
-  std::string reasons(const Site& site) const {
-    std::string html;
-    if (!site.code.empty()) {
-      const CodeInfo* info = find_code(site.code);
-      const std::string title = info ? std::string(info->title) : "";
-      html += fmt::format("<b>{}</b> {}", site.code, html_prose(site.reason.empty() ? title : site.reason));
-      if (site.suppressed)
-        html +=
-            fmt::format(" <span class=\"none\">(suppressed: {})</span>", html_prose(site.suppression_reason));
-    }
-    const std::vector<FlowStep> chain = shown_chain(site);
-    if (!chain.empty()) html += "<ol>";
-    for (const FlowStep& step : chain)
-      html += fmt::format("<li>{} {}</li>", place(step.where), html_prose(step.what));
-    if (!chain.empty()) html += "</ol>";
-    if (!site.memory_note.empty())
-      html += fmt::format("<div class=\"memory\">Memory: {}</div>", html_prose(site.memory_note));
-    return html;
-  }
-
-  void notes() {
-    if (report_.notes.empty()) return;
-    html_ += "<h2>Notes</h2>\n<ul>\n";
-    for (const Note& note : report_.notes)
-      html_ += fmt::format("<li><b>{}</b> {} {}</li>\n", note.code, note.where ? place(*note.where) : "",
-                           html_prose(note.text));
-    html_ += "</ul>\n";
-  }
-
-  void diffs() {
-    if (package_.changes.empty()) return;
-    html_ += "<h2>Changes</h2>\n";
-    for (const FileChange& change : package_.changes) html_ += html_diff(change, anchor(change.path));
-  }
-
-  const PackageReport& package_;
-  const Report& report_;
-  std::string html_;
 };
+
+Totals totals_of(const PackageReport& package) {
+  Totals totals;
+  for (const Site& site : package.report.sites) {
+    if (site.kind == SiteKind::advertise || site.level == Level::not_needed) continue;
+    const bool ported = site.level != Level::plain;
+    const bool publishes = site.kind == SiteKind::publish;
+    ++(publishes ? totals.publish : totals.subscribe);
+    (publishes ? totals.published_in_memory : totals.read_in_memory) += ported;
+  }
+  totals.left = static_cast<unsigned>(
+      std::count_if(package.report.sites.begin(), package.report.sites.end(), is_refusal));
+  totals.copies = sum_of(estimates(package));
+  totals.stat = package.stat();
+  return totals;
+}
+
+std::string meta(const std::string& name, const std::string& value) {
+  return value.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", name, value);
+}
+
+std::string commits(const RunReport& run) {
+  std::string text;
+  for (const PackageReport& package : run) {
+    const std::string one = "<code>" + html_escaped(package.commit) + "</code>";
+    if (!package.commit.empty() && text.find(one) == std::string::npos)
+      text += (text.empty() ? "" : ", ") + one;
+  }
+  return text;
+}
+
+std::string header(const RunReport& run, const RunInfo& info) {
+  const std::string title =
+      run.size() == 1 ? html_escaped(run[0].report.package) : std::to_string(run.size()) + " packages";
+  return fmt::format(
+      "<header>\n<h1>TZC port of {}</h1>\n<dl class=\"meta\">{}{}{}{}</dl>\n</header>\n", title,
+      meta("made", html_escaped(info.date)),
+      meta("by", info.version.empty() ? "" : "tzc-rewrite " + html_escaped(info.version)),
+      meta("commit", commits(run)),
+      meta("command", info.command.empty() ? "" : "<code>" + html_escaped(info.command) + "</code>"));
+}
+
+std::string cells(const Totals& totals) {
+  return fmt::format(
+      "<td class=\"num\">{} of {}</td><td class=\"num\">{} of {}</td><td class=\"num {}\">{}</td><td "
+      "class=\"num\">{} &rarr; {}</td><td class=\"num\">{}</td><td class=\"num\"><span "
+      "class=\"good\">+{}</span> "
+      "<span class=\"bad\">&minus;{}</span></td>",
+      totals.published_in_memory, totals.publish, totals.read_in_memory, totals.subscribe,
+      totals.left == 0 ? "good" : "bad", totals.left, totals.copies.before, totals.copies.after,
+      totals.stat.files, totals.stat.added, totals.stat.removed);
+}
+
+/// The packages with links to their sections, and their sum.
+std::string contents(const RunReport& run) {
+  if (run.size() < 2) return "";
+  std::string html =
+      "<nav>\n<h2>Packages</h2>\n<table class=\"sites contents\"><thead><tr><th>package</th><th "
+      "class=\"num\">published in "
+      "shared memory</th><th class=\"num\">read there</th><th class=\"num\">sites left</th><th "
+      "class=\"num\">copies per "
+      "message, now and after</th><th class=\"num\">changed files</th><th "
+      "class=\"num\">lines</th></tr></thead>\n<tbody>\n";
+  Totals all;
+  for (const PackageReport& package : run) {
+    const Totals totals = totals_of(package);
+    all.add(totals);
+    html += fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td>{1}</tr>\n",
+                        html_escaped(package.report.package), cells(totals));
+  }
+  return html + "</tbody>\n<tfoot><tr><td>together</td>" + cells(all) + "</tr></tfoot></table>\n</nav>\n";
+}
 
 }  // namespace
 
-std::string to_html(const RunReport& run) {
+std::string to_html(const RunReport& run, const RunInfo& info) {
   std::string title, body;
   for (const PackageReport& package : run) {
     title += (title.empty() ? "" : ", ") + package.report.package;
-    body += PackagePage(package).run();
+    body += html_package(package);
   }
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>TZC port of " +
-         html_escaped(title) + "</title>\n<style>" + html_style + "</style>\n</head>\n<body>\n" + body +
-         "</body>\n</html>\n";
+  return valid_utf8(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>TZC port of " +
+      html_escaped(title) + "</title>\n<style>" + html_style + "</style>\n</head>\n<body>\n" +
+      header(run, info) + contents(run) + html_filters + body + "<script type=\"text/javascript\">" +
+      html_script + "</script>\n</body>\n</html>\n");
 }
 
 }  // namespace tzc::rewriter

@@ -103,7 +103,7 @@ std::string html_prose(const std::string& text) {
 std::string html_diff(const FileChange& change, const std::string& anchor) {
   const DiffStat stat = unified_diff(change.path, change.before, change.after, false).stat;
   return fmt::format(
-      "<details class=\"file\" open id=\"{}\"><summary><h3>{}</h3><span class=\"good\">+{}</span>"
+      "<details class=\"file\" open id=\"{}\"><summary><h4>{}</h4><span class=\"good\">+{}</span>"
       "<span class=\"bad\">&minus;{}</span></summary>\n<table class=\"diff\"><colgroup><col "
       "style=\"width:3.6rem\"><col>"
       "<col style=\"width:3.6rem\"><col></colgroup>\n{}</table></details>\n",

@@ -24,7 +24,7 @@ json site_json(const Report& report, const Site& site) {
   object["memory"] = site.memory_note;
   object["suppressed"] = site.suppressed;
   object["chain"] = json::array();
-  for (const FlowStep& step : site.chain) {
+  for (const FlowStep& step : site.flow_path) {
     json entry = place(report, step.where);
     entry["what"] = step.what;
     object["chain"].push_back(entry);

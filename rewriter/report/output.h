@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "edits/diff.h"
-#include "report/model.h"
+#include "model/report.h"
 
 namespace tzc::rewriter {
 
@@ -15,9 +17,22 @@ struct FileChange {
   std::string before, after;
 };
 
+/// A place that the port would change: why a check fails where nothing stands in the way.
+struct PendingPlace {
+  std::string code;
+  Location where;
+  std::string text;
+  std::string site_id;  ///< empty: it belongs to no site, as an edit of a build file alone
+};
+
 struct PackageReport {
   Report report;
   std::vector<FileChange> changes;
+  std::vector<PendingPlace> pending;
+  std::string source_root;  ///< what code scanning takes paths from: the repository's top; empty: the package
+  std::string commit;       ///< of the package's repository; empty: there is none
+  std::map<std::string, std::uint64_t>
+      message_sizes;  ///< topic -> bytes of the largest message of a recording
   DiffStat stat() const;
 };
 using RunReport = std::vector<PackageReport>;
@@ -34,17 +49,24 @@ std::string to_text(const PackageReport& package, const TextStyle& style);
 /// [those]}.
 std::string to_json(const RunReport& run);
 
-/// SARIF 2.1.0, one result for each remark and note.
+/// SARIF 2.1.0, one result for each remark, note and pending place. Those that the port would change carry it as
+/// their fix.
 std::string to_sarif(const RunReport& run, const std::string& tool_version);
 
-/// One page that needs nothing else: summary, sites with their flow, side-by-side diff.
-std::string to_html(const RunReport& run);
+/// Where a report comes from, as its reader is told; each may be empty.
+struct RunInfo {
+  std::string version, date, command;
+};
 
-/// A site that stays on TCPROS, though neither a comment nor an option of the run wants it so: work is left.
+/// One page that needs nothing else: totals, what the port buys, sites with their flow and filters, side-by-side diff.
+/// Valid UTF-8, whatever the sources are.
+std::string to_html(const RunReport& run, const RunInfo& info);
+
+/// Work is left: the site stays on TCPROS, and no comment and no option of the run asks for that.
 bool is_refusal(const Site& site);
 
 /// The chain without a single step that only repeats the reason.
-std::vector<FlowStep> shown_chain(const Site& site);
+std::vector<FlowStep> shown_flow_path(const Site& site);
 
 /// The site's file relative to the package.
 std::string relative_file(const Report& report, const std::string& file);

@@ -2,46 +2,21 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "report/codes.h"
+#include "edits/files.h"
+#include "report/code_pages.h"
 #include "report/output.h"
+#include "report/sarif_fix.h"
+#include "report/sarif_places.h"
 
 namespace tzc::rewriter {
 namespace {
 
 using json = nlohmann::ordered_json;
 
-/// Percent-encoded as RFC 3986 wants paths.
-std::string as_uri(const std::string& path) {
-  static const std::string plain = "-._~/";
-  std::string uri;
-  for (const char c : path) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool keep = (byte < 128 && std::isalnum(byte)) || plain.find(c) != std::string::npos;
-    uri += keep ? std::string(1, c)
-                : std::string("%") + "0123456789ABCDEF"[byte >> 4] + "0123456789ABCDEF"[byte & 15];
-  }
-  return uri;
-}
-
-/// Each package has a base of its own: PACKAGE_camera_pair.
-std::string base_id(const Report& report) {
-  return "PACKAGE_" + report.package;
-}
-
-json location(const Report& report, const Location& where) {
-  const std::string file = relative_file(report, where.file);
-  json artifact = {{"uri", file == where.file ? "file://" + as_uri(file) : as_uri(file)}};
-  if (file != where.file) artifact["uriBaseId"] = base_id(report);
-  json physical = {{"artifactLocation", artifact}};
-  if (where.line > 0)
-    physical["region"] = {{"startLine", where.line}, {"startColumn", std::max(1u, where.column)}};
-  return {{"physicalLocation", physical}};
-}
-
-json flow(const Report& report, const Site& site) {
+json flow(const PackageReport& package, const Site& site, const SarifPlaces& places) {
   json locations = json::array();
-  for (const FlowStep& step : site.chain) {
-    json at = location(report, step.where);
+  for (const FlowStep& step : site.flow_path) {
+    json at = places.location(package, step.where);
     at["message"] = {{"text", step.what}};
     locations.push_back({{"location", at}});
   }
@@ -63,12 +38,12 @@ json result(const std::string& code, const char* level, const std::string& text)
   return object;
 }
 
-json site_result(const Report& report, const Site& site) {
+json site_result(const PackageReport& package, const Site& site, const SarifPlaces& places) {
   const std::string text = std::string(name_of(site.kind)) + " of " + site.message_type + " is " +
                            name_of(site.level) + (site.reason.empty() ? "" : ": " + site.reason);
   json object = result(site.code, site.level == Level::plain ? "warning" : "note", text);
-  object["locations"] = json::array({location(report, site.where)});
-  if (!site.chain.empty()) object["codeFlows"] = flow(report, site);
+  object["locations"] = json::array({places.location(package, site.where)});
+  if (!site.flow_path.empty()) object["codeFlows"] = flow(package, site, places);
   if (site.suppressed)
     object["suppressions"] =
         json::array({{{"kind", "inSource"}, {"justification", site.suppression_reason}}});
@@ -78,10 +53,27 @@ json site_result(const Report& report, const Site& site) {
   return object;
 }
 
-json note_result(const Report& report, const Note& note) {
+json note_result(const PackageReport& package, const Note& note, const SarifPlaces& places) {
   json object = result(note.code, "note", note.text);
-  if (note.where) object["locations"] = json::array({location(report, *note.where)});
+  if (note.where) object["locations"] = json::array({places.location(package, *note.where)});
   return object;
+}
+
+json pending_results(const PackageReport& package, const SarifPlaces& places) {
+  json all = json::array();
+  if (package.pending.empty()) return all;
+  const json fixes = sarif_fixes(package, places);
+  const bool each =
+      fixes.dump(-1, ' ', false, json::error_handler_t::replace).size() * package.pending.size() <=
+      largest_fixes;
+  for (const PendingPlace& place : package.pending) {
+    json object = result(place.code, "warning", place.text);
+    object["locations"] = json::array({places.location(package, place.where)});
+    if (!place.site_id.empty()) object["partialFingerprints"] = {{"tzcSite/v1", place.site_id}};
+    if (each || all.empty()) object["fixes"] = fixes;
+    all.push_back(object);
+  }
+  return all;
 }
 
 json rules() {
@@ -95,29 +87,38 @@ json rules() {
   return all;
 }
 
-json results(const RunReport& run) {
+json results(const RunReport& run, const SarifPlaces& places) {
   json all = json::array();
   for (const PackageReport& package : run) {
     for (const Site& site : package.report.sites)
-      if (!site.code.empty()) all.push_back(site_result(package.report, site));
-    for (const Note& note : package.report.notes) all.push_back(note_result(package.report, note));
+      if (!site.code.empty()) all.push_back(site_result(package, site, places));
+    for (const Note& note : package.report.notes) all.push_back(note_result(package, note, places));
+    for (const json& pending : pending_results(package, places)) all.push_back(pending);
   }
   return all;
+}
+
+/// Tells runs over different packages apart, so that code scanning closes no alert of another one.
+std::string automation_id(const RunReport& run) {
+  constexpr std::size_t longest = 120;
+  std::string names;
+  for (const PackageReport& package : run) names += (names.empty() ? "" : "+") + package.report.package;
+  if (names.size() > longest) names = names.substr(0, longest) + "-" + std::to_string(content_hash(names));
+  return "tzc-rewrite/" + names + "/";
 }
 
 }  // namespace
 
 std::string to_sarif(const RunReport& run, const std::string& tool_version) {
-  json bases = json::object();
-  for (const PackageReport& package : run)
-    bases[base_id(package.report)] = {{"uri", "file://" + as_uri(package.report.package_dir) + "/"}};
+  const SarifPlaces places(run);
   const json driver = {{"name", "tzc-rewrite"}, {"semanticVersion", tool_version}, {"rules", rules()}};
   const json document = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                          {"version", "2.1.0"},
                          {"runs", json::array({{{"tool", {{"driver", driver}}},
                                                 {"columnKind", "utf16CodeUnits"},
-                                                {"originalUriBaseIds", bases},
-                                                {"results", results(run)}}})}};
+                                                {"automationDetails", {{"id", automation_id(run)}}},
+                                                {"originalUriBaseIds", places.bases()},
+                                                {"results", results(run, places)}}})}};
   return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

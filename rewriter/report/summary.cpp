@@ -3,7 +3,7 @@
 #include <set>
 
 #include "edits/files.h"
-#include "report/codes.h"
+#include "model/codes.h"
 #include "report/output.h"
 
 namespace tzc::rewriter {
@@ -20,9 +20,9 @@ bool is_refusal(const Site& site) {
   return site.level == Level::plain && !site.suppressed && !asked_for.count(site.code);
 }
 
-std::vector<FlowStep> shown_chain(const Site& site) {
-  const bool repeats = site.chain.size() == 1 && site.chain[0].what == site.reason;
-  return repeats ? std::vector<FlowStep>() : site.chain;
+std::vector<FlowStep> shown_flow_path(const Site& site) {
+  const bool repeats = site.flow_path.size() == 1 && site.flow_path[0].what == site.reason;
+  return repeats ? std::vector<FlowStep>() : site.flow_path;
 }
 
 std::string relative_file(const Report& report, const std::string& file) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "report/codes.h"
+#include "report/code_pages.h"
 #include "report/output.h"
 
 namespace tzc::rewriter {
@@ -89,6 +89,7 @@ class TextReport {
   }
 
   void remark(const Site& site) {
+    if (site.code.empty() && !site.reason.empty()) text_ += "      " + site.reason + "\n";
     if (site.code.empty()) return;
     const CodeInfo* info = find_code(site.code);
     text_ +=
@@ -96,7 +97,7 @@ class TextReport {
                     !site.reason.empty() ? site.reason : std::string(info ? info->title : ""),
                     site.suppressed ? painted(dim, " (suppressed: " + site.suppression_reason + ")") : "");
     if (!style_.chains) return;
-    for (const FlowStep& step : shown_chain(site))
+    for (const FlowStep& step : shown_flow_path(site))
       text_ += painted(dim, fmt::format("        {}: {}", place(step.where), step.what)) + "\n";
   }
 

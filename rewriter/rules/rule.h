@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A rule is data: what it matches (a qualified name and an argument), and what stands there afterwards. The
-// facts attach the resulting edits to the entity that the rule is about; the edits are made when that entity
-// is ported.
+// A rule is data: what it matches (a qualified name and an argument), and what it writes. The facts attach
+// the resulting edits to the entity that the rule is about; the edits are made when that entity is ported.
 
 #include <set>
 #include <string>
@@ -21,7 +20,7 @@ struct ClassRename {
   const char* header;  ///< of `to`
 };
 
-/// A library function that takes the message: the call goes to its twin in the adapters.
+/// A library function that takes the message: the call is replaced by one of the adapter's function.
 struct LibraryCall {
   const char* rule;
   const char* function;  ///< qualified name
@@ -49,8 +48,8 @@ struct MethodCall {
   int arguments = -1;  ///< how many the call has; -1: any number
 };
 
-/// A function of a library that advertises for the package, `advertise...`, and returns the publisher: what
-/// it returns is given to a function that attaches shared memory to the topic.
+/// A function of a library that advertises for the package, `advertise...`, and returns the publisher: the
+/// result is passed to a function that attaches shared memory to the topic.
 struct LibraryAdvertise {
   const char* rule;
   const char* result;  ///< qualified name of the publisher class
@@ -60,7 +59,7 @@ struct LibraryAdvertise {
   const char* header;
 };
 
-/// The rules of a run. Tests take single ones away to show that each is needed.
+/// The rules of a run. Tests remove single ones to show that each is needed.
 struct RuleSet {
   std::vector<const ClassRename*> classes;
   std::vector<const LibraryCall*> calls;

@@ -3,12 +3,31 @@
 
 #include <algorithm>
 
-#include "report/codes.h"
+#include "model/codes.h"
 
 namespace tzc::rewriter {
 namespace {
 
-constexpr const char* nowhere = "it is built where its publisher can not be named";
+constexpr const char* nowhere = "it is built where its publisher cannot be named";
+
+bool is_filled(const AllocationSite& site) {
+  const auto* inserted = std::get_if<InsertedAllocation>(&site.how);
+  return inserted && inserted->filled;
+}
+
+/// Whether there is a place for the edits that allocate.
+bool is_possible(const AllocationSite& site) {
+  if (const auto* inserted = std::get_if<InsertedAllocation>(&site.how))
+    return inserted->at && !inserted->filled;
+  if (const auto* adapter = std::get_if<AdapterAllocation>(&site.how)) return !adapter->changes.empty();
+  return !std::get<FactoryAllocation>(site.how).changes.empty();
+}
+
+BoundAllocation bound(const AllocationSite& site, const PublisherName& name, const Entity* publisher) {
+  const std::string guard = name.guarded ? "if (" + name.text + ") " : "";
+  return {&site, name.pointer ? "*" + name.text : name.text,
+          guard + name.text + (name.pointer ? "->" : ".") + "allocate", publisher};
+}
 
 }  // namespace
 
@@ -20,99 +39,109 @@ bool Binder::inherits(const std::string& record, const std::string& base) const 
                                                     [&](const std::string& b) { return inherits(b, base); });
 }
 
-bool Binder::visible(const Birth& birth, const Entity& publisher) const {
-  if (publisher.home == Home::member) return inherits(birth.record, publisher.record);
-  return publisher.home == Home::global && publisher.where.file == birth.where.file &&
-         publisher.where.line < birth.where.line;
+/// Whether a constructor's initializers, or default ones, reach the function.
+bool Binder::runs_early(const std::string& function) {
+  if (!early_) {
+    early_ = facts_.early;
+    for (std::size_t known = 0; known != early_->size();) {
+      known = early_->size();
+      for (const std::string& caller : std::set<std::string>(*early_)) {
+        const auto effects = facts_.effects.find(caller);
+        if (effects == facts_.effects.end()) continue;
+        for (const PublishEvent& event : effects->second)
+          if (!event.callee.empty()) early_->insert(event.callee);
+      }
+    }
+  }
+  return early_->count(function) != 0;
 }
 
-/// 2: the publisher is named together with the birth's message, 1: with one that has to have its type, 0:
-/// neither.
-int Binder::closeness(const PublisherName& name, const Birth& birth) const {
-  if (std::count(name.messages.begin(), name.messages.end(), birth.entity) != 0) return 2;
-  return std::any_of(name.messages.begin(), name.messages.end(), [&](const Key& message) {
+bool Binder::visible(const AllocationSite& site, const Entity& publisher) {
+  const std::string& result = site.function.text();  // the function's USR and "#r"
+  if (publisher.storage == Storage::member && runs_early(result.substr(0, result.rfind('#')))) return false;
+  if (publisher.storage == Storage::member) return inherits(site.record, publisher.record);
+  return publisher.storage == Storage::global && publisher.where.file == site.where.file &&
+         publisher.where.line < site.where.line;
+}
+
+/// 2: the publisher is named together with the site's message, 1: with one that has to have its type, 0: neither.
+int Binder::closeness(const PublisherName& name, const AllocationSite& site) const {
+  if (std::count(name.messages.begin(), name.messages.end(), site.entity) != 0) return 2;
+  return std::any_of(name.messages.begin(), name.messages.end(), [&](const EntityId& message) {
     const Component* component = components_.of(message);
     return component && component->id == component_.id;
   });
 }
 
-std::optional<Solution::Bound> Binder::named_at(const Birth& birth) const {
-  const auto bound = [&](const PublisherName& name) {
-    const std::string guard = name.guarded ? "if (" + name.text + ") " : "";
-    return Solution::Bound{&birth, name.pointer ? "*" + name.text : name.text,
-                           guard + name.text + (name.pointer ? "->" : ".") + "allocate",
-                           &facts_.entities.at(name.publisher)};
-  };
-  const bool takes_reference = !birth.changes.empty();  // to the publisher, which must be there
-  // First one that is named together with this very message, then with what the message becomes.
+std::optional<BoundAllocation> Binder::available_at(const AllocationSite& site) {
+  // An adapter or a factory takes a reference to the publisher, which must be there.
+  const bool takes_reference = !std::holds_alternative<InsertedAllocation>(site.how);
+  // Prefers a publisher that is named together with this message, then one named with what the message
+  // becomes.
   for (const int wanted : {2, 1, 0})
-    for (const PublisherName& name : birth.publishers) {
+    for (const PublisherName& name : site.publishers) {
       const Component* publisher = components_.of(name.publisher);
-      if (publisher && publishers_.count(publisher->id) && closeness(name, birth) >= wanted &&
+      if (publisher && publishers_.count(publisher->id) && closeness(name, site) >= wanted &&
           !(name.guarded && takes_reference))
-        return bound(name);
+        return bound(site, name, &facts_.entities.at(name.publisher));
     }
-  for (const int id : publishers_)
-    for (const Entity* entity : components_.all()[static_cast<std::size_t>(id)].entities)
-      if (visible(birth, *entity) && entity->plain) return bound({entity->key, entity->name});
+  for (const ComponentId id : publishers_)
+    for (const Entity* entity : components_[id].entities)
+      if (visible(site, *entity) && entity->plain)
+        return bound(site, {entity->id, entity->name, false, false, {}}, entity);
   return {};
 }
 
-bool Binder::is_helper(const Birth& birth) const {
-  const Component* result = components_.of(birth.function + "#r");
-  return result && result->id == component_.id && facts_.helpers.count(birth.function) != 0;
+bool Binder::is_in_factory(const AllocationSite& site) const {
+  const Component* result = components_.of(site.function);
+  return result && result->id == component_.id && facts_.factories.count(site.function) != 0;
 }
 
-/// A birth in a helper whose callers can name the publisher is bound to a parameter that it is given.
-bool Binder::bind(const Birth& birth, Solution::Message& message) {
-  if (!birth.calls.empty() && given_.count(birth.calls) == 0) return true;
-  const bool possible = !birth.filled && (birth.at || (birth.adapter && !birth.changes.empty()));
-  const auto named = possible ? named_at(birth) : std::nullopt;
-  if (named) {
-    births_.push_back(*named);
-  } else if (possible && is_helper(birth)) {
-    const std::string& name = facts_.helpers.at(birth.function).parameter;
-    given_.insert(birth.function);
-    births_.push_back({&birth, name, name + ".allocate", nullptr});
+/// A site in a factory whose callers can name the publisher is bound to a parameter that the factory is given.
+std::optional<Decision> Binder::bind(const AllocationSite& site) {
+  const auto* call = std::get_if<FactoryAllocation>(&site.how);
+  if (call && given_.count(call->factory) == 0) return {};
+  const auto publisher = is_possible(site) ? available_at(site) : std::nullopt;
+  if (publisher) {
+    allocations_.push_back(*publisher);
+  } else if (is_possible(site) && is_in_factory(site)) {
+    const std::string& name = facts_.factories.at(site.function).parameter;
+    given_.insert(site.function);
+    allocations_.push_back({&site, name, name + ".allocate", nullptr});
+  } else if (is_filled(site)) {
+    return refused({codes::TZC1020, "it starts as a copy of another message", site.where}, site.entity);
   } else {
-    message.why_not = {birth.filled ? codes::TZC1020 : codes::TZC1019,
-                       birth.filled ? "it starts as a copy of another message" : nowhere, birth.where};
-    message.at = birth.entity;
-    return false;
+    return refused({codes::TZC1019, nowhere, site.where}, site.entity);
   }
-  return true;
+  return {};
 }
 
 /// The parameter has one type, so all publishers must have it.
-bool Binder::give_publishers(Solution::Message& message) {
-  if (given_.empty()) return true;
+std::optional<Decision> Binder::give_publishers() {
+  if (given_.empty()) return {};
   std::map<std::string, const Entity*> types;
-  for (const Solution::Bound& bound : births_)
-    if (bound.entity) types.emplace(bound.entity->ported_class, bound.entity);
+  for (const BoundAllocation& allocation : allocations_)
+    if (allocation.entity) types.emplace(allocation.entity->ported_as.name, allocation.entity);
   if (types.size() != 1) {
-    message.why_not = {codes::TZC1019, nowhere, births_.front().birth->where};
-    message.at = births_.front().birth->entity;
-    return false;
+    const AllocationSite& first = *allocations_.front().site;
+    return refused({codes::TZC1019, nowhere, first.where}, first.entity);
   }
-  const auto& [type, publisher] = *types.begin();
-  for (const std::string& helper : given_)
-    helpers_.push_back({helper, component_.entities[0]->key, type, publisher->ported_header});
-  return true;
+  for (const EntityId& factory : given_)
+    factories_.push_back({factory, component_.entities[0]->id, types.begin()->second->ported_as});
+  return {};
 }
 
-bool Binder::bind(const std::vector<const Birth*>& births, Solution::Message& message) {
-  // A helper that is given the publisher makes its calls births, perhaps in another helper.
-  for (std::size_t known = 1; known != given_.size() || births_.empty();) {
+std::optional<Decision> Binder::bind(const std::vector<const AllocationSite*>& sites) {
+  // The calls of a factory that is given the publisher become allocation sites, perhaps in another factory.
+  for (std::size_t known = 1; known != given_.size() || allocations_.empty();) {
     known = given_.size();
-    births_.clear();
-    for (const Birth* birth : births)
-      if (!bind(*birth, message)) return false;
-    if (births_.empty()) {
-      message.why_not = {codes::TZC1019, "where it is built was not found", component_.entities[0]->where};
-      return false;
-    }
+    allocations_.clear();
+    for (const AllocationSite* site : sites)
+      if (std::optional<Decision> refusal = bind(*site)) return refusal;
+    if (allocations_.empty())
+      return refused({codes::TZC1019, "where it is built was not found", component_.entities[0]->where});
   }
-  return give_publishers(message);
+  return give_publishers();
 }
 
 }  // namespace tzc::rewriter

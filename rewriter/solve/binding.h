@@ -1,41 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <set>
+
+#include "solve/components.h"
 #include "solve/solution.h"
 
 namespace tzc::rewriter {
 
-/// Finds, for each birth of a message component, a publisher that can be named there.
+/// Finds, for each allocation site of a message component, a publisher that is available there.
 class Binder {
  public:
   /// publishers: components that publish the message and are ported.
   Binder(const Facts& facts, const Components& components, const Component& component,
-         std::set<int> publishers)
+         std::set<ComponentId> publishers)
       : facts_(facts), components_(components), component_(component), publishers_(std::move(publishers)) {}
 
-  /// False: one of them has none, and `message` says which.
-  bool bind(const std::vector<const Birth*>& births, Solution::Message& message);
+  /// Why a site has none; nothing: each has one.
+  std::optional<Decision> bind(const std::vector<const AllocationSite*>& sites);
 
-  const std::vector<Solution::Bound>& births() const { return births_; }
-  /// Functions that are given the publisher, because the message is born in them.
-  const std::vector<Solution::GivenPublisher>& helpers() const { return helpers_; }
+  const std::vector<BoundAllocation>& allocations() const { return allocations_; }
+  /// Functions that are given the publisher, because they allocate the message.
+  const std::vector<GivenPublisher>& factories() const { return factories_; }
 
  private:
-  bool bind(const Birth& birth, Solution::Message& message);
-  bool give_publishers(Solution::Message& message);
-  bool is_helper(const Birth& birth) const;
-  int closeness(const PublisherName& name, const Birth& birth) const;
-  std::optional<Solution::Bound> named_at(const Birth& birth) const;
-  bool visible(const Birth& birth, const Entity& publisher) const;
+  std::optional<Decision> bind(const AllocationSite& site);
+  std::optional<Decision> give_publishers();
+  bool is_in_factory(const AllocationSite& site) const;
+  int closeness(const PublisherName& name, const AllocationSite& site) const;
+  std::optional<BoundAllocation> available_at(const AllocationSite& site);
+  bool visible(const AllocationSite& site, const Entity& publisher);
+  bool runs_early(const std::string& function);
   bool inherits(const std::string& record, const std::string& base) const;
 
   const Facts& facts_;
   const Components& components_;
   const Component& component_;
-  std::set<int> publishers_;
-  std::set<std::string> given_;
-  std::vector<Solution::Bound> births_;
-  std::vector<Solution::GivenPublisher> helpers_;
+  std::set<ComponentId> publishers_;
+  std::optional<std::set<std::string>> early_;
+  std::set<EntityId> given_;  // results of factories
+  std::vector<BoundAllocation> allocations_;
+  std::vector<GivenPublisher> factories_;
 };
 
 }  // namespace tzc::rewriter

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solve/components.h"
 
-#include <deque>
 #include <numeric>
+#include <utility>
 
 namespace tzc::rewriter {
 namespace {
@@ -24,16 +24,16 @@ class UnionFind {
   std::vector<std::size_t> parent_;
 };
 
-using Numbers = std::map<Key, std::size_t>;
+using Numbers = std::map<EntityId, std::size_t>;
 
-bool same_kind(const Facts& facts, const Key& a, const Key& b) {
-  return facts.entities.at(a).carrier == facts.entities.at(b).carrier;
+bool same_role(const Facts& facts, const EntityId& a, const EntityId& b) {
+  return facts.entities.at(a).role == facts.entities.at(b).role;
 }
 
 void unite_flows(const Facts& facts, const Numbers& numbers, UnionFind& sets) {
   for (const Flow& flow : facts.flows) {
     const auto from = numbers.find(flow.from), to = numbers.find(flow.to);
-    if (from != numbers.end() && to != numbers.end() && same_kind(facts, flow.from, flow.to))
+    if (from != numbers.end() && to != numbers.end() && same_role(facts, flow.from, flow.to))
       sets.unite(from->second, to->second);
   }
 }
@@ -41,9 +41,9 @@ void unite_flows(const Facts& facts, const Numbers& numbers, UnionFind& sets) {
 /// `Image a, b;` has one type for two variables.
 void unite_spellings(const Facts& facts, const Numbers& numbers, UnionFind& sets) {
   std::map<std::pair<std::string, unsigned>, std::size_t> owner;
-  for (const auto& [key, entity] : facts.entities)
+  for (const auto& [id, entity] : facts.entities)
     for (const Change& change : entity.changes) {
-      const std::size_t number = numbers.at(key);
+      const std::size_t number = numbers.at(id);
       const auto [known, is_new] =
           owner.emplace(std::make_pair(change.where.file, change.where.begin), number);
       if (!is_new) sets.unite(known->second, number);
@@ -56,76 +56,60 @@ Numbers number(const Facts& facts) {
   return numbers;
 }
 
+ComponentKind kind_of(EntityRole role) {
+  switch (role) {
+    case EntityRole::message:
+      return ComponentKind::message;
+    case EntityRole::publisher:
+      return ComponentKind::publisher;
+    case EntityRole::filter:
+      break;
+  }
+  return ComponentKind::filter;
+}
+
 }  // namespace
 
 Components::Components(const Facts& facts, bool all_or_nothing) {
+  add_entities(facts, all_or_nothing);
+  for (const auto& [id, site] : facts.subscribes) {
+    Component& component = add(ComponentKind::subscription);
+    component.subscription = &site;
+    of_subscription_.emplace(id, component.id);
+  }
+}
+
+Component& Components::add(ComponentKind kind) {
+  Component component;
+  component.id = static_cast<ComponentId>(components_.size());
+  component.kind = kind;
+  components_.push_back(std::move(component));
+  return components_.back();
+}
+
+void Components::add_entities(const Facts& facts, bool all_or_nothing) {
   const Numbers numbers = number(facts);
   UnionFind sets(numbers.size());
   if (all_or_nothing) unite_flows(facts, numbers, sets);
   unite_spellings(facts, numbers, sets);
   std::map<std::size_t, std::size_t> component_of_root;
-  for (const auto& [key, entity] : facts.entities) {
-    const std::size_t root = sets.find(numbers.at(key));
-    const auto [known, is_new] = component_of_root.emplace(root, components_.size());
-    if (is_new) {
-      components_.push_back({});
-      components_.back().id = static_cast<int>(known->second);
-      components_.back().carrier = entity.carrier;
-      components_.back().name = key;
-    }
-    components_[known->second].entities.push_back(&entity);
-    index_[key] = known->second;
+  for (const auto& [id, entity] : facts.entities) {
+    const auto [known, is_new] = component_of_root.emplace(sets.find(numbers.at(id)), components_.size());
+    if (is_new) add(kind_of(entity.role));
+    Component& component = components_[known->second];
+    component.entities.push_back(&entity);
+    of_entity_.emplace(id, component.id);
   }
 }
 
-const Component* Components::of(const Key& key) const {
-  const auto found = index_.find(key);
-  return found == index_.end() ? nullptr : &components_[found->second];
+const Component* Components::of(const EntityId& entity) const {
+  const auto found = of_entity_.find(entity);
+  return found == of_entity_.end() ? nullptr : &(*this)[found->second];
 }
 
-Neighbours flow_neighbours(const Facts& facts) {
-  Neighbours neighbours;
-  for (const Flow& flow : facts.flows) {
-    neighbours[flow.from].push_back(flow.to);
-    neighbours[flow.to].push_back(flow.from);
-  }
-  return neighbours;
-}
-
-std::set<Key> reachable(const Neighbours& neighbours, const Key& from) {
-  std::set<Key> seen{from};
-  std::deque<Key> queue{from};
-  while (!queue.empty()) {
-    const auto found = neighbours.find(queue.front());
-    queue.pop_front();
-    if (found == neighbours.end()) continue;
-    for (const Key& next : found->second)
-      if (seen.insert(next).second) queue.push_back(next);
-  }
-  return seen;
-}
-
-std::vector<FlowStep> chain_between(const Facts& facts, const Key& from, const Key& to) {
-  std::map<Key, std::vector<std::pair<Key, const Flow*>>> neighbours;
-  for (const Flow& flow : facts.flows) {
-    neighbours[flow.from].push_back({flow.to, &flow});
-    neighbours[flow.to].push_back({flow.from, &flow});
-  }
-  std::map<Key, std::pair<Key, const Flow*>> came_from{{from, {"", nullptr}}};
-  std::deque<Key> queue{from};
-  while (!queue.empty() && came_from.count(to) == 0) {
-    const Key here = queue.front();
-    queue.pop_front();
-    for (const auto& [next, flow] : neighbours[here])
-      if (came_from.emplace(next, std::make_pair(here, flow)).second) queue.push_back(next);
-  }
-  std::vector<FlowStep> steps;
-  if (came_from.count(to) == 0) return steps;
-  for (Key here = to; here != from; here = came_from.at(here).first) {
-    const Flow& flow = *came_from.at(here).second;
-    steps.insert(steps.begin(), {flow.where, flow.what});
-  }
-  return steps;
+const Component* Components::of(const SiteId& subscription) const {
+  const auto found = of_subscription_.find(subscription);
+  return found == of_subscription_.end() ? nullptr : &(*this)[found->second];
 }
 
 }  // namespace tzc::rewriter

@@ -2,43 +2,43 @@
 #pragma once
 
 #include <map>
-#include <set>
-#include <string>
+#include <optional>
 #include <vector>
 
-#include "facts/facts.h"
+#include "model/facts.h"
 
 namespace tzc::rewriter {
 
-/// Entities that must be ported together: connected by flow, or declared by one type.
+enum class ComponentKind { message, publisher, filter, subscription };
+
+/// Is ported as a whole or not at all: entities that flows connect or that one type declares, or one
+/// subscription.
 struct Component {
-  int id = 0;
-  Carrier carrier = Carrier::message;
-  std::vector<const Entity*> entities;  ///< in the order of their keys
-  std::string name;                     ///< stable over runs on the same sources
+  ComponentId id{};
+  ComponentKind kind = ComponentKind::message;
+  std::vector<const Entity*> entities;      ///< in the order of their ids; none: a subscription
+  const Subscribe* subscription = nullptr;  ///< null: entities
 };
 
-/// The flow graph, partitioned.
+/// The partition of the flow graph and of the subscriptions into components. The facts must outlive it.
 class Components {
  public:
   /// `all_or_nothing` false, for tests: every entity on its own.
   explicit Components(const Facts& facts, bool all_or_nothing = true);
 
-  /// Null: nothing is known under this key.
-  const Component* of(const Key& key) const;
+  /// Null: nothing is known under this id.
+  const Component* of(const EntityId& entity) const;
+  const Component* of(const SiteId& subscription) const;
+  const Component& operator[](ComponentId id) const { return components_.at(static_cast<std::size_t>(id)); }
   const std::vector<Component>& all() const { return components_; }
 
  private:
+  Component& add(ComponentKind kind);
+  void add_entities(const Facts& facts, bool all_or_nothing);
+
   std::vector<Component> components_;
-  std::map<Key, std::size_t> index_;
+  std::map<EntityId, ComponentId> of_entity_;
+  std::map<SiteId, ComponentId> of_subscription_;
 };
-
-/// What flows into or out of each entity.
-using Neighbours = std::map<Key, std::vector<Key>>;
-Neighbours flow_neighbours(const Facts& facts);
-std::set<Key> reachable(const Neighbours& neighbours, const Key& from);
-
-/// The steps of flow between two entities, shortest way; empty: none.
-std::vector<FlowStep> chain_between(const Facts& facts, const Key& from, const Key& to);
 
 }  // namespace tzc::rewriter

@@ -2,59 +2,60 @@
 #pragma once
 
 #include <map>
-#include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "engine.h"
-#include "facts/facts.h"
-#include "solve/components.h"
+#include "model/facts.h"
 
 namespace tzc::rewriter {
 
-/// Components that must not be ported after all, and why.
-using Demotions = std::map<std::string, Obstacle>;
+/// Components that must not be ported after verification, and why.
+using Demotions = std::map<ComponentId, Obstacle>;
 
-/// What is ported, how far, and why not further.
-struct Solution {
-  struct Publisher {
-    bool ported = false;
-    Obstacle why_not;
-    Key at;  ///< the entity that has the obstacle
-  };
-  struct Message {
-    bool ported = false;
-    bool empty = false;  ///< no array of it is ever filled
-    Obstacle why_not;
-    Key at;
-  };
-  struct Bound {
-    const Birth* birth;
-    std::string publisher;           ///< expression: "pub_", "*pub"
-    std::string call;                ///< "pub_.allocate"
-    const Entity* entity = nullptr;  ///< none: the helper's own parameter
-  };
-  /// A helper that is given the publisher.
-  struct GivenPublisher {
-    std::string helper;  ///< USR
-    Key message;         ///< that it builds
-    std::string type;    ///< "tzc::Publisher"
-    std::string header;
-  };
+/// not_needed: no array of it is ever filled, or its messages have no data part.
+enum class Outcome { ported, refused, not_needed };
 
-  std::map<int, Publisher> publishers;  ///< by component
-  std::map<int, Message> messages;
-  std::map<int, Publisher> filters;
-  std::vector<Bound> births;
-  std::vector<GivenPublisher> helpers;
-  std::vector<Site> sites;
-  std::set<std::string> subscribes;  ///< that are ported, by their id in the facts
+/// What happens to a component.
+struct Decision {
+  Outcome outcome = Outcome::not_needed;
+  Obstacle why_not;  ///< of a refused one
+  EntityId at;       ///< the entity that has the obstacle; empty: none of them
 };
 
-/// Decides for each component. Subscribe sites that are demoted are named "subscribe " + their id in the
-/// facts.
-Solution solve(const Facts& facts, const Components& components, const EngineOptions& options,
-               const Demotions& demotions);
+inline Decision refused(Obstacle why_not, EntityId at = {}) {
+  return {Outcome::refused, std::move(why_not), std::move(at)};
+}
+
+/// An allocation site, with the publisher that allocates there.
+struct BoundAllocation {
+  const AllocationSite* site;
+  std::string publisher;           ///< expression: "pub_", "*pub"
+  std::string call;                ///< "pub_.allocate"
+  const Entity* entity = nullptr;  ///< the publisher; null: the factory's own parameter
+};
+
+/// A factory that is given the publisher.
+struct GivenPublisher {
+  EntityId factory;  ///< its result
+  EntityId message;  ///< that it makes
+  PortedClass type;
+};
+
+/// What is ported, how, and why not further.
+struct Solution {
+  std::map<ComponentId, Decision> decisions;  ///< messages that are not published have none
+  std::vector<BoundAllocation> allocations;
+  std::vector<GivenPublisher> factories;
+
+  /// Null: there is none.
+  const Decision* of(ComponentId component) const {
+    const auto found = decisions.find(component);
+    return found == decisions.end() ? nullptr : &found->second;
+  }
+  bool ports(ComponentId component) const {
+    const Decision* decision = of(component);
+    return decision && decision->outcome == Outcome::ported;
+  }
+};
 
 }  // namespace tzc::rewriter

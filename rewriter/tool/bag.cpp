@@ -50,7 +50,7 @@ class Bag {
   explicit Bag(const std::string& path) : path_(path), file_(path, std::ios::binary) {}
 
   Expected<std::map<std::string, std::uint64_t>> run() {
-    if (!file_) return Error{"can not be read", path_, ""};
+    if (!file_) return Error{"cannot be read", path_, ""};
     std::string version;
     std::getline(file_, version);
     if (version != "#ROSBAG V2.0")

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "edits/expected.h"
+#include "model/expected.h"
 
 namespace tzc::rewriter {
 

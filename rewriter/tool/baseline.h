@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "edits/expected.h"
+#include "model/expected.h"
 #include "report/output.h"
 
 namespace tzc::rewriter {

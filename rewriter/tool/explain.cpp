@@ -5,7 +5,7 @@
 
 #include <cctype>
 
-#include "report/codes.h"
+#include "report/code_pages.h"
 
 namespace tzc::rewriter {
 namespace {

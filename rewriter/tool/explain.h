@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tool/options.h"
+#include "tool/answer.h"
 
 namespace tzc::rewriter {
 

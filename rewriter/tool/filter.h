@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/model.h"
+#include "model/report.h"
 
 namespace tzc::rewriter {
 

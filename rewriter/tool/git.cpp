@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "tool/process.h"
+#include "proof/process.h"
 
 namespace tzc::rewriter {
 
@@ -31,6 +31,14 @@ std::vector<std::string> uncommitted(const std::string& top, const std::vector<s
     if (renamed) at = git.output.find('\0', at) + 1;
   }
   return dirty;
+}
+
+std::string commit_of(const std::string& folder) {
+  ProcessResult git = run_process({"git", "-C", folder, "rev-parse", "--short=12", "HEAD"});
+  if (git.status != 0) return "";
+  while (!git.output.empty() && git.output.back() == '\n') git.output.pop_back();
+  const ProcessResult state = run_process({"git", "-C", folder, "status", "--porcelain=v1", "--", "."});
+  return git.output + (state.output.empty() ? "" : " with uncommitted changes");
 }
 
 }  // namespace tzc::rewriter

@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-#include "report/codes.h"
+#include "report/code_pages.h"
 #include "report/output.h"
 
 namespace tzc::rewriter {

@@ -7,6 +7,8 @@
 
 #include "tool/explain.h"
 #include "tool/filter.h"
+#include "tool/places.h"
+#include "tool/shell_word.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -28,7 +30,8 @@ constexpr const char* footer = R"(Examples:
 
 Exit status:
   0  nothing is left to port
-  1  the dry run or check has edits, or a site that stays on TCPROS and is not suppressed
+  1  the dry run or check has edits, or a site that stays on TCPROS and is not suppressed; or some packages were
+     written and others could not be
   2  an error; nothing was written
 
 A site that shall stay as it is gets a comment on its line or the line above:
@@ -39,12 +42,14 @@ const std::map<std::string, Level> levels = {
 const std::map<std::string, OnExhausted> exhausted = {{"deliver", OnExhausted::deliver},
                                                       {"drop", OnExhausted::drop},
                                                       {"return", OnExhausted::return_from_function}};
+const std::map<std::string, Verify> verifications = {
+    {"source", Verify::source}, {"syntax", Verify::syntax}, {"build", Verify::build}};
 
 /// Everything CLI11 fills in; outlives its parse.
 struct Raw {
   Options options;
-  bool apply = false, check = false, list_codes = false;
-  std::string explain, mem_size, level = "zero_copy", on_exhausted = "deliver";
+  bool apply = false, check = false, list_codes = false, no_cache = false;
+  std::string explain, mem_size, level = "zero_copy", on_exhausted = "deliver", verify = "syntax";
 };
 
 std::string report_format(const std::string& file) {
@@ -79,6 +84,10 @@ void add_actions(CLI::App& app, Raw& raw) {
       ->type_name("DIR")
       ->group(group);
   app.add_flag("--check", raw.check, "Only say whether anything is left to port")->group(group);
+  app.add_option("--undo", raw.options.undo,
+                 "Where --apply saves the patch that takes it back (default: below ~/.local/state/tzc)")
+      ->type_name("FILE")
+      ->group(group);
   app.add_flag("--force", raw.options.force, "Write over uncommitted changes")->group(group);
 }
 
@@ -116,6 +125,20 @@ void add_selection(CLI::App& app, Raw& raw) {
       ->group(group);
 }
 
+void add_verification(CLI::App& app, Raw& raw) {
+  const char* group = "How a port is verified before it is shown or written";
+  app.add_option(
+         "--verify", raw.verify,
+         "syntax (default): the package's compiler accepts each changed unit, and CMake configures a "
+         "scratch copy with the edited build files; build: the copy is built, too; source: nothing is "
+         "configured")
+      ->check([](const std::string& text) { return one_of(verifications, text); })
+      ->type_name("HOW")
+      ->group(group);
+  app.add_flag("--strict", raw.options.strict, "Refuse a package with a source that does not parse")
+      ->group(group);
+}
+
 void add_code_choices(CLI::App& app, Raw& raw) {
   const char* group = "What ported code does";
   Options& options = raw.options;
@@ -147,6 +170,31 @@ void add_outputs(CLI::App& app, Raw& raw) {
   app.add_flag("--list-codes", raw.list_codes, "List all codes and end")->group(group);
 }
 
+void add_cache(CLI::App& app, Raw& raw) {
+  const char* group = "What to remember";
+  app.add_option("--cache-dir", raw.options.cache_dir,
+                 "Where --check and dry runs keep results (default: ~/.cache/tzc)")
+      ->type_name("DIR")
+      ->group(group);
+  app.add_flag("--no-cache", raw.no_cache, "Analyse everything anew and keep nothing")->group(group);
+}
+
+/// Only runs that write nothing use results of others.
+std::string cache_dir_of(const Raw& raw) {
+  const bool writes = raw.apply || !raw.options.out_dir.empty();
+  if (raw.no_cache || writes || raw.options.verify == Verify::build) return "";
+  if (!raw.options.cache_dir.empty()) return std::filesystem::absolute(raw.options.cache_dir);
+  const std::string folder = user_folder("XDG_CACHE_HOME", ".cache");
+  return folder.empty() ? "" : folder + "/tzc/rewrite";
+}
+
+/// As a shell takes it.
+std::string command_line(int argc, const char* const* argv) {
+  std::string line = "tzc-rewrite";
+  for (int i = 1; i < argc; ++i) line += " " + shell_word(argv[i]);
+  return line;
+}
+
 Answer mistake(const std::string& text) {
   return {"tzc-rewrite: " + text + "\n  see tzc-rewrite --help\n", 2};
 }
@@ -161,7 +209,9 @@ std::variant<Options, Answer> checked(Raw& raw) {
   if (raw.check) raw.options.action = Action::check;
   if (!raw.options.out_dir.empty()) raw.options.action = Action::out_dir;
   raw.options.level = levels.at(raw.level);
+  raw.options.verify = verifications.at(raw.verify);
   raw.options.on_exhausted = exhausted.at(raw.on_exhausted);
+  raw.options.cache_dir = cache_dir_of(raw);
   if (!raw.mem_size.empty()) raw.options.mem_size = parse_size(raw.mem_size);
   return raw.options;
 }
@@ -177,8 +227,10 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
   add_actions(app, raw);
   add_inputs(app, raw);
   add_selection(app, raw);
+  add_verification(app, raw);
   add_code_choices(app, raw);
   add_outputs(app, raw);
+  add_cache(app, raw);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -188,6 +240,7 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     return mistake(error.what());
   }
+  raw.options.command = command_line(argc, argv);
   return checked(raw);
 }
 

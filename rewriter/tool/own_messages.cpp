@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/own_messages.h"
 
-#include <signal.h>
-#include <stdlib.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <map>
 
 #include "buildfiles/package_xml.h"
+#include "proof/compiler_reads.h"
+#include "proof/process.h"
 #include "tool/places.h"
-#include "tool/process.h"
 
 namespace tzc::rewriter {
 namespace fs = std::filesystem;
@@ -81,52 +76,40 @@ Expected<void> generate_one(const std::string& package, const fs::path& folder,
       result.status < 0 ? "install tzc-msggen beside tzc-rewrite" : "repair the message definitions"};
 }
 
-constexpr const char* folder_prefix = "tzc-rewrite-";
-
-/// Folders that killed runs left behind: their names say which process they belonged to.
-void remove_left_folders() {
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(), ignored)) {
-    const std::string name = entry.path().filename();
-    if (name.rfind(folder_prefix, 0) != 0) continue;
-    const int process = std::atoi(name.c_str() + std::string(folder_prefix).size());
-    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), ignored);
-  }
-}
-
-std::string make_folder() {
-  remove_left_folders();
-  std::string pattern = fs::temp_directory_path() / (folder_prefix + std::to_string(::getpid()) + "-XXXXXX");
-  return ::mkdtemp(pattern.data()) ? pattern : "";
-}
-
 }  // namespace
+
+MessageSources message_sources(const std::string& package_dir, const std::string& build_dir) {
+  MessageSources sources;
+  const std::map<std::string, fs::path> workspace = message_packages(package_dir);
+  if (workspace.empty()) return sources;
+  sources.generator = program_path(generator());
+  for (const auto& [name, folder] : workspace)
+    for (const char* kind : {"msg", "srv", "action"}) sources.folders.push_back(folder / kind);
+  const std::vector<std::string> flags = include_flags(workspace, build_dir);
+  for (std::size_t i = 1; i < flags.size(); i += 2)
+    sources.folders.push_back(flags[i].substr(flags[i].find(':') + 1));
+  return sources;
+}
 
 Expected<OwnMessages> OwnMessages::generate(const std::string& package_dir, const std::string& build_dir) {
   OwnMessages messages;
   const std::map<std::string, fs::path> all = message_packages(package_dir);
   if (all.empty()) return messages;
-  messages.folder_ = make_folder();
-  if (messages.folder_.empty())
-    return Error{std::string("no folder can be made: ") + std::strerror(errno), fs::temp_directory_path(),
-                 ""};
+  Expected<ScratchFolder> scratch = ScratchFolder::make();
+  if (!scratch) return scratch.error();
+  messages.folder_.emplace(std::move(*scratch));
   const std::vector<std::string> flags = include_flags(all, build_dir);
   for (const auto& [name, folder] : all) {
     messages.packages_[name] = folder;
-    const Expected<void> done = generate_one(name, folder, flags, messages.folder_);
-    // Another package's broken messages are its own business: what needs them will not compile and say so.
+    const Expected<void> done = generate_one(name, folder, flags, messages.folder_->path());
+    // Ignores another package's broken messages: code that needs them fails to compile and reports it.
     if (!done && folder == package_dir) return done.error();
   }
   return messages;
 }
 
-OwnMessages::~OwnMessages() {
-  std::error_code ignored;
-  if (!folder_.empty()) fs::remove_all(folder_, ignored);
-}
-
 std::vector<std::string> OwnMessages::include_dirs() const {
-  return folder_.empty() ? std::vector<std::string>() : std::vector<std::string>{folder_};
+  return folder_ ? std::vector<std::string>{folder_->path()} : std::vector<std::string>();
 }
 
 }  // namespace tzc::rewriter

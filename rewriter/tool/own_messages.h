@@ -2,25 +2,27 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "edits/expected.h"
+#include "model/expected.h"
+#include "proof/scratch_folder.h"
 
 namespace tzc::rewriter {
+
+/// Where generate() reads message definitions: folders of the workspace and of installed packages, and the generator.
+struct MessageSources {
+  std::vector<std::string> folders;
+  std::string generator;
+};
+MessageSources message_sources(const std::string& package_dir, const std::string& build_dir);
 
 /// The TZC headers of messages that the package or its workspace defines, made by tzc-msggen in a folder that
 /// lives as long as the object. Empty where there are none.
 class OwnMessages {
  public:
   static Expected<OwnMessages> generate(const std::string& package_dir, const std::string& build_dir);
-
-  OwnMessages(OwnMessages&& other) noexcept
-      : folder_(std::move(other.folder_)), packages_(std::move(other.packages_)) {
-    other.folder_.clear();
-  }
-  OwnMessages& operator=(OwnMessages&&) = delete;
-  ~OwnMessages();
 
   std::vector<std::string> include_dirs() const;
 
@@ -29,7 +31,7 @@ class OwnMessages {
 
  private:
   OwnMessages() = default;
-  std::string folder_;
+  std::optional<ScratchFolder> folder_;
   std::map<std::string, std::string> packages_;
 };
 

@@ -3,27 +3,29 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <set>
 
+#include "buildfiles/compile_database.h"
 #include "buildfiles/package_xml.h"
 #include "buildfiles/plan.h"
+#include "edits/apply.h"
 #include "edits/dual.h"
-#include "report/codes.h"
+#include "model/codes.h"
+#include "proof/configuration.h"
+#include "proof/own_compiler.h"
 #include "tool/filter.h"
 #include "tool/invariant.h"
 #include "tool/own_messages.h"
+#include "tool/pending.h"
 #include "tool/places.h"
 #include "tool/suppressions.h"
 
 namespace tzc::rewriter {
+namespace fs = std::filesystem;
 namespace {
 
-bool is_cpp(const std::string& file) {
-  static const std::set<std::string> build_files = {".txt", ".xml", ".cmake"};
-  return build_files.count(std::filesystem::path(file).extension()) == 0;
-}
-
-/// The reading without TZC of a package of --dual is not compiled, and that is as it should be.
+/// The branch without TZC of a --dual package is not compiled, which is not worth a note.
 bool is_about_dual_branch(const Note& note) {
   if (note.code != codes::TZC3002 || !note.where) return false;
   const Expected<std::string> content = read_file(note.where->file);
@@ -51,6 +53,7 @@ class Porter {
     if (!package) return package.error();
     port_.result.report.package = package->name;
     port_.result.report.package_dir = port_.package_dir;
+    port_.result.source_root = source_root(port_.package_dir);
     port_.before = snapshot(port_.package_dir);
     return {};
   }
@@ -67,46 +70,85 @@ class Porter {
     const Expected<std::string> build_dir = find_build_dir(
         port_.package_dir, port_.result.report.package, inputs_.options.build_dir, inputs_.options.packages);
     if (!build_dir) return build_dir.error();
-    build_dir_ = *build_dir;
+    port_.build_dir = *build_dir;
     return {};
   }
 
   Expected<void> plan_sources() {
     const Expected<std::vector<std::string>> includes = find_tzc_includes(inputs_.options.tzc_includes);
     if (!includes) return includes.error();
-    const Expected<OwnMessages> messages = OwnMessages::generate(port_.package_dir, build_dir_);
+    const Expected<OwnMessages> messages = OwnMessages::generate(port_.package_dir, port_.build_dir);
     if (!messages) return messages.error();
     EngineOptions engine = engine_options();
     engine.tzc_include = includes->front();
     engine.extra_include_dirs.assign(includes->begin() + 1, includes->end());
     for (const std::string& folder : messages->include_dirs()) engine.extra_include_dirs.push_back(folder);
     workspace_messages_ = messages->packages();
+    OwnCompiler compiler(compiler_setup(engine));
+    engine.judges = judges(compiler);
     Expected<PortPlan> plan = inputs_.engine.plan(engine);
     if (!plan) return plan.error();
     plan_ = std::move(*plan);
     return {};
   }
 
+  OwnCompilerSetup compiler_setup(const EngineOptions& engine) const {
+    OwnCompilerSetup setup;
+    setup.package_dir = port_.package_dir;
+    const std::unique_ptr<UserBuild> user = UserBuild::find(port_.build_dir);
+    setup.root = user ? user->source : fs::path(port_.package_dir).parent_path().string();
+    setup.build_dir = port_.build_dir;
+    setup.include_dirs = engine.extra_include_dirs;
+    setup.include_dirs.push_back(engine.tzc_include);
+    setup.defines = {dual_macro};
+    setup.jobs = inputs_.options.jobs;
+    setup.accesses = inputs_.accesses;
+    return setup;
+  }
+
+  /// Verify the text that is written.
+  Expected<std::string> written_text(const std::string& file, const std::string& before,
+                                     const std::string& edited) const {
+    std::string after = edited;
+    if (inputs_.engine.format) after = inputs_.engine.format(file, before, after);
+    return inputs_.options.dual ? dual_text(file, before, after) : Expected<std::string>(after);
+  }
+
+  Judges judges(OwnCompiler& compiler) const {
+    Judges judges;
+    judges.written_text = [this](const std::string& file, const std::string& before,
+                                 const std::string& edited) { return written_text(file, before, edited); };
+    judges.compiler = [&compiler](const FileContents& contents, const std::set<std::string>& units) {
+      return compiler.check(contents, units);
+    };
+    judges.original_errors = [&compiler](const std::string& unit) {
+      return compiler.errors_of_original(unit);
+    };
+    return judges;
+  }
+
   EngineOptions engine_options() const {
     const Options& options = inputs_.options;
     EngineOptions engine;
     engine.package_dir = port_.package_dir;
-    engine.build_dir = build_dir_;
+    engine.build_dir = port_.build_dir;
     engine.max_level = options.level;
     engine.on_exhausted = options.on_exhausted;
     engine.mem_size = options.mem_size;
     engine.measured_sizes = inputs_.measured_sizes;
     engine.dual = options.dual;
     engine.jobs = options.jobs;
+    engine.strict = options.strict;
     engine.wanted = make_filter(options.only, options.except, port_.package_dir);
     engine.progress = inputs_.progress;
+    engine.accesses = inputs_.accesses;
     return engine;
   }
 
   Expected<void> plan_build() {
     BuildNeeds needs;
     needs.package_dir = port_.package_dir;
-    needs.build_dir = build_dir_;
+    needs.build_dir = port_.build_dir;
     needs.main_files = plan_.ported_targets_files;
     for (const Edit& edit : plan_.edits) needs.edited_files.insert(edit.file);
     needs.tzc_types = plan_.tzc_types;
@@ -115,12 +157,17 @@ class Porter {
     Expected<BuildPlan> build = plan_build_files(needs);
     if (!build) return build.error();
     plan_.edits.insert(plan_.edits.end(), build->edits.begin(), build->edits.end());
-    plan_.report.notes.insert(plan_.report.notes.end(), build->notes.begin(), build->notes.end());
+    port_.hints = build->notes;
+    for (const std::string& unit : plan_.ported_targets_files) {
+      const std::vector<std::string> sources =
+          unity_sources(unit);  // another build tree has another unity file
+      port_.units.insert(sources.begin(), sources.end());
+      if (sources.empty()) port_.units.insert(unit);
+    }
     return {};
   }
 
-  /// Message packages of the workspace, other than this one, that the ported code needs twins of and that
-  /// make none.
+  /// Other message packages of the workspace whose twins the ported code needs and that do not make them.
   std::set<std::string> twinless() const {
     std::set<std::string> packages;
     for (const std::string& type : plan_.tzc_types) {
@@ -150,10 +197,9 @@ class Porter {
     if (analysed == port_.before.end() || analysed->second != content_hash(*before))
       return Error{"changed while the package was being analysed; nothing was written", file,
                    "run tzc-rewrite again"};
-    Expected<std::string> after = apply_edits(*before, edits);
-    if (!after) return after.error();
-    if (inputs_.engine.format && is_cpp(file)) *after = inputs_.engine.format(file, *before, *after);
-    if (inputs_.options.dual && is_cpp(file)) after = dual_text(file, *before, *after);
+    const auto verified = plan_.contents.find(file);
+    const Expected<std::string> after =
+        verified == plan_.contents.end() ? apply_edits(*before, edits) : verified->second;
     if (!after) return after.error();
     if (*after == *before) return {};
     port_.contents[file] = *after;
@@ -170,11 +216,11 @@ class Porter {
     for (const std::string& file : plan_.parsed_files)
       if (is_below(file, port_.package_dir)) files.insert(file);
     apply_suppressions(report, files);
+    port_.result.pending = pending_places(port_.result);
     return check_report(report);
   }
 
   const PortInputs& inputs_;
-  std::string build_dir_;
   std::map<std::string, std::string> workspace_messages_;
   PortPlan plan_;
   PackagePort port_;

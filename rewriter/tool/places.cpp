@@ -6,8 +6,9 @@
 #include <filesystem>
 #include <sstream>
 
-#include "buildfiles/compile_targets.h"
+#include "buildfiles/compile_database.h"
 #include "edits/files.h"
+#include "proof/cmake_cache.h"
 
 namespace tzc::rewriter {
 namespace fs = std::filesystem;
@@ -59,32 +60,15 @@ std::vector<fs::path> candidates(const fs::path& root, const std::string& packag
           root / ".private" / package,       root};
 }
 
-/// The value of NAME:TYPE=value in a CMakeCache.txt.
-std::string cached(const std::string& cache, const std::string& name) {
-  std::size_t at = cache.rfind("\n" + name + ":");
-  if (at == std::string::npos) return "";
-  at = cache.find('=', at) + 1;
-  return cache.substr(at, cache.find('\n', at) - at);
-}
-
-/// The CMakeCache.txt of a folder or of the nearest one above it.
-struct Cache {
-  fs::path folder;
-  std::string text;
-};
-Cache nearest_cache(fs::path folder) {
-  for (; folder.has_relative_path(); folder = folder.parent_path())
-    if (const Expected<std::string> text = read_file(folder / "CMakeCache.txt")) return {folder, *text};
-  return {};
-}
-
-/// The headers in TZC's own source and build tree, where this program may have been built.
+/// A build tree lists where its headers are: in its devel space, of which this program is part or a neighbour.
 std::vector<fs::path> build_tree_includes(const fs::path& bin) {
-  const Cache cache = nearest_cache(bin);
-  if (cache.text.empty()) return {};
-  const std::string devel = cached(cache.text, "CATKIN_DEVEL_PREFIX");
-  return {fs::path(cached(cache.text, "tzc_SOURCE_DIR")) / "runtime/include",
-          (devel.empty() ? cache.folder / "devel" : fs::path(devel)) / "include"};
+  std::vector<fs::path> folders;
+  for (const char* devel : {"..", "../devel"}) {
+    const Expected<std::string> list = read_file(bin / devel / "share/tzc/include_folders");
+    std::istringstream lines(list ? *list : "");
+    for (std::string line; std::getline(lines, line);) folders.push_back(line);
+  }
+  return folders;
 }
 
 std::vector<std::string> split_path(const char* list) {
@@ -103,7 +87,23 @@ std::vector<fs::path> own_include_folders() {
   return places;
 }
 
+/// Debian's libraries lie in a folder for the architecture.
+bool has_cmake_package(const fs::path& prefix) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(prefix / "lib", ignored))
+    if (fs::exists(entry.path() / "cmake/tzc/tzcConfig.cmake", ignored)) return true;
+  return fs::exists(prefix / "share/tzc/cmake/tzcConfig.cmake", ignored) ||
+         fs::exists(prefix / "lib/cmake/tzc/tzcConfig.cmake", ignored);
+}
+
 }  // namespace
+
+std::string user_folder(const char* variable, const char* in_home) {
+  const char* folder = std::getenv(variable);
+  if (folder && fs::path(folder).is_absolute()) return folder;
+  const char* home = std::getenv("HOME");
+  return home && fs::path(home).is_absolute() ? (fs::path(home) / in_home).string() : "";
+}
 
 Expected<std::vector<std::string>> find_packages_at(const std::string& argument) {
   std::error_code failed;
@@ -134,13 +134,23 @@ Expected<std::string> find_build_dir(const std::string& package_dir, const std::
 
 std::vector<std::string> share_folders(const std::string& build_dir) {
   std::vector<std::string> folders;
-  const std::string catkin = cached(nearest_cache(build_dir).text, "catkin_DIR");
+  const std::string catkin = CmakeCache::nearest(build_dir).value("catkin_DIR");
   if (!catkin.empty()) folders.push_back((fs::path(catkin) / "../..").lexically_normal());
   for (const std::string& folder : split_path(std::getenv("ROS_PACKAGE_PATH"))) folders.push_back(folder);
   for (const std::string& prefix : split_path(std::getenv("CMAKE_PREFIX_PATH")))
     folders.push_back(prefix + "/share");
   folders.push_back("/usr/share");
   return folders;
+}
+
+std::vector<std::string> find_tzc_prefixes(const std::vector<std::string>& given) {
+  const fs::path bin = own_folder();
+  std::vector<fs::path> places = {bin / "..", bin / "../..", bin / "../devel"};
+  for (const std::string& folder : given) places.push_back(fs::path(folder) / "..");
+  std::vector<std::string> prefixes;
+  for (const fs::path& place : places)
+    if (has_cmake_package(place)) prefixes.push_back(fs::canonical(place));
+  return prefixes;
 }
 
 std::string own_folder() {

@@ -4,12 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "edits/expected.h"
+#include "model/expected.h"
 
 namespace tzc::rewriter {
 
-/// The packages that a command-line argument means: the folder itself, or all below it that have a
-/// package.xml (CATKIN_IGNORE and hidden folders are left out). Canonical, sorted.
+/// A folder of the user's after the XDG base directory specification: the variable's value when it is an absolute
+/// path, else this folder in $HOME; empty: neither is set.
+std::string user_folder(const char* variable, const char* in_home);
+
+/// The packages of a command-line argument: the folder itself, or all below it that have a package.xml
+/// (without CATKIN_IGNORE and hidden folders). Canonical, sorted.
 Expected<std::vector<std::string>> find_packages_at(const std::string& argument);
 
 /// The folder of the compile_commands.json that knows the package's files. `given` is -p (a folder or the
@@ -23,7 +27,11 @@ Expected<std::string> find_build_dir(const std::string& package_dir, const std::
 /// environment's ROS_PACKAGE_PATH and CMAKE_PREFIX_PATH, /usr/share last.
 std::vector<std::string> share_folders(const std::string& build_dir);
 
-/// Where this program lies.
+/// Prefixes of the install or build tree that this program, or a folder of `given` (--tzc-include), belongs to:
+/// where CMake finds TZC.
+std::vector<std::string> find_tzc_prefixes(const std::vector<std::string>& given);
+
+/// The folder of this program.
 std::string own_folder();
 
 /// TZC's include folders, the one with tzc/ros.h first: `given`, else those of the install or build tree that

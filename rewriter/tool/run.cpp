@@ -6,14 +6,23 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
+#include <ctime>
+#include <iterator>
+#include <map>
+#include <optional>
 
-#include "edits/swap.h"
 #include "tool/bag.h"
 #include "tool/baseline.h"
+#include "tool/filter.h"
+#include "tool/git.h"
 #include "tool/places.h"
+#include "tool/port_cache.h"
+#include "tool/port_writer.h"
+#include "tool/printing.h"
+#include "tool/prove.h"
+#include "tool/report_files.h"
 #include "tool/terminal.h"
-#include "tool/writing.h"
+#include "transaction/swap.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -26,20 +35,25 @@ class Run {
       : options_(options), engine_(engine), progress_(!options.quiet) {}
 
   int run() {
-    for (const auto step : {&Run::read_inputs, &Run::recover_packages, &Run::plan, &Run::write_out})
-      if (Expected<void> done = (this->*step)(); !done) return report_error(done.error());
-    print_reports();
-    if (Expected<void> done = write_reports(); !done) return report_error(done.error());
+    for (const auto step : {&Run::read_inputs, &Run::open_outputs, &Run::recover_packages})
+      if (Expected<void> done = (this->*step)(); !done) return report_error(done.error()), status();
+    for (const std::vector<std::string>& packages : groups()) port_group(packages);
+    progress_.clear();
+    warn_about_filters();
+    if (failed_ && ports_.empty()) return status();
+    if (!writer_->warning().empty()) fmt::print(stderr, "tzc-rewrite: warning: {}\n", writer_->warning());
+    print_reports(options_, ports_, {status(), writer_->undo_command()});
+    if (Expected<void> done = write_reports(); !done) report_error(done.error());
     return status();
   }
 
  private:
-  int report_error(const Error& error) {
+  void report_error(const Error& error) {
+    failed_ = true;
     progress_.clear();
     const bool colour = wants_colour(STDERR_FILENO);
     fmt::print(stderr, "tzc-rewrite: {}error:{} {}\n", colour ? "\033[1;31m" : "", colour ? "\033[0m" : "",
                to_string(error));
-    return failed;
   }
 
   Expected<void> read_inputs() {
@@ -63,10 +77,22 @@ class Run {
     return {};
   }
 
+  /// Finds out what cannot be written before the analysis, which may take minutes.
+  Expected<void> open_outputs() {
+    Expected<ReportFiles> reports = ReportFiles::open(options_.reports);
+    if (!reports) return reports.error();
+    reports_.emplace(std::move(*reports));
+    Expected<PortWriter> writer = PortWriter::open(options_, packages_);
+    if (!writer) return writer.error();
+    writer_.emplace(std::move(*writer));
+    return {};
+  }
+
   Expected<void> recover_packages() {
     for (const std::string& package : packages_) {
       const Expected<std::vector<std::string>> replaced = recover(package);
       if (!replaced) return replaced.error();
+      finished_another_run_ = finished_another_run_ || !replaced->empty();
       if (!replaced->empty())
         fmt::print(stderr, "tzc-rewrite: {}: finished a run that had been interrupted ({} files)\n", package,
                    replaced->size());
@@ -74,88 +100,78 @@ class Run {
     return {};
   }
 
-  Expected<void> plan() {
-    const PortInputs inputs{options_, engine_, measured_, &progress_};
+  /// Packages of one build tree are proved together and written together; those of others are kept apart, so
+  /// that what is done stays when something later fails.
+  std::vector<std::vector<std::string>> groups() const {
+    std::map<std::string, std::size_t> known;
+    std::vector<std::vector<std::string>> all;
     for (const std::string& package : packages_) {
+      const std::string tree = build_tree_of(package, options_);
+      const auto group = known.emplace(tree, all.size());
+      if (group.second) all.emplace_back();
+      all[group.first->second].push_back(package);
+    }
+    return all;
+  }
+
+  void port_group(const std::vector<std::string>& packages) {
+    PortInputs inputs{options_, engine_, measured_, &progress_};
+    PortCache cache(packages, inputs);
+    std::optional<std::vector<PackagePort>> known = cache.find();
+    std::vector<PackagePort> ports = known ? std::move(*known) : analysed(packages, inputs, cache);
+    Expected<void> done = writer_->write(ports);
+    if (!done) report_error(done.error());
+    std::move(ports.begin(), ports.end(), std::back_inserter(ports_));
+  }
+
+  /// Packages that cannot be analysed are left out, with an error.
+  std::vector<PackagePort> analysed(const std::vector<std::string>& packages, PortInputs inputs,
+                                    PortCache& cache) {
+    inputs.accesses = cache.record();
+    std::vector<PackagePort> ports;
+    for (const std::string& package : packages) {
       Expected<PackagePort> port = port_package(package, inputs);
-      if (!port) return port.error();
-      ports_.push_back(std::move(*port));
+      port ? ports.push_back(std::move(*port)) : report_error(port.error());
     }
-    progress_.clear();
-    return {};
+    const Expected<void> done = prove_build_files(ports, inputs);
+    if (!done) return report_error(done.error()), std::vector<PackagePort>();
+    if (ports.size() == packages.size()) cache.keep(ports);
+    return ports;
   }
 
-  Expected<void> write_out() {
-    switch (options_.action) {
-      case Action::apply:
-        if (!options_.force)
-          if (Expected<void> committed = check_committed(ports_); !committed) return committed;
-        return write_in_place(ports_);
-      case Action::out_dir:
-        return write_copies(ports_, options_.out_dir);
-      case Action::diff:
-      case Action::check:
-        return {};
+  void warn_about_filters() const {
+    for (const std::string& filter : options_.only) {
+      const bool matches = std::any_of(ports_.begin(), ports_.end(), [&](const PackagePort& port) {
+        const SiteFilter wanted = make_filter({filter}, {}, port.package_dir);
+        const std::vector<Site>& sites = port.result.report.sites;
+        return std::any_of(sites.begin(), sites.end(), wanted);
+      });
+      if (!matches) fmt::print(stderr, "tzc-rewrite: warning: --only {} matches no site\n", filter);
     }
-    return {};
   }
 
-  /// The report goes to standard output unless the diff does.
-  void print_reports() const {
-    const bool is_diff = options_.action == Action::diff;
-    std::FILE* stream = is_diff ? stderr : stdout;
-    TextStyle style;
-    style.colour = wants_colour(is_diff ? STDERR_FILENO : STDOUT_FILENO);
-    if (!options_.quiet) {
-      for (const PackagePort& port : ports_) fmt::print(stream, "{}\n", to_text(port.result, style));
-      fmt::print(stream, "{}", closing_line());
-      std::fflush(stream);
-    }
-    if (is_diff) fmt::print("{}", diff_of(ports_));
-  }
-
-  std::string closing_line() const {
-    const auto changed =
-        std::count_if(ports_.begin(), ports_.end(), [](auto& port) { return !port.contents.empty(); });
-    const bool open = std::any_of(ports_.begin(), ports_.end(), has_refusal);
-    if (changed == 0) return open ? "no change; some sites stay on TCPROS\n" : "nothing to port\n";
-    switch (options_.action) {
-      case Action::apply:
-        return "ported; build the workspace again\n";
-      case Action::out_dir:
-        return "ported copies are in " + options_.out_dir + "\n";
-      case Action::check:
-        return status() == work_left ? "not ported yet; tzc-rewrite --apply does it\n"
-                                     : "nothing new to port\n";
-      case Action::diff:
-        return "nothing was written; --apply does it\n";
-    }
-    return "";
-  }
-
-  Expected<void> write_reports() const {
+  Expected<void> write_reports() {
+    if (options_.reports.empty()) return {};
     RunReport all;
-    for (const PackagePort& port : ports_) all.push_back(port.result);
-    for (const std::string& file : options_.reports) {
-      const std::string extension = std::filesystem::path(file).extension();
-      const std::string text = extension == ".json"    ? to_json(all)
-                               : extension == ".sarif" ? to_sarif(all, TZC_VERSION)
-                                                       : to_html(all);
-      if (Expected<void> done = write_file(file, text); !done) return done;
+    for (const PackagePort& port : ports_) {
+      all.push_back(port.result);
+      all.back().message_sizes = measured_;
+      all.back().commit = commit_of(port.package_dir);
     }
-    return {};
+    return reports_->write(all, {TZC_VERSION, utc_now(), options_.command});
   }
 
+  /// Status 2 means that nothing was written, so a failure after a write ends with 1.
   int status() const {
-    if (options_.action == Action::apply || options_.action == Action::out_dir) return nothing_left;
+    const bool wrote = finished_another_run_ || (writer_ && writer_->has_written());
+    if (failed_) return wrote ? work_left : failed;
+    if (options_.action == Action::apply || options_.action == Action::out_dir)
+      return std::any_of(ports_.begin(), ports_.end(), [](auto& port) { return port.refused; })
+                 ? work_left
+                 : nothing_left;
     return std::any_of(ports_.begin(), ports_.end(), [&](auto& port) { return has_work(port); })
                ? work_left
                : nothing_left;
-  }
-
-  static bool has_refusal(const PackagePort& port) {
-    const std::vector<Site>& sites = port.result.report.sites;
-    return std::any_of(sites.begin(), sites.end(), is_refusal);
   }
 
   bool has_work(const PackagePort& port) const {
@@ -168,13 +184,24 @@ class Run {
     });
   }
 
+  static std::string utc_now() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char text[32];
+    return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &utc)};
+  }
+
   const Options& options_;
   const Engine& engine_;
   TerminalProgress progress_;
   std::vector<std::string> packages_;
   std::map<std::string, std::uint64_t> measured_;
   std::optional<Baseline> baseline_;
+  std::optional<ReportFiles> reports_;
+  std::optional<PortWriter> writer_;
   std::vector<PackagePort> ports_;
+  bool failed_ = false, finished_another_run_ = false;
 };
 
 }  // namespace

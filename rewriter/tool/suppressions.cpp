@@ -6,14 +6,15 @@
 #include <sstream>
 
 #include "edits/files.h"
-#include "report/codes.h"
+#include "model/codes.h"
+#include "report/code_pages.h"
 
 namespace tzc::rewriter {
 namespace {
 
 struct Suppression {
   Location where;
-  unsigned covers = 0;  ///< the line that it is about
+  unsigned covers = 0;  ///< the line to which it applies
   std::set<std::string> codes;
   std::string reason;
   bool used = false;
@@ -36,7 +37,7 @@ bool is_comment_line(const std::string& line) {
   return trimmed(line).rfind("//", 0) == 0;
 }
 
-/// A comment behind code is about its own line, one that stands alone about the next line of code.
+/// A comment after code applies to its own line, one on a line of its own to the next line of code.
 unsigned covered_line(const std::vector<std::string>& lines, std::size_t at) {
   while (at < lines.size() && is_comment_line(lines[at])) ++at;
   return static_cast<unsigned>(at) + 1;

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "report/model.h"
+#include "model/report.h"
 
 namespace tzc::rewriter {
 

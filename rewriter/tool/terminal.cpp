@@ -28,7 +28,8 @@ bool wants_colour(int descriptor) {
   return isatty(descriptor) && !(refused && *refused) && !is_dumb();
 }
 
-TerminalProgress::TerminalProgress(bool enabled) : enabled_(enabled && isatty(STDERR_FILENO) && !is_dumb()) {}
+TerminalProgress::TerminalProgress(bool enabled)
+    : enabled_(enabled), terminal_(isatty(STDERR_FILENO) && !is_dumb()) {}
 
 TerminalProgress::~TerminalProgress() {
   clear();
@@ -38,10 +39,21 @@ void TerminalProgress::step(const std::string& stage, unsigned done, unsigned to
                             const std::string& what) {
   if (!enabled_) return;
   std::string line = fmt::format("{} {}/{} {}", stage, done, total, what);
+  if (!terminal_) return log(stage, line, done >= total);
   if (line.size() >= columns()) line.resize(columns() - 1);
   fmt::print(stderr, "\r\033[K{}", line);
   std::fflush(stderr);
   shown_ = true;
+}
+
+void TerminalProgress::log(const std::string& stage, const std::string& line, bool last) {
+  constexpr std::chrono::seconds interval{10};
+  const auto now = std::chrono::steady_clock::now();
+  if (stage == stage_ && !last && now - logged_ < interval) return;
+  fmt::print(stderr, "tzc-rewrite: {}\n", line);
+  std::fflush(stderr);
+  stage_ = last ? "" : stage;
+  logged_ = now;
 }
 
 void TerminalProgress::clear() {

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <string>
 
-#include "report/model.h"
+#include "model/progress.h"
 
 namespace tzc::rewriter {
 
 /// Whether a stream's descriptor is a terminal that wants colours (NO_COLOR and TERM=dumb are respected).
 bool wants_colour(int descriptor);
 
-/// One line on standard error that is overwritten as the work goes on; nothing where that is no terminal.
+/// One line on standard error that is overwritten as the work goes on. Where that is no terminal, a line for
+/// each stage that begins or ends, and one every ten seconds between.
 class TerminalProgress : public Progress {
  public:
   explicit TerminalProgress(bool enabled);
@@ -19,8 +21,12 @@ class TerminalProgress : public Progress {
   void clear();
 
  private:
-  bool enabled_;
+  void log(const std::string& stage, const std::string& line, bool last);
+
+  bool enabled_, terminal_;
   bool shown_ = false;
+  std::string stage_;  ///< of the last line in a log
+  std::chrono::steady_clock::time_point logged_;
 };
 
 }  // namespace tzc::rewriter

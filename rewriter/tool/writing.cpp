@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/writing.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <set>
 
 #include "edits/diff.h"
-#include "edits/swap.h"
 #include "tool/git.h"
+#include "transaction/swap.h"
 
 namespace tzc::rewriter {
 namespace fs = std::filesystem;
 namespace {
 
-/// What the paths of a package's diff are relative to.
+/// The folder to which the paths of a package's diff are relative.
 struct DiffBase {
   std::string folder;
   bool git = false;
@@ -27,28 +29,49 @@ DiffBase diff_base(const std::string& package_dir) {
   return top.empty() ? DiffBase{package_dir, false} : DiffBase{top, true};
 }
 
-Expected<void> copy_package(const std::string& from, const fs::path& to) {
+Error not_written(const std::string& path, const std::error_code& failed) {
+  return {"cannot be written: " + failed.message(), path, "name a folder that can be written with --out-dir"};
+}
+
+Expected<void> copy_package(const std::string& from, const fs::path& to, const std::string& out_dir) {
   std::error_code failed;
   fs::create_directories(to, failed);
-  const auto options = fs::copy_options::overwrite_existing | fs::copy_options::copy_symlinks;
   for (const auto& entry : fs::directory_iterator(from, failed)) {
     const std::string name = entry.path().filename();
-    if (name == ".git" || name == ".tzc-rewrite" || entry.path() == to) continue;
-    fs::copy(entry.path(), to / name, options | fs::copy_options::recursive, failed);
-    if (failed) return Error{"can not be copied: " + failed.message(), entry.path(), ""};
+    if (name == ".git" || name == ".tzc-rewrite" || entry.path() == out_dir) continue;
+    fs::copy(entry.path(), to / name, fs::copy_options::copy_symlinks | fs::copy_options::recursive, failed);
+    if (failed) return Error{"cannot be copied: " + failed.message(), entry.path(), ""};
   }
-  if (failed) return Error{"can not be written: " + failed.message(), to, ""};
+  if (failed) return not_written(to, failed);
   return {};
 }
 
-Expected<void> write_copy(const PackagePort& port, const fs::path& out_dir) {
-  const fs::path to = fs::weakly_canonical(out_dir) / fs::path(port.package_dir).filename();
-  if (to == port.package_dir || is_below(to, port.package_dir))
-    return Error{"--out-dir lies in the package itself", to, "name another folder, or use --apply"};
-  if (Expected<void> copied = copy_package(port.package_dir, to); !copied) return copied;
-  for (const auto& [file, content] : port.contents)
-    if (Expected<void> done = write_file(to / file.substr(port.package_dir.size() + 1), content); !done)
-      return done;
+/// Moves what is in `from` over what is in `to`; files of `to` that `from` does not have stay.
+Expected<void> move_into(const fs::path& from, const fs::path& to) {
+  std::error_code failed;
+  if (!fs::exists(fs::symlink_status(to)) || !fs::is_directory(from) || fs::is_symlink(from)) {
+    if (fs::is_directory(to) && !fs::is_symlink(to)) fs::remove_all(to, failed);
+    fs::rename(from, to, failed);
+    if (failed) return not_written(to, failed);
+    return {};
+  }
+  for (const auto& entry : fs::directory_iterator(from, failed))
+    if (Expected<void> done = move_into(entry.path(), to / entry.path().filename()); !done) return done;
+  if (failed) return not_written(to, failed);
+  return {};
+}
+
+Expected<void> check_names(const std::string& folder, const std::vector<std::string>& packages) {
+  std::set<std::string> names;
+  for (const std::string& package : packages) {
+    const std::string name = fs::path(package).filename();
+    const std::string to = fs::path(folder) / name;
+    if (to == package || is_below(to, package))
+      return Error{"--out-dir lies in the package itself", to, "name another folder, or use --apply"};
+    if (!names.insert(name).second)
+      return Error{"two packages lie in folders of this name; nothing was written", package,
+                   "port them one after the other into different folders"};
+  }
   return {};
 }
 
@@ -80,21 +103,43 @@ Expected<void> check_committed(const std::vector<PackagePort>& ports) {
   return {};
 }
 
-Expected<void> write_in_place(const std::vector<PackagePort>& ports) {
-  for (const PackagePort& port : ports)
-    if (Expected<void> done = swap_in(port.package_dir, port.contents, port.before); !done) return done;
+Expected<void> write_in_place(const PackagePort& port) {
+  return swap_in(port.package_dir, port.contents, port.before);
+}
+
+Expected<OutDir> OutDir::open(const std::string& folder, const std::vector<std::string>& packages) {
+  OutDir out;
+  out.folder_ = fs::weakly_canonical(folder);
+  if (Expected<void> fits = check_names(out.folder_, packages); !fits) return fits.error();
+  std::error_code failed;
+  out.is_new_ = fs::create_directories(out.folder_, failed);
+  const std::string staging = out.folder_ + "/.tzc-rewrite-" + std::to_string(::getpid());
+  if (!failed) fs::create_directory(staging, failed);
+  if (failed) return not_written(out.folder_, failed);
+  out.staging_ = staging;
+  return out;
+}
+
+OutDir::~OutDir() {
+  std::error_code ignored;
+  if (staging_.empty()) return;
+  fs::remove_all(staging_, ignored);
+  if (is_new_) fs::remove(folder_, ignored);  // fails where it holds something
+}
+
+Expected<void> OutDir::stage(const PackagePort& port) const {
+  const fs::path name = fs::path(port.package_dir).filename();
+  const fs::path staged = fs::path(staging_) / name;
+  if (Expected<void> copied = copy_package(port.package_dir, staged, folder_); !copied) return copied;
+  for (const auto& [file, content] : port.contents)
+    if (Expected<void> done = write_file(staged / file.substr(port.package_dir.size() + 1), content); !done)
+      return done;
   return {};
 }
 
-Expected<void> write_copies(const std::vector<PackagePort>& ports, const std::string& out_dir) {
-  std::set<std::string> names;
-  for (const PackagePort& port : ports)
-    if (!names.insert(fs::path(port.package_dir).filename()).second)
-      return Error{"two packages lie in folders of this name; nothing was written", port.package_dir,
-                   "port them one after the other into different folders"};
-  for (const PackagePort& port : ports)
-    if (Expected<void> done = write_copy(port, out_dir); !done) return done;
-  return {};
+Expected<void> OutDir::move_in(const PackagePort& port) const {
+  const fs::path name = fs::path(port.package_dir).filename();
+  return move_into(fs::path(staging_) / name, fs::path(folder_) / name);
 }
 
 }  // namespace tzc::rewriter

@@ -13,13 +13,37 @@ namespace tzc::rewriter {
 /// package's folder when that does not lie below the working folder.
 std::string diff_of(const std::vector<PackagePort>& ports);
 
-/// Refuses when git does not have the files as they are.
+/// An error when git does not have the present content of the files.
 Expected<void> check_committed(const std::vector<PackagePort>& ports);
 
-/// Changes each package in place, all of its files or none.
-Expected<void> write_in_place(const std::vector<PackagePort>& ports);
+/// Changes a package in place, all of its files or none.
+Expected<void> write_in_place(const PackagePort& port);
 
-/// A whole copy of each package, ported, as DIR/<folder of the package>.
-Expected<void> write_copies(const std::vector<PackagePort>& ports, const std::string& out_dir);
+/// The folder of --out-dir: gets a whole copy of each package, ported, as DIR/<folder of the package>. Each copy
+/// is made beside its place and renamed into it when it is whole.
+class OutDir {
+ public:
+  /// Makes the folder. An error when it cannot be written, or cannot hold copies of these packages.
+  static Expected<OutDir> open(const std::string& folder, const std::vector<std::string>& packages);
+
+  OutDir(OutDir&& other) noexcept
+      : folder_(std::move(other.folder_)), staging_(std::move(other.staging_)), is_new_(other.is_new_) {
+    other.staging_.clear();
+  }
+  OutDir& operator=(OutDir&&) = delete;
+  ~OutDir();
+
+  /// Makes the copy, beside its place.
+  Expected<void> stage(const PackagePort& port) const;
+
+  /// Moves the staged copy into its place.
+  Expected<void> move_in(const PackagePort& port) const;
+
+ private:
+  OutDir() = default;
+  std::string folder_;   ///< canonical
+  std::string staging_;  ///< a folder in it, removed in the end
+  bool is_new_ = false;  ///< made by this run: removed in the end when it is empty
+};
 
 }  // namespace tzc::rewriter

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "edits/edit.h"
-#include "facts/facts.h"
-#include "facts/parse.h"
+#include "model/edit.h"
+#include "model/expected.h"
+#include "model/facts.h"
+#include "model/judges.h"
+#include "parse/parse.h"
 #include "solve/components.h"
-#include "solve/plan.h"
+#include "verify/attribution.h"
+#include "verify/callees.h"
 
 namespace tzc::rewriter {
 
@@ -18,7 +23,10 @@ namespace tzc::rewriter {
 struct Failure {
   Diagnostic error;
   std::string unit;
-  std::vector<int> suspects;
+  std::vector<ComponentId> suspects;
+  std::vector<ComponentId>
+      candidates;         ///< when no component is suspected: those named there first, then all of the unit's
+  std::size_t named = 0;  ///< how many of the candidates are named there
 };
 
 struct Verification {
@@ -26,40 +34,57 @@ struct Verification {
   FileContents contents;  ///< the edited files
 };
 
-/// Parses every unit that includes an edited file, with the edits in memory.
+/// What a verification compares the edited package with.
+struct VerifiedPackage {
+  const std::vector<CompileUnit>& units;
+  const Facts& facts;
+  const CallsOfUnits& calls;
+  const Components& components;
+  std::string dir;
+};
+
+/// What to verify.
+struct VerifyRequest {
+  const Edits& edits;
+  std::set<std::string> only;  ///< main files; empty: every unit that includes an edited file
+  std::function<void(unsigned, unsigned)> progress;
+};
+
+/// Parses every unit that includes an edited file, with the new text in memory, and runs the package's
+/// compiler. A unit is verified again only when the text of a file that it includes changed.
 class Verifier {
  public:
-  Verifier(const std::vector<CompileUnit>& units, const Facts& facts, const Components& components,
-           ParseOptions options, std::string package_dir, unsigned jobs, ReadFile read)
-      : units_(units),
-        facts_(facts),
-        components_(components),
+  Verifier(VerifiedPackage package, ParseOptions options, unsigned jobs, ReadFile read, Judges judges)
+      : package_(std::move(package)),
         options_(std::move(options)),
-        package_dir_(std::move(package_dir)),
         jobs_(jobs),
-        read_(std::move(read)) {}
+        read_(std::move(read)),
+        judges_(std::move(judges)) {}
 
-  /// An error when edits contradict each other.
-  Expected<Verification> run(const Edits& edits,
-                             const std::function<void(unsigned, unsigned)>& progress) const;
+  /// An error when edits contradict each other, or the compiler cannot be run.
+  Expected<Verification> run(const VerifyRequest& request);
 
  private:
-  Expected<FileContents> edited(const Edits& edits) const;
-  std::set<std::string> touched(const FileContents& contents) const;
-  std::vector<int> suspects_of(const Diagnostic& error, const std::map<std::string, Edits>& edits) const;
+  using Judgement = std::vector<std::pair<std::string, Diagnostic>>;  ///< unit and error
+  Expected<FileContents> written(const Edits& edits) const;
+  std::vector<const CompileUnit*> touched(const FileContents& contents,
+                                          const std::set<std::string>& only) const;
+  /// A key of the texts of a unit.
+  std::string key_of(const std::string& unit, const FileContents& contents) const;
+  Judgement ask_clang(const VerifyRequest& request, const FileContents& contents,
+                      const Attribution& attribution);
+  Expected<Judgement> ask_compiler(const VerifyRequest& request, const FileContents& contents);
   /// Calls that would pick another function than before, as errors.
   std::vector<Diagnostic> changed_calls(const std::string& unit, const std::vector<PackageCall>& now,
-                                        const std::map<std::string, Edits>& edits) const;
-  unsigned original(const std::string& file, unsigned line, const std::map<std::string, Edits>& edits) const;
-  bool owns_line(int component, const std::string& file, unsigned line) const;
+                                        const Attribution& attribution) const;
+  Failure failure_of(const std::string& unit, const Diagnostic& error, const Attribution& attribution) const;
 
-  const std::vector<CompileUnit>& units_;
-  const Facts& facts_;
-  const Components& components_;
+  VerifiedPackage package_;
   ParseOptions options_;
-  std::string package_dir_;
   unsigned jobs_;
   ReadFile read_;
+  Judges judges_;
+  std::map<std::string, std::vector<Diagnostic>> clang_said_, compiler_said_;  ///< by key
 };
 
 }  // namespace tzc::rewriter

@@ -1,43 +1,86 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/announced_segments.h"
 
-#include <algorithm>
+#include <string>
+#include <utility>
 
 namespace tzc {
 namespace channel {
+namespace {
+
+// The subscriber holds nothing any more.
+void detach(segment::Segment& segment, const std::shared_ptr<segment::AckFile>& ack_file) {
+  segment.holders().detach(ack_file);
+  ack_file->for_each_sent([&segment](std::uint32_t slot) { segment.note_release(slot); });
+}
+
+}  // namespace
+
+// Retires first: the record itself may have blocks in a segment that only it needs.
+Status AnnouncedSegments::announce(const Record& record, const std::weak_ptr<segment::Revoker>& revoker,
+                                   PacketSender& sender, PacketSender::Result& sent) {
+  for (const std::uint64_t id : remove_retired()) {
+    Outgoing retirement;
+    retirement.kind = PacketKind::retire_segment;
+    retirement.segment_id = id;
+    sent = sender.send(std::move(retirement));
+  }
+  for (const BufferPtr& buffer : record.buffers()) {
+    segment::Segment& segment = segment::Segment::of(*buffer);
+    if (find(segment.id()) != nullptr) continue;
+    const Status added = add(segment, revoker);
+    if (!added) return added;
+    Outgoing announcement;
+    announcement.kind = PacketKind::segment;
+    announcement.segment = entries_.back().segment;
+    announcement.ack_file = entries_.back().ack_file;
+    sent = sender.send(std::move(announcement));
+  }
+  return Success{};
+}
+
+Status AnnouncedSegments::add(segment::Segment& segment, const std::weak_ptr<segment::Revoker>& revoker) {
+  if (entries_.size() >= max_segments) {
+    Error error;
+    error.what = "offer another segment to a subscriber that already has " + std::to_string(max_segments);
+    return error;
+  }
+  auto ack_file = segment::AckFile::create(segment.file().slots());
+  if (!ack_file) return ack_file.error();
+  segment.holders().attach(*ack_file, revoker);
+  entries_.push_back(Entry{segment.id(), segment::SegmentPtr(&segment), *ack_file});
+  return Success{};
+}
 
 BufferPtr AnnouncedSegments::revive(const segment::BlockRef& ref) const {
-  for (const Entry& entry : entries_) {
-    if (entry.id == ref.segment)
-      return entry.segment->revive(ref.offset, segment::BlockName{ref.segment, ref.slot, ref.generation});
-  }
-  return nullptr;
+  const Entry* entry = find(ref.segment);
+  if (entry == nullptr) return nullptr;
+  return entry->segment->revive(ref.offset, segment::BlockName{ref.segment, ref.slot, ref.generation});
 }
 
-Expected<AnnouncedSegments::Entry> AnnouncedSegments::add(segment::Segment& segment,
-                                                          const std::weak_ptr<segment::Revoker>& revoker) {
-  auto ledger = segment::Ledger::create(segment.slots());
-  if (!ledger) return ledger.error();
-  segment.attach(*ledger, revoker);
-  entries_.push_back(Entry{segment.id(), segment::SegmentPtr(&segment), *ledger});
-  return entries_.back();
+void AnnouncedSegments::revoke(const segment::BlockName& block) const {
+  const Entry* entry = find(block.segment);
+  if (entry == nullptr) return;
+  entry->ack_file->revoke(block.slot, block.generation);
+  entry->segment->note_release(block.slot);
 }
 
+// Segments in which no further block is allocated, and of which the subscriber holds nothing.
 std::vector<std::uint64_t> AnnouncedSegments::remove_retired() {
   const auto gone = std::stable_partition(entries_.begin(), entries_.end(), [](const Entry& entry) {
-    return !entry.segment->retired() || !entry.ledger->idle();
+    return !entry.segment->retired() || !entry.ack_file->idle();
   });
   std::vector<std::uint64_t> ids;
   for (auto entry = gone; entry != entries_.end(); ++entry) {
     ids.push_back(entry->id);
-    entry->segment->detach(entry->ledger);
+    detach(*entry->segment, entry->ack_file);
   }
   entries_.erase(gone, entries_.end());
   return ids;
 }
 
 void AnnouncedSegments::clear() {
-  for (const Entry& entry : entries_) entry.segment->detach(entry.ledger);
+  for (const Entry& entry : entries_) detach(*entry.segment, entry.ack_file);
   entries_.clear();
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "segment/ledger.h"
+#include "channel/packet_sender.h"
+#include "channel/record.h"
+#include "segment/ack_file.h"
 #include "segment/received_segment.h"
 #include "segment/segment.h"
 #include "segment/segment_ptr.h"
@@ -13,39 +16,55 @@
 namespace tzc {
 namespace channel {
 
-/// The segments that one subscriber was told about, with its ledger for each. Attached to their segments
-/// until destroyed: as long as this object lives, what the subscriber holds is not reused. Not thread-safe.
+/// The segments that were announced to one subscriber, with an ack file for each. While this object lives,
+/// blocks that the subscriber holds are not reused. Not thread-safe.
 class AnnouncedSegments {
  public:
-  struct Entry {
-    std::uint64_t id;
-    segment::SegmentPtr segment;
-    std::shared_ptr<segment::Ledger> ledger;
-  };
-
   AnnouncedSegments() = default;
   AnnouncedSegments(const AnnouncedSegments&) = delete;
   AnnouncedSegments& operator=(const AnnouncedSegments&) = delete;
   ~AnnouncedSegments() { clear(); }
 
-  std::size_t size() const { return entries_.size(); }
-  /// Null: not announced yet. Valid until the next call that is not const.
-  segment::Ledger* ledger_of(std::uint64_t segment_id) const {
-    for (const Entry& entry : entries_) {
-      if (entry.id == segment_id) return entry.ledger.get();
-    }
-    return nullptr;
+  /// True when every segment of the record is announced.
+  TZC_HOT bool covers(const Record& record) const {
+    return std::all_of(record.buffers().begin(), record.buffers().end(), [this](const BufferPtr& buffer) {
+      return ack_file_of(segment::Segment::of(*buffer).id()) != nullptr;
+    });
   }
-  /// Null: not announced, or the block is no more.
+  /// Retires unused segments, then announces those of the record that are not announced yet. Error: no
+  /// descriptors or memory, or too many segments. `sent` is the sender's last result.
+  Status announce(const Record& record, const std::weak_ptr<segment::Revoker>& revoker, PacketSender& sender,
+                  PacketSender::Result& sent);
+
+  /// Null: not announced yet. Valid until the next call that is not const.
+  segment::AckFile* ack_file_of(std::uint64_t segment_id) const {
+    const Entry* entry = find(segment_id);
+    return entry == nullptr ? nullptr : entry->ack_file.get();
+  }
+  /// A new handle of a block that is in flight to the subscriber. Null: not announced, or the block was
+  /// freed.
   BufferPtr revive(const segment::BlockRef& ref) const;
-  Expected<Entry> add(segment::Segment& segment, const std::weak_ptr<segment::Revoker>& revoker);
-  /// Lets go of segments that no block will ever be allocated in again and that the subscriber holds nothing
-  /// of; returns their ids.
-  std::vector<std::uint64_t> remove_retired();
-  /// The subscriber is gone: it holds nothing any more.
+  /// Removes one mark. A retired segment has no mark, unless its subscriber forged one.
+  void revoke(const segment::BlockName& block) const;
+  /// The subscriber hung up: it holds nothing any more.
   void clear();
 
  private:
+  struct Entry {
+    std::uint64_t id;
+    segment::SegmentPtr segment;
+    std::shared_ptr<segment::AckFile> ack_file;
+  };
+
+  const Entry* find(std::uint64_t segment_id) const {
+    for (const Entry& entry : entries_) {
+      if (entry.id == segment_id) return &entry;
+    }
+    return nullptr;
+  }
+  Status add(segment::Segment& segment, const std::weak_ptr<segment::Revoker>& revoker);
+  std::vector<std::uint64_t> remove_retired();
+
   std::vector<Entry> entries_;
 };
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/hang_up_watch.h"
 
-#include "channel/link.h"
-
 namespace tzc {
 namespace channel {
 
-Expected<std::shared_ptr<HangUpWatch>> HangUpWatch::start(Service& service, int fd, Link& link) {
-  auto watch = std::make_shared<HangUpWatch>(service, fd, link);
+Expected<std::shared_ptr<HangUpWatch>> HangUpWatch::start(Service& service, int fd,
+                                                          HangUpListener& listener) {
+  auto watch = std::make_shared<HangUpWatch>(service, fd, listener);
   const std::lock_guard<std::mutex> lock(watch->mutex_);
   const auto key = service.add(fd, false, false, watch);
   if (!key) return key.error();
@@ -20,17 +19,17 @@ void HangUpWatch::stop() {
   forget();
 }
 
-// Once is enough: the poller would report it again and again.
+// Stop watching: the poller would report the hang-up again and again.
 void HangUpWatch::on_event(const posix::Poller::Event& event) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!event.hung_up || link_ == nullptr) return;
-  link_->end();
+  if (!event.hung_up || listener_ == nullptr) return;
+  listener_->end();
   forget();
 }
 
 void HangUpWatch::forget() {
-  if (link_ == nullptr) return;
-  link_ = nullptr;
+  if (listener_ == nullptr) return;
+  listener_ = nullptr;
   service_.forget(fd_, key_);
 }
 

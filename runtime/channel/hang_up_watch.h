@@ -9,15 +9,21 @@
 namespace tzc {
 namespace channel {
 
-class Link;
+/// Told when the other end of a socket is closed.
+class HangUpListener {
+ public:
+  virtual ~HangUpListener() = default;
+  virtual void end() = 0;
+};
 
-/// Tells a link when the other end of its socket is closed, whose reader sleeps on the ring and not on the
-/// socket.
+/// Tells a link that the other end of its socket is closed. Its reader sleeps on the ring and does not see
+/// that.
 class HangUpWatch final : public Watcher {
  public:
-  static Expected<std::shared_ptr<HangUpWatch>> start(Service& service, int fd, Link& link);
-  HangUpWatch(Service& service, int fd, Link& link) : service_(service), fd_(fd), link_(&link) {}
-  /// Afterwards neither the link nor its descriptor is used. Waits for nobody's callbacks.
+  static Expected<std::shared_ptr<HangUpWatch>> start(Service& service, int fd, HangUpListener& listener);
+  HangUpWatch(Service& service, int fd, HangUpListener& listener)
+      : service_(service), fd_(fd), listener_(&listener) {}
+  /// Afterwards neither the listener nor its descriptor is used. Waits for no callback.
   void stop();
 
   void on_event(const posix::Poller::Event& event) override;
@@ -28,7 +34,7 @@ class HangUpWatch final : public Watcher {
   Service& service_;
   const int fd_;
   std::mutex mutex_;
-  Link* link_;
+  HangUpListener* listener_;
   std::uint64_t key_ = 0;
 };
 

@@ -22,10 +22,22 @@ Error failed(const std::string& what, const std::string& address) {
   return error;
 }
 
-// A publisher that runs as root may be subscribed to: it can read everything of this process anyway.
+// A publisher that runs as root is allowed: it can read everything of this process anyway.
 bool trusted(const SubscriberOptions& options, const Credentials& peer) {
   if (options.authorize) return options.authorize(peer);
   return peer.uid == ::geteuid() || peer.uid == 0;
+}
+
+segment::ViewWrites view_writes(const SubscriberOptions& options) {
+  if (!options.private_writes) return segment::ViewWrites::fault;
+  return segment::can_make_private_pages() ? segment::ViewWrites::private_pages : segment::ViewWrites::copies;
+}
+
+// Also where the reader needs no service (portable build).
+Service* notice_service(const SubscriberOptions& options) {
+  if (!options.on_write || !options.own_thread) return nullptr;
+  const auto service = Service::instance();
+  return service ? *service : nullptr;
 }
 
 }  // namespace
@@ -38,15 +50,21 @@ Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options, 
   if (!trusted(options, *peer))
     return failed("trust the publisher, a process of another user", options.address);
   auto link = std::make_shared<Link>(std::move(*socket), *peer, service);
+  link->writes_ = view_writes(options);
+  link->notice_ = WriteNotice::create(notice_service(options), options.on_write);
   const Status welcome = link->shake_hands(options);
   if (!welcome) return welcome.error();
   return link;
 }
 
 Link::Link(posix::FileDescriptor socket, const Credentials& peer, Service* service)
-    : socket_(std::move(socket)), peer_(peer), epoch_(posix::fork_epoch()), service_(service) {}
+    : socket_(std::move(socket)),
+      peer_(peer),
+      epoch_(posix::fork_epoch()),
+      service_(service),
+      notice_(WriteNotice::create(nullptr, nullptr)) {}
 
-// The parent goes on watching what a forked child has only copied.
+// A forked child must not end the watch: its parent still uses it.
 Link::~Link() {
   if (watch_ && !forked()) watch_->stop();
 }
@@ -68,7 +86,7 @@ Status Link::say_hello(const SubscriberOptions& options) const {
                     service_ != nullptr ? std::uint32_t{reads_ring} : 0};
   const iovec parts[] = {{const_cast<Hello*>(&hello), sizeof hello},
                          {const_cast<char*>(options.hello.data()), options.hello.size()}};
-  posix::send_packet(fd(), parts, 2);  // when it fails, the refusal that waits to be read says why
+  posix::send_packet(fd(), parts, 2);  // when it fails, the publisher's Refusal says why
   return Success{};
 }
 
@@ -120,9 +138,9 @@ void Link::end() {
   if (ring_ != nullptr) wake_reader(*ring_);
 }
 
-void Link::say_goodbye() {
-  const Goodbye goodbye{PacketKind::goodbye};
-  const iovec whole{const_cast<Goodbye*>(&goodbye), sizeof goodbye};
+void Link::unsubscribe() {
+  const Unsubscribe unsubscribe{PacketKind::unsubscribe};
+  const iovec whole{const_cast<Unsubscribe*>(&unsubscribe), sizeof unsubscribe};
   posix::send_packet(fd(), &whole, 1);
   posix::stop_receiving(fd());
   end();

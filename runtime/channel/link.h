@@ -6,37 +6,45 @@
 
 #include "channel/hang_up_watch.h"
 #include "channel/shared_page.h"
+#include "channel/write_notice.h"
 #include "posix/file_descriptor.h"
+#include "segment/received_segment.h"
 #include "tzc/channel.h"
 
 namespace tzc {
 namespace channel {
 
-/// A subscriber's open connection: the socket and the shared page. Every message holds it, because the
-/// publisher takes everything back when the socket hangs up.
-class Link {
+/// A subscriber's open connection: the socket and the shared page. Every message keeps it open, because the
+/// publisher reclaims everything when the socket hangs up.
+class Link final : public HangUpListener {
  public:
-  /// Connects and shakes hands, within options.handshake_timeout. With a service, which then looks for the
+  /// Connects and shakes hands, within options.handshake_timeout. With a service, which then watches for the
   /// publisher's end, records may come through the ring.
   static Expected<std::shared_ptr<Link>> connect(const SubscriberOptions& options, Service* service);
   Link(posix::FileDescriptor socket, const Credentials& peer, Service* service);
-  ~Link();
-  /// On a socket that is connected already.
+  ~Link() override;
+  /// On a connected socket.
   Status shake_hands(const SubscriberOptions& options);
 
   int fd() const { return socket_.get(); }
   const Credentials& peer() const { return peer_; }
   std::uint32_t first_sequence() const { return first_sequence_; }
-  std::atomic<std::uint64_t>& verdict() const { return page_.verdict(); }
+  std::atomic<std::uint64_t>& cursors() const { return page_.cursors(); }
   /// Null: everything comes through the socket.
   Ring* ring() const { return ring_; }
-  /// No record comes any more but those that are on their way; a reader that sleeps on the ring looks again.
-  void end();
+  /// Only records that are already sent still arrive; wakes a reader that sleeps on the ring.
+  void end() override;
   const std::atomic<bool>& ended() const { return ended_; }
-  /// A forked copy must not speak for its parent.
+  segment::ViewWrites writes() const { return writes_; }
+  segment::WriteListener* write_listener() const { return notice_.get(); }
+  WriteNotice& write_notice() const { return *notice_; }
+  /// Counts a destroyed message that this process had written to.
+  void count_written() const { written_.fetch_add(1, std::memory_order_relaxed); }
+  std::uint64_t written() const { return written_.load(std::memory_order_relaxed); }
+  /// True in a forked child, which must not send for its parent.
   bool forked() const;
   /// Unsubscribes; the socket stays open. A reader blocked on it returns.
-  void say_goodbye();
+  void unsubscribe();
 
  private:
   Status say_hello(const SubscriberOptions& options) const;
@@ -51,6 +59,9 @@ class Link {
   SharedPage page_;
   Ring* ring_ = nullptr;
   std::atomic<bool> ended_{false};
+  segment::ViewWrites writes_ = segment::ViewWrites::private_pages;
+  std::shared_ptr<WriteNotice> notice_;
+  mutable std::atomic<std::uint64_t> written_{0};
   std::shared_ptr<HangUpWatch> watch_;
   std::uint32_t first_sequence_ = 0;
 };

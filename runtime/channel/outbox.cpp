@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
+#include "channel/delivery_cursors.h"
 #include "posix/hot.h"
-#include "posix/step.h"
 #include "segment/segment.h"
+#include "sync_point/sync_point.h"
 
 namespace tzc {
 namespace channel {
@@ -36,10 +38,12 @@ SendResult write_packet(int socket, const Packet& packet, Traffic& traffic, cons
 SendResult write_segment(int socket, const Outgoing& item, Traffic& traffic) {
   const segment::Segment& segment = *item.segment;
   const SegmentPacket packet{
-      PacketKind::segment, 0, {segment.id(), segment.size(), item.ledger->file_size(), segment.slots()}};
-  const int descriptors[] = {segment.fd(), item.ledger->fd()};
+      PacketKind::segment,
+      0,
+      {segment.id(), segment.file().size(), item.ack_file->file_size(), segment.file().slots()}};
+  const int descriptors[] = {segment.file().fd(), item.ack_file->fd()};
   const SendResult result = write_packet(socket, packet, traffic, descriptors, 2);
-  if (result == SendResult::sent) item.ledger->close_descriptor();
+  if (result == SendResult::sent) item.ack_file->close_descriptor();
   return result;
 }
 
@@ -76,7 +80,7 @@ TZC_HOT SendResult write_small(int socket, const RecordPrefix& prefix, const Rec
 }  // namespace
 
 SendResult Outbox::write_record(int socket, const Record& record, std::uint32_t sequence, Traffic& traffic) {
-  posix::step("publish: before write");
+  sync_point("publish: before write");
   const RecordPrefix prefix{PacketKind::record, sequence};
   if (record.size() <= Record::usual_bytes) return write_small(socket, prefix, record, traffic);
   return write_slice(socket, prefix, record.data(), record.size(), traffic);
@@ -109,13 +113,13 @@ SendResult Outbox::flush(int socket, Traffic& traffic) {
   return SendResult::sent;
 }
 
-void Outbox::drop_record(std::uint32_t sequence) {
-  const auto found = std::find_if(items_.begin(), items_.end(), [sequence](const Outgoing& item) {
-    return item.kind == PacketKind::record && item.sequence == sequence;
-  });
-  if (found == items_.end()) return;
-  items_.erase(found);
-  --records_;
+void Outbox::drop_records_through(std::uint32_t sequence) {
+  for (auto item = items_.begin(); item != items_.end();) {
+    const bool is_record = item->kind == PacketKind::record;
+    if (is_record && is_after(item->sequence, sequence)) return;
+    if (is_record) --records_;
+    item = is_record ? items_.erase(item) : std::next(item);
+  }
 }
 
 void Outbox::clear() {

@@ -10,30 +10,30 @@
 #include "channel/wire.h"
 #include "posix/hot.h"
 #include "posix/packet.h"
-#include "segment/ledger.h"
+#include "segment/ack_file.h"
 #include "segment/segment_ptr.h"
 
 namespace tzc {
 namespace channel {
 
-/// One thing to write: a record (in several packets when it is large) or a packet about segments.
+/// An item to write: a record (in several packets when it is large) or a packet about segments.
 struct Outgoing {
   PacketKind kind = PacketKind::record;
-  RecordPtr record{};                         // record
-  std::uint32_t sequence = 0;                 // record
-  std::size_t written = 0;                    // record: bytes of its body already sent as fragments
-  segment::SegmentPtr segment{};              // segment
-  std::shared_ptr<segment::Ledger> ledger{};  // segment
-  std::uint64_t segment_id = 0;               // retire_segment
+  RecordPtr record{};                            // record
+  std::uint32_t sequence = 0;                    // record
+  std::size_t written = 0;                       // record: bytes of its body already sent as fragments
+  segment::SegmentPtr segment{};                 // segment
+  std::shared_ptr<segment::AckFile> ack_file{};  // segment
+  std::uint64_t segment_id = 0;                  // retire_segment
 };
 
-/// What went through the socket.
+/// Counts of what went through the socket.
 struct Traffic {
   std::uint64_t bytes = 0;
   std::uint32_t packets = 0;
 };
 
-/// What waits because the socket was full, in order. Not thread-safe.
+/// Items that wait because the socket was full, in order. Not thread-safe.
 class Outbox {
  public:
   /// Writes a record that fits in one packet and adds what it wrote to `traffic`.
@@ -48,8 +48,8 @@ class Outbox {
   void push(Outgoing item);
   /// Writes from the front until the socket is full or all is written.
   posix::SendResult flush(int socket, Traffic& traffic);
-  /// Forgets the record, if it is still here; its receiver skips a half-written one by itself.
-  void drop_record(std::uint32_t sequence);
+  /// Drops the records up to this one; the receiver skips a half-written one.
+  void drop_records_through(std::uint32_t sequence);
   void clear();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "channel/hub.h"
+#include "channel/publisher_impl.h"
 #include "posix/fork_epoch.h"
 #include "posix/hot.h"
 #include "tzc/channel.h"
@@ -8,40 +8,40 @@ namespace tzc {
 namespace channel {
 namespace {
 
-/// The user's handle: its end is the end of the publisher.
-class PublisherHandle final : public Publisher {
+/// The user's handle. Its destructor ends the publisher.
+class PublisherOwner final : public Publisher {
  public:
-  explicit PublisherHandle(std::shared_ptr<Hub> hub) : hub_(std::move(hub)), epoch_(posix::fork_epoch()) {}
+  explicit PublisherOwner(std::shared_ptr<PublisherImpl> publisher)
+      : publisher_(std::move(publisher)), epoch_(posix::fork_epoch()) {}
 
-  // A forked child can't use its copy, and the locks in it may be held by threads that it does not have: let
-  // it be.
-  ~PublisherHandle() override {
+  // A forked child leaves its copy alone: threads that it does not have may hold the locks in it.
+  ~PublisherOwner() override {
     if (posix::forked_since(epoch_)) {
-      new std::shared_ptr<Hub>(std::move(hub_));
+      new std::shared_ptr<PublisherImpl>(std::move(publisher_));
     } else {
-      hub_->shutdown();
+      publisher_->shutdown();
     }
   }
 
-  const std::string& address() const override { return hub_->address(); }
-  const std::shared_ptr<SegmentMemory>& memory() const override { return hub_->memory(); }
+  const std::string& address() const override { return publisher_->address(); }
+  const std::shared_ptr<SegmentMemory>& memory() const override { return publisher_->memory(); }
   TZC_HOT std::size_t publish(const RecordPtr& record) override {
-    return posix::forked_since(epoch_) ? 0 : hub_->publish(record);
+    return posix::forked_since(epoch_) ? 0 : publisher_->publish(record);
   }
-  std::vector<ConnectionPtr> connections() const override { return hub_->connections(); }
-  PublisherStats stats() const override { return hub_->stats(); }
+  std::vector<ConnectionPtr> connections() const override { return publisher_->connections(); }
+  PublisherStats stats() const override { return publisher_->stats(); }
 
  private:
-  std::shared_ptr<Hub> hub_;
+  std::shared_ptr<PublisherImpl> publisher_;
   const std::uint32_t epoch_;
 };
 
 }  // namespace
 
 Expected<std::shared_ptr<Publisher>> Publisher::create(PublisherOptions options) {
-  auto hub = Hub::create(std::move(options));
-  if (!hub) return hub.error();
-  return std::shared_ptr<Publisher>(std::make_shared<PublisherHandle>(std::move(*hub)));
+  auto publisher = PublisherImpl::create(std::move(options));
+  if (!publisher) return publisher.error();
+  return std::shared_ptr<Publisher>(std::make_shared<PublisherOwner>(std::move(*publisher)));
 }
 
 }  // namespace channel

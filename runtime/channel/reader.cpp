@@ -5,9 +5,9 @@
 #include <cstring>
 #include <new>
 
-#include "channel/verdict.h"
+#include "channel/delivery_cursors.h"
 #include "channel/wire.h"
-#include "posix/step.h"
+#include "sync_point/sync_point.h"
 
 namespace tzc {
 namespace channel {
@@ -103,7 +103,8 @@ bool Reader::open_segment(posix::ReceivedPacket& packet) {
   if (segments_.size() >= max_segments || find_segment(offer.offer.id) != nullptr)
     return broken("too many segments");
   auto opened = segment::ReceivedSegment::open(offer.offer, std::move(packet.descriptors[0]),
-                                               std::move(packet.descriptors[1]));
+                                               std::move(packet.descriptors[1]), link_->writes(),
+                                               link_->write_listener());
   if (!opened) return broken(opened.error().text());
   segments_.push_back(std::move(*opened));
   return true;
@@ -150,18 +151,17 @@ bool Reader::accept_fragment(const posix::ReceivedPacket& packet, MessagePtr& me
   return deliver(whole.sequence, next_->adopt(std::move(whole.bytes)), size, message);
 }
 
-// Only the winner of the verdict looks at the blocks: those of a revoked record may hold something else by
-// now.
+// Only a subscriber that won the record may read its blocks: those of a revoked record may already be reused.
 bool Reader::deliver(std::uint32_t sequence, const std::uint8_t* body, std::size_t size,
                      MessagePtr& message) {
   ParsedBody parsed;
   if (!advance(sequence) || !parse_body(body, size, parsed)) return broken("a malformed record");
-  posix::step("take: before verdict");
-  if (!win_take(link_->verdict(), sequence)) {
+  sync_point("take: before cursors");
+  if (!try_take(link_->cursors(), sequence)) {
     ++counters_.lost;
     return true;
   }
-  posix::step("take: verdict won");
+  sync_point("take: record won");
   bool complete = false;
   if (!take_blocks(parsed, complete)) return false;
   if (!complete) {
@@ -175,7 +175,7 @@ bool Reader::deliver(std::uint32_t sequence, const std::uint8_t* body, std::size
   return true;
 }
 
-// Sequence numbers that never arrive were revoked before they were written.
+// Records whose sequence numbers never arrive were revoked before they were written.
 bool Reader::advance(std::uint32_t sequence) {
   if (!is_after(sequence, last_sequence_)) return false;
   counters_.lost += sequence - last_sequence_ - 1;
@@ -189,7 +189,7 @@ bool Reader::take_blocks(const ParsedBody& parsed, bool& complete) {
     const auto* segment = find_segment(ref.segment);
     if (segment == nullptr || !(*segment)->check(ref)) return broken("a block that does not exist");
     if (!(*segment)->take(ref)) return true;
-    posix::step("take: block taken");
+    sync_point("take: block taken");
     next_->hold(*segment, ref);
   }
   complete = true;

@@ -24,7 +24,7 @@ struct ReaderCounters {
   std::atomic<std::uint64_t> bytes{0};
 };
 
-/// Turns what arrives on a link into messages. Trusts nothing: a packet that breaks the protocol ends the
+/// Turns the packets of a link into messages. Trusts none of them: one that breaks the protocol ends the
 /// connection, with the reason. Used by one thread at a time.
 class Reader {
  public:
@@ -63,8 +63,8 @@ class Reader {
 
   const std::shared_ptr<const Link> link_;
   RingReader ring_;
-  std::shared_ptr<ReceivedMessage> next_;  // a packet's first bytes go into the message that they may become
-  std::vector<std::uint8_t> overflow_;     // and the others here
+  std::shared_ptr<ReceivedMessage> next_;  // receives a packet's first bytes
+  std::vector<std::uint8_t> overflow_;     // receives the others
   std::vector<std::shared_ptr<segment::ReceivedSegment>> segments_;
   Assembly assembly_;
   std::uint32_t last_sequence_;

@@ -2,8 +2,11 @@
 #include "channel/received_message.h"
 
 #include <cstring>
+#include <new>
+#include <utility>
 
-#include "posix/step.h"
+#include "segment/layout.h"
+#include "sync_point/sync_point.h"
 
 namespace tzc {
 namespace channel {
@@ -11,28 +14,21 @@ namespace {
 
 constexpr std::size_t usual_blocks = 2;
 
-}  // namespace
-
-bool parse_body(const std::uint8_t* data, std::size_t size, ParsedBody& parsed) {
-  if (size < sizeof parsed.header) return false;
-  std::memcpy(&parsed.header, data, sizeof parsed.header);
-  const std::uint64_t count = parsed.header.block_count;
-  if (count > max_refs) return false;
-  const std::uint64_t refs_end = sizeof parsed.header + count * sizeof(segment::BlockRef);
-  if (refs_end > size) return false;
-  parsed.refs = reinterpret_cast<const segment::BlockRef*>(data + sizeof parsed.header);
-  const bool in_block = (parsed.header.flags & control_in_last_block) != 0;
-  parsed.control = in_block ? nullptr : data + refs_end;
-  if (in_block)
-    return refs_end == size && count > 0 && parsed.header.control_size <= parsed.refs[count - 1].size;
-  return parsed.header.control_size == size - refs_end;
+std::size_t aligned(std::size_t bytes) {
+  return (bytes + segment::cache_line - 1) / segment::cache_line * segment::cache_line;
 }
+
+std::uintptr_t address_of(const std::uint8_t* memory) {
+  return reinterpret_cast<std::uintptr_t>(memory);
+}
+
+}  // namespace
 
 ReceivedMessage::ReceivedMessage(std::shared_ptr<const Link> link) : link_(std::move(link)) {
   blocks_.reserve(usual_blocks);
 }
 
-// A forked child's copy says nothing: the blocks are its parent's.
+// A forked child's copy releases nothing: the blocks are its parent's.
 ReceivedMessage::~ReceivedMessage() {
   if (!link_->forked()) release_blocks();
 }
@@ -43,22 +39,56 @@ const std::uint8_t* ReceivedMessage::adopt(std::vector<std::uint8_t> body) {
 }
 
 void ReceivedMessage::hold(std::shared_ptr<segment::ReceivedSegment> segment, const segment::BlockRef& ref) {
-  holds_.push_back(Hold{std::move(segment), ref});
+  Hold hold{std::move(segment), ref, {nullptr, 0}};
+  hold.segment->begin_view(ref, hold.view);
+  holds_.push_back(std::move(hold));
 }
 
 void ReceivedMessage::release_blocks() {
   for (const Hold& hold : holds_) {
-    posix::step("release: block");
+    if (hold.view.data != nullptr && hold.segment->end_view(hold.ref)) link_->count_written();
+    sync_point("release: block");
     hold.segment->release(hold.ref);
-    posix::step("release: released");
+    sync_point("release: released");
   }
   holds_.clear();
+}
+
+// What may be written to is never read where others read it. A payload without pages of its own (small) is copied; so is
+// one that another message has a view of, because that view may have been written to.
+bool ReceivedMessage::is_copied(const Hold& hold) const {
+  return hold.view.data == nullptr && hold.segment->writes() != segment::ViewWrites::fault;
+}
+
+std::size_t ReceivedMessage::bytes_to_copy() const {
+  std::size_t bytes = 0;
+  for (const Hold& hold : holds_) {
+    if (!is_copied(hold)) continue;
+    bytes += aligned(static_cast<std::size_t>(hold.ref.size));
+    if (bytes > SIZE_MAX / 4) throw std::bad_alloc();  // a peer's sizes: their sum must not wrap around
+  }
+  return bytes;
+}
+
+ConstBlock ReceivedMessage::bytes_of(const Hold& hold, std::uint8_t*& copy) const {
+  if (hold.view.data != nullptr) return hold.view;
+  const ConstBlock original = hold.segment->block(hold.ref);
+  if (!is_copied(hold)) return original;
+  std::memcpy(copy, original.data, original.size);
+  copy += aligned(original.size);
+  return ConstBlock{copy - aligned(original.size), original.size};
 }
 
 void ReceivedMessage::complete(const ParsedBody& parsed) {
   tag_ = parsed.header.tag;
   control_size_ = static_cast<std::size_t>(parsed.header.control_size);
-  for (const Hold& hold : holds_) blocks_.push_back(hold.segment->block(hold.ref));
+  std::uint8_t* copy = nullptr;
+  if (const std::size_t bytes = bytes_to_copy()) {
+    copies_.reset(static_cast<std::uint8_t*>(std::malloc(bytes + segment::cache_line)));
+    if (!copies_) throw std::bad_alloc();
+    copy = copies_.get() + (segment::cache_line - address_of(copies_.get()) % segment::cache_line);
+  }
+  for (const Hold& hold : holds_) blocks_.push_back(bytes_of(hold, copy));
   control_ = parsed.control;
   if (control_ != nullptr) return;
   control_ = blocks_.back().data;

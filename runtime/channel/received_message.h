@@ -2,28 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
-#include "channel/few.h"
+#include "channel/body.h"
 #include "channel/link.h"
-#include "channel/wire.h"
+#include "channel/small_vector.h"
 #include "posix/hot.h"
 #include "segment/received_segment.h"
 #include "tzc/channel.h"
 
 namespace tzc {
 namespace channel {
-
-/// A body's parts, checked against its length; they point into the body, which is aligned to 8 bytes.
-struct ParsedBody {
-  BodyHeader header;
-  const segment::BlockRef* refs;  // header.block_count of them
-  const std::uint8_t* control;    // null: in the last block
-};
-
-/// False: malformed.
-TZC_HOT bool parse_body(const std::uint8_t* data, std::size_t size, ParsedBody& parsed);
 
 /// A message, first as memory for a packet that is still to come: everything a usual message needs is
 /// allocated before the reader waits, nothing between its waking up and the callback. The blocks that it
@@ -49,10 +40,19 @@ class ReceivedMessage final : public Message {
   struct Hold {
     std::shared_ptr<segment::ReceivedSegment> segment;
     segment::BlockRef ref;
+    ConstBlock view;  // null data: none, the bytes are elsewhere
+  };
+  struct Free {
+    void operator()(std::uint8_t* memory) const { std::free(memory); }
   };
 
+  bool is_copied(const Hold& hold) const;
+  ConstBlock bytes_of(const Hold& hold, std::uint8_t*& copy) const;
+  std::size_t bytes_to_copy() const;
+
   const std::shared_ptr<const Link> link_;
-  Few<Hold, 2> holds_;  // an image has one block, and one more for a control part that is large
+  SmallVector<Hold, 2> holds_;  // an image has one block, and one more for a control part that is large
+  std::unique_ptr<std::uint8_t, Free> copies_;  // of blocks that this process may write to and have no view
   std::vector<std::uint8_t> body_;
   alignas(8) std::uint8_t packet_[packet_bytes];  // not initialised: the kernel fills it
 };

@@ -2,9 +2,9 @@
 #include "channel/record.h"
 
 #include <cstring>
+#include <string>
 
-#include "channel/received_message.h"
-#include "channel/wire.h"
+#include "channel/body.h"
 #include "posix/hot.h"
 #include "segment/segment.h"
 
@@ -13,11 +13,12 @@ namespace channel {
 namespace {
 
 constexpr std::size_t max_inline_control = 64 << 10;
+constexpr std::size_t max_control_bytes = max_body_bytes / 2;
 
 TZC_HOT segment::BlockRef reference_to(const Buffer& buffer) {
   const segment::Segment& owner = segment::Segment::of(buffer);
   const segment::BlockName name = segment::Segment::name_of(buffer);
-  const auto offset = static_cast<std::uint64_t>(buffer.data() - owner.data());
+  const auto offset = static_cast<std::uint64_t>(buffer.data() - owner.file().data());
   return segment::BlockRef{name.segment, offset, buffer.size(), name.slot, name.generation};
 }
 
@@ -61,9 +62,24 @@ Record::Record(const BodyHeader& header, const void* control, BufferSpan buffers
   append(at, control, inlined_control_size(header));
 }
 
+Status can_carry(std::size_t control_size, std::size_t buffer_count) {
+  Error error;
+  if (buffer_count >= max_refs) {
+    error.what = "send a message of " + std::to_string(buffer_count) + " separate arrays";
+    error.hint = "a message refers to at most " + std::to_string(max_refs - 1) +
+                 ": put several of them into one array, or send it without shared memory";
+  } else if (control_size > max_control_bytes) {
+    error.what = "send a message with a control part of " + std::to_string(control_size) + " bytes";
+    error.hint = "it has at most 1 GiB besides its arrays: move large fields into arrays";
+  } else {
+    return Success{};
+  }
+  return error;
+}
+
 TZC_HOT RecordPtr make_record(std::uint32_t tag, const void* control, std::size_t control_size,
                               BufferSpan buffers, MemorySource* memory) {
-  if (!all_valid(buffers) || control_size > max_body_bytes / 2) return nullptr;
+  if (!all_valid(buffers) || control_size > max_control_bytes) return nullptr;
   for (const BufferPtr& buffer : buffers) buffer->seal();
   BodyHeader header{tag, 0, static_cast<std::uint32_t>(buffers.size()), 0, control_size};
   const BufferPtr block = control_block(control, control_size, memory);

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "channel/few.h"
+#include "channel/small_vector.h"
 #include "channel/wire.h"
 #include "posix/hot.h"
 #include "tzc/channel.h"
@@ -14,24 +14,24 @@
 namespace tzc {
 namespace channel {
 
-/// The body as it goes over every socket, and the handles that keep its blocks alive meanwhile. A body of the
-/// usual size lies in the record itself: one allocation for each message, and few cache lines.
+/// The body of a record as every socket carries it, and handles of its blocks. A body of the usual size lies
+/// in the record itself: one allocation for each message, and few cache lines.
 class Record {
  public:
-  /// `control_block` comes after the other buffers; null unless the header says that it holds the control
-  /// part.
+  /// `control_block` holds the control part, as the header states, and is the last block; otherwise it is
+  /// null.
   TZC_HOT Record(const BodyHeader& header, const void* control, BufferSpan buffers,
                  const BufferPtr& control_block = nullptr);
 
   const std::uint8_t* data() const { return large_ ? large_.get() : small_; }
   std::size_t size() const { return size_; }
-  const Few<BufferPtr, 2>& buffers() const { return buffers_; }
+  const SmallVector<BufferPtr, 2>& buffers() const { return buffers_; }
 
   /// Up to this size data() lies in the record itself.
   static constexpr std::size_t usual_bytes = 512;
 
  private:
-  Few<BufferPtr, 2> buffers_;
+  SmallVector<BufferPtr, 2> buffers_;
   std::size_t size_;
   std::unique_ptr<std::uint8_t[]> large_;
   std::uint8_t small_[usual_bytes];  // not initialised: most of it is never looked at

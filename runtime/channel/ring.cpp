@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "posix/futex.h"
-#include "posix/step.h"
+#include "sync_point/sync_point.h"
 
 namespace tzc {
 namespace channel {
@@ -25,9 +25,9 @@ bool RingWriter::write(const void* prefix, std::size_t prefix_size, const void* 
   std::memcpy(slot.bytes, prefix, prefix_size);
   std::memcpy(slot.bytes + prefix_size, body, body_size);
   slot.size.store(static_cast<std::uint32_t>(prefix_size + body_size), std::memory_order_relaxed);
-  posix::step("publish: slot filled");
+  sync_point("publish: slot filled");
   ring_->publisher.written.store(++written_, std::memory_order_release);
-  posix::step("publish: before bell");
+  sync_point("publish: before bell");
   wake_reader(*ring_);
   return true;
 }
@@ -57,7 +57,7 @@ std::size_t RingReader::read(void* memory) {
   const std::size_t size = slot.size.load(std::memory_order_relaxed);
   if (size > slot_bytes) return 0;
   std::memcpy(memory, slot.bytes, size);
-  posix::step("take: slot copied");
+  sync_point("take: slot copied");
   ring_->subscriber.read.store(++read_, std::memory_order_release);
   return size;
 }

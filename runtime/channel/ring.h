@@ -7,28 +7,27 @@
 
 #include "posix/hot.h"
 
-// How a usual record reaches a subscriber's reader thread: through a ring in the page that both ends map, and
-// a futex. To wake a thread that way costs a third less than through a socket (decision 107).
+// A usual record reaches a subscriber's reader thread through a ring in the page that both ends map, and a
+// futex. This wakes the thread at two thirds of the cost of a socket (decision 107).
 //
-// Everything else still crosses the socket: descriptors, records that are larger than a slot, and what finds
-// the ring full. Both ways together keep the order, because
+// Everything else crosses the socket: descriptors, records that are larger than a slot, and records for which
+// the ring is full. Ring and socket together keep the order, because
 //
 //   - the publisher writes into the ring only when the subscriber has read every packet of the socket, and
-//   - the subscriber reads a packet only when it has emptied the ring, as it is after it learned of the
-//   packet.
+//   - the subscriber reads a packet only when it has emptied the ring, as it is after it learned of the packet.
 //
-// A bell that rings with everything written, a futex, says that there is something to look for. Each word is
-// written by one side, but for the bell, which the subscriber rings itself when its connection ends. Nobody
-// trusts what the other side writes: the publisher's words can make the subscriber read garbage, as its
-// packets can, and the subscriber's can make it lose records of its own.
+// The bell, a futex, changes with each record and packet that is written. One side writes each word; only the
+// bell is also rung by the subscriber itself, when its connection ends. Neither side trusts what the other
+// writes: the publisher's words can make the subscriber read garbage, as its packets can, and the
+// subscriber's words can make it lose its own records.
 
 namespace tzc {
 namespace channel {
 
 constexpr std::uint32_t ring_slots = 8;
 constexpr std::size_t slot_bytes = 476;
-constexpr std::uint32_t ring_start =
-    0xffffffff - 5;  // of all counts: every run goes through the wrap (decision 105)
+// Of all counts: every run goes through the wrap (decision 105).
+constexpr std::uint32_t ring_start = 0xffffffff - 5;
 
 /// The words of a ring: Atomic is a reference to one, or a model's (tests/model).
 template <class Atomic>
@@ -48,8 +47,8 @@ TZC_HOT bool ring_takes(Words& words, std::uint32_t slots, std::uint32_t written
          written - words.read.load(std::memory_order_acquire) < slots;
 }
 
-/// Either the sleeper is seen here, or it sees the bell before it falls asleep. Its word may only say so
-/// while it sleeps, not wrongly deny it.
+/// Either this call sees the sleeper, or the sleeper sees the bell before it falls asleep. The `sleeping`
+/// word may be set without need, but never missing while the subscriber sleeps.
 template <class Words, class Wake>
 TZC_HOT void ring_bell(Words& words, Wake wake) {
   words.bell.fetch_add(1, std::memory_order_seq_cst);
@@ -100,7 +99,7 @@ struct Ring {
 /// The publisher's end. Used by one thread at a time.
 class RingWriter {
  public:
-  /// Null: the subscriber reads its socket only, and everything has to go there.
+  /// Null: the subscriber reads only its socket, so everything goes there.
   explicit RingWriter(Ring* ring) : ring_(ring) {}
 
   /// Puts a packet of two parts into the ring. False: it has to go through the socket.
@@ -120,7 +119,7 @@ class RingReader {
   /// Null: there is none.
   explicit RingReader(Ring* ring) : ring_(ring) {}
 
-  /// Where the next thing is; without a ring in the socket. `wait`: sleeps until there is something.
+  /// Where the next record or packet is; without a ring: in the socket. `wait`: sleeps until there is one.
   TZC_HOT Source await(const std::atomic<bool>& ended, bool wait);
   /// Source::ring: copies the next packet to `memory`, which has slot_bytes. 0: the ring is broken.
   TZC_HOT std::size_t read(void* memory);

@@ -16,7 +16,8 @@ std::mutex start_mutex;
 
 }  // namespace
 
-// A child's service starts anew; the parent's object is left alone, its locks may be in any state.
+// A forked child starts a service of its own and leaves the parent's object alone: its locks may be in any
+// state.
 Expected<Service*> Service::instance() {
   Service* service = current.load(std::memory_order_acquire);
   if (service != nullptr && !posix::forked_since(service->epoch_)) return service;
@@ -105,10 +106,36 @@ void Service::run() {
       end_round();
     }
     run_deadlines();
+    if (called_.exchange(false)) run_calls();
   }
 }
 
-// Marks the round before the lock is given up: whoever removes the watcher from now on waits for its end.
+void Service::add_callee(std::weak_ptr<Callee> callee) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  callees_.erase(
+      std::remove_if(callees_.begin(), callees_.end(), [](const auto& one) { return one.expired(); }),
+      callees_.end());
+  callees_.push_back(std::move(callee));
+}
+
+void Service::call_all() noexcept {
+  called_.store(true);
+  poller_->wake();
+}
+
+void Service::run_calls() {
+  std::vector<std::weak_ptr<Callee>> callees;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    callees = callees_;
+  }
+  for (const std::weak_ptr<Callee>& one : callees) {
+    if (const auto callee = one.lock()) callee->on_call();
+  }
+}
+
+// Marks the round before it releases the lock: a thread that removes the watcher from now on waits for the
+// call's end.
 std::shared_ptr<Watcher> Service::find(std::uint64_t key) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = entries_.find(key);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -16,12 +17,19 @@
 namespace tzc {
 namespace channel {
 
-/// What the service thread calls. Never concurrently with itself.
+/// Callbacks of the service thread. It never runs two of one watcher at a time.
 class Watcher {
  public:
   virtual ~Watcher() = default;
   virtual void on_event(const posix::Poller::Event& event) = 0;
   virtual void on_deadline() {}
+};
+
+/// What the service thread calls because a signal handler asked for it.
+class Callee {
+ public:
+  virtual ~Callee() = default;
+  virtual void on_call() = 0;
 };
 
 /// The one thread that serves all connections of this process: new subscribers, full sockets that drain,
@@ -38,12 +46,15 @@ class Service {
   void change(int fd, std::uint64_t key, bool readable, bool writable);
   /// on_deadline will be called once at that time.
   void set_deadline(std::uint64_t key, Clock::time_point when);
-  /// Lets go of the watcher, which may be running, and run once more.
+  /// Removes the watcher. A call to it may be running, and one more may follow.
   void forget(int fd, std::uint64_t key);
-  /// Lets go of the watcher. Unless called by the service thread itself, a running call has returned
-  /// afterwards.
+  /// Removes the watcher. No call to it runs afterwards, unless the service thread itself calls this.
   void remove(int fd, std::uint64_t key);
-  /// Returns once every call that runs now has returned; at once on the service thread.
+  /// Calls it whenever call_all was called, for as long as it lives.
+  void add_callee(std::weak_ptr<Callee> callee);
+  /// Async-signal-safe.
+  void call_all() noexcept;
+  /// Waits for every call that runs now; returns at once on the service thread.
   void synchronize();
 
  private:
@@ -56,6 +67,7 @@ class Service {
   explicit Service(std::unique_ptr<posix::Poller> poller);
   void run();
   void run_deadlines();
+  void run_calls();
   int timeout_ms();
   std::shared_ptr<Watcher> find(std::uint64_t key);
   std::shared_ptr<Watcher> next_due(Clock::time_point now);
@@ -63,6 +75,7 @@ class Service {
 
   const std::unique_ptr<posix::Poller> poller_;
   const std::uint32_t epoch_;
+  std::atomic<bool> called_{false};
   std::thread thread_;
   std::thread::id thread_id_;
 
@@ -72,6 +85,7 @@ class Service {
   bool in_round_ = false;
   std::uint64_t next_key_ = 0;
   std::map<std::uint64_t, Entry> entries_;
+  std::vector<std::weak_ptr<Callee>> callees_;
 };
 
 }  // namespace channel

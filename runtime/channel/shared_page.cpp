@@ -19,7 +19,7 @@ Expected<SharedPage> SharedPage::create(std::uint32_t first_sequence) {
   SharedPage page;
   page.file_ = std::move(*file);
   page.mapping_ = std::move(*mapping);
-  new (page.mapping_.data()) ConnectionPage{{pack(Verdict{first_sequence, first_sequence})}, {}};
+  new (page.mapping_.data()) ConnectionPage{{pack(DeliveryCursors{first_sequence, first_sequence})}, {}};
   return {std::move(page)};
 }
 

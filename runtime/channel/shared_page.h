@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "channel/delivery_cursors.h"
 #include "channel/ring.h"
-#include "channel/verdict.h"
 #include "posix/mapping.h"
 #include "posix/memory_file.h"
 #include "tzc/error.h"
@@ -10,10 +10,9 @@
 namespace tzc {
 namespace channel {
 
-/// What a publisher and one subscriber share: the word that decides who gets a record, and the ring. All in
-/// one page of memory.
+/// The page of memory that a publisher shares with one subscriber: the delivery cursors and the ring.
 struct ConnectionPage {
-  std::atomic<std::uint64_t> verdict;
+  std::atomic<std::uint64_t> cursors;
   Ring ring;
 };
 static_assert(sizeof(ConnectionPage) <= 4096, "the smallest page there is");
@@ -25,7 +24,7 @@ class SharedPage {
   /// From a peer: checked like every received file.
   static Expected<SharedPage> open(posix::FileDescriptor file, std::size_t size);
 
-  std::atomic<std::uint64_t>& verdict() const { return content().verdict; }
+  std::atomic<std::uint64_t>& cursors() const { return content().cursors; }
   Ring& ring() const { return content().ring; }
   int fd() const { return file_.shared_fd(); }
   std::size_t size() const { return mapping_.size(); }

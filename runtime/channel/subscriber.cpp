@@ -14,10 +14,10 @@ namespace tzc {
 namespace channel {
 namespace {
 
-/// What the reader thread and the user's handle share. The thread may outlive the handle when the handle goes
-/// inside a callback.
-struct Session {
-  Session(SubscriberOptions given, std::shared_ptr<Link> connected)
+/// State of the reader thread and the user's handle. The thread outlives a handle that is destroyed inside a
+/// callback.
+struct SubscriberImpl {
+  SubscriberImpl(SubscriberOptions given, std::shared_ptr<Link> connected)
       : options(std::move(given)), link(connected), reader(std::move(connected)) {}
 
   TZC_HOT void run() {
@@ -25,6 +25,7 @@ struct Session {
     while (!stopping && reader.read(posix::Waiting::block, message) == Reader::Result::message) {
       if (!stopping) options.on_message(message);
       message.reset();
+      link->write_notice().give();
     }
     report_end();
   }
@@ -33,7 +34,7 @@ struct Session {
     open = false;
     if (stopping || reported) return;
     reported = true;
-    link->say_goodbye();  // at once: what the publisher has sent meanwhile is wanted by other means
+    link->unsubscribe();  // at once: the publisher may deliver what is in flight by other means
     if (options.on_disconnect) options.on_disconnect(reader.reason());
   }
 
@@ -52,56 +53,59 @@ Service* hang_up_service() {
   return service ? *service : nullptr;
 }
 
-class SubscriberHandle final : public Subscriber {
+class SubscriberOwner final : public Subscriber {
  public:
-  explicit SubscriberHandle(std::shared_ptr<Session> session) : session_(std::move(session)) {}
+  explicit SubscriberOwner(std::shared_ptr<SubscriberImpl> impl) : impl_(std::move(impl)) {}
 
-  // A forked child has neither the thread nor the right to speak for its parent: let its copy be.
-  ~SubscriberHandle() override {
-    if (session_->link->forked()) {
-      new std::shared_ptr<Session>(std::move(session_));
+  // A forked child leaves its copy alone: it does not have the thread, and must not send for its parent.
+  ~SubscriberOwner() override {
+    if (impl_->link->forked()) {
+      new std::shared_ptr<SubscriberImpl>(std::move(impl_));
       new std::thread(std::move(thread_));
       return;
     }
-    session_->stopping = true;
-    session_->link->say_goodbye();
+    impl_->stopping = true;
+    impl_->link->unsubscribe();
+    impl_->link->write_notice().stop();
     if (!thread_.joinable()) return;
     const bool inside_callback = thread_.get_id() == std::this_thread::get_id();
     inside_callback ? thread_.detach() : thread_.join();
   }
 
   Status start_thread() {
-    auto thread = posix::start_thread("tzc-reader", [session = session_] { session->run(); });
+    auto thread = posix::start_thread("tzc-reader", [impl = impl_] { impl->run(); });
     if (!thread) return thread.error();
     thread_ = std::move(*thread);
     return Success{};
   }
 
-  int fd() const override { return session_->options.own_thread ? -1 : session_->link->fd(); }
+  int fd() const override { return impl_->options.own_thread ? -1 : impl_->link->fd(); }
 
   MessagePtr read() override {
     MessagePtr message;
-    const std::shared_ptr<Session> session = session_;  // on_disconnect may destroy this subscriber
-    if (session->options.own_thread || session->link->forked()) return message;
-    if (session->reader.read(posix::Waiting::return_at_once, message) == Reader::Result::closed)
-      session->report_end();
+    const std::shared_ptr<SubscriberImpl> impl = impl_;  // on_disconnect may destroy this subscriber
+    if (impl->options.own_thread || impl->link->forked()) return message;
+    if (impl->reader.read(posix::Waiting::return_at_once, message) == Reader::Result::closed)
+      impl->report_end();
     return message;
   }
 
-  Credentials peer() const override { return session_->link->peer(); }
+  Credentials peer() const override { return impl_->link->peer(); }
 
   SubscriberStats stats() const override {
-    const ReaderCounters& counters = session_->reader.counters();
+    const ReaderCounters& counters = impl_->reader.counters();
     SubscriberStats stats;
     stats.received = counters.received;
     stats.lost = counters.lost;
     stats.bytes = counters.bytes;
-    stats.connected = session_->open;
+    stats.written = impl_->link->written();
+    stats.copies_blocks = impl_->link->writes() == segment::ViewWrites::copies;
+    stats.connected = impl_->open;
     return stats;
   }
 
  private:
-  std::shared_ptr<Session> session_;
+  std::shared_ptr<SubscriberImpl> impl_;
   std::thread thread_;
 };
 
@@ -117,8 +121,8 @@ Expected<std::shared_ptr<Subscriber>> Subscriber::create(SubscriberOptions optio
   const bool own_thread = options.own_thread;
   auto link = Link::connect(options, own_thread ? hang_up_service() : nullptr);
   if (!link) return link.error();
-  auto session = std::make_shared<Session>(std::move(options), std::move(*link));
-  auto subscriber = std::make_shared<SubscriberHandle>(std::move(session));
+  auto impl = std::make_shared<SubscriberImpl>(std::move(options), std::move(*link));
+  auto subscriber = std::make_shared<SubscriberOwner>(std::move(impl));
   if (own_thread) {
     const Status started = subscriber->start_thread();
     if (!started) return started.error();

@@ -6,7 +6,7 @@
 
 #include "segment/received_segment.h"
 
-// What crosses the socket, one structure for each kind of packet; records may cross the ring instead
+// The packets that cross the socket, one structure for each kind; records may cross the ring instead
 // (ring.h). Host byte order: both ends run on one machine. tests/runtime/channel/wire_test.cpp pins every
 // size; a change needs a new wire_version.
 //
@@ -15,8 +15,7 @@
 //      | <--- Welcome + connection page --------- |   or Refusal, reason
 //      | <--- SegmentPacket + data, acks -------- |   before the first record that refers to the segment
 //      | <--- RecordPrefix, body ---------------- |   or several FragmentPrefix, slice of the body
-//      | ---- Goodbye --------------------------> |   unsubscribed; the socket stays open while messages are
-//      held
+//      | ---- Unsubscribe ----------------------> |   the socket stays open while messages are held
 //
 //   body:  BodyHeader | BlockRef ... | control part
 
@@ -28,9 +27,9 @@ constexpr std::uint32_t wire_magic = 0x315a4354;  // "TCZ1"
 constexpr std::size_t fragment_bytes = 64 << 10;  // most bytes of a body in one packet
 constexpr std::size_t max_hello_bytes = 32 << 10;
 constexpr std::size_t max_refs = 4096 + 1;  // blocks of a record, and its control part's
-constexpr std::uint64_t max_body_bytes = std::uint64_t{1}
-                                         << 31;  // a fragmented record is assembled in memory
-constexpr std::size_t max_segments = 256;        // of one connection at a time
+// A fragmented record is assembled in memory.
+constexpr std::uint64_t max_body_bytes = std::uint64_t{1} << 31;
+constexpr std::size_t max_segments = 256;  // of one connection at a time
 
 enum class PacketKind : std::uint32_t {
   hello = 1,
@@ -40,7 +39,7 @@ enum class PacketKind : std::uint32_t {
   retire_segment,
   record,
   fragment,
-  goodbye
+  unsubscribe
 };
 
 /// What a subscriber asks for and a publisher agrees to.
@@ -92,7 +91,7 @@ struct FragmentPrefix {
   std::uint64_t total;   // bytes of the body
 };
 
-struct Goodbye {
+struct Unsubscribe {
   PacketKind kind;
 };
 
@@ -108,7 +107,7 @@ struct BodyHeader {
 
 constexpr std::size_t max_packet_bytes = sizeof(FragmentPrefix) + fragment_bytes;
 
-static_assert(max_hello_bytes + sizeof(Hello) <= max_packet_bytes, "a greeting fits in one packet");
+static_assert(max_hello_bytes + sizeof(Hello) <= max_packet_bytes, "a Hello fits in one packet");
 
 }  // namespace channel
 }  // namespace tzc

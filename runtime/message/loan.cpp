@@ -14,7 +14,8 @@ namespace {
 
 std::atomic<std::uint64_t> forks{0};
 
-/// Differs between a process and its forked children; cheaper than asking the kernel for every view.
+// Differs between a process and its forked children; cheaper than a system call for every view. libtzc_core.so does not
+// export its own count (posix/fork_epoch.h).
 std::uint64_t this_process() {
   static const int registered = pthread_atfork(nullptr, nullptr, [] { forks.fetch_add(1); });
   return registered == 0 ? forks.load(std::memory_order_relaxed) : 0;
@@ -24,7 +25,7 @@ std::uint64_t this_process() {
 
 Loan::Loan(std::shared_ptr<const void> hold) : hold_(std::move(hold)), process_(this_process()) {}
 
-/// A forked child leaves the hold alone: it is the parent's, and letting go would end it for both.
+// A forked child does not release the hold: it is the parent's, and releasing it would end it for both.
 Loan::~Loan() {
   for (void* vector : borrowers_) tzc::detail::VectorWords::clear(vector);
   if (process_ == this_process()) hold_.~shared_ptr();

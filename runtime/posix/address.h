@@ -22,7 +22,7 @@ struct SocketAddress {
 /// Error: empty or longer than the system takes (107 bytes).
 Expected<SocketAddress> parse_address(const std::string& text);
 
-/// A fresh address that nobody can guess: abstract where the system has that, else a pathname in the user's
+/// A fresh address that cannot be guessed: abstract where the system has that, else a pathname in the user's
 /// runtime or temporary folder.
 std::string generate_address();
 

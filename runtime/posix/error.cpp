@@ -21,7 +21,7 @@ const char* hint_for(int code) {
       return "larger than this process may create files: check ulimit -f and ulimit -v";
     case ECONNREFUSED:
     case ENOENT:
-      return "nobody listens there: is the publisher running, in the same network namespace?";
+      return "no process listens there: is the publisher running, in the same network namespace?";
     case EADDRINUSE:
       return "another process listens on this address";
     case EACCES:

@@ -13,7 +13,7 @@ bool has_shared_futex();
 /// Sleeps until wake_sleeper, unless `word` isn't `expected` any more. May return for no reason.
 void sleep_while(std::atomic<std::uint32_t>& word, std::uint32_t expected);
 
-/// Wakes the thread that sleeps on `word`, in whichever process. Never blocks.
+/// Wakes the thread that sleeps on `word`, in any process. Never blocks.
 void wake_sleeper(std::atomic<std::uint32_t>& word);
 
 }  // namespace posix

@@ -41,13 +41,18 @@ Mapping::~Mapping() {
 }
 
 Expected<Mapping> Mapping::map(int fd, std::size_t size, Access access) {
-  const int protection = access == Access::read_only ? PROT_READ : PROT_READ | PROT_WRITE;
-  void* address = ::mmap(nullptr, size, protection, MAP_SHARED | MAP_NORESERVE, fd, 0);
+  const int protection = access == Access::read_write ? PROT_READ | PROT_WRITE : PROT_READ;
+  const int sharing = access == Access::read_private ? MAP_PRIVATE : MAP_SHARED;
+  void* address = ::mmap(nullptr, size, protection, sharing | MAP_NORESERVE, fd, 0);
   if (address == MAP_FAILED) return system_error("map " + std::to_string(size) + " bytes of shared memory");
   Mapping mapping;
   mapping.data_ = static_cast<std::uint8_t*>(address);
   mapping.size_ = size;
   return mapping;
+}
+
+void Mapping::make_private(int fd) const noexcept {
+  ::mmap(data_, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE, fd, 0);
 }
 
 void Mapping::populate(std::size_t offset, std::size_t bytes) const noexcept {

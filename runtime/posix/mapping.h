@@ -10,9 +10,13 @@
 namespace tzc {
 namespace posix {
 
-enum class Access { read_only, read_write };
+enum class Access {
+  read_only,
+  read_write,
+  read_private,  ///< read-only; a page that is made writable later is copied
+};
 
-/// A shared mapping of a whole memory file; unmapped with its owner. Commits no pages by itself.
+/// A mapping of a whole memory file; unmapped with its owner. Commits no pages by itself.
 class Mapping {
  public:
   Mapping() noexcept = default;
@@ -26,6 +30,10 @@ class Mapping {
   ~Mapping();
 
   static Expected<Mapping> map(int fd, std::size_t size, Access access);
+
+  /// In a forked child: its writes stay its own from now on, and it sees what the parent writes until then, as
+  /// everywhere else. `fd` is the file's. Async-signal-safe.
+  void make_private(int fd) const noexcept;
 
   std::uint8_t* data() const noexcept { return data_; }
   std::size_t size() const noexcept { return size_; }

@@ -3,11 +3,13 @@
 
 #include <fcntl.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <string>
 
 #include "posix/error.h"
 #include "posix/memory_limit.h"
+#include "posix/size_signal.h"
 
 namespace tzc {
 namespace posix {
@@ -16,11 +18,24 @@ namespace {
 
 constexpr std::size_t left_for_the_process = std::size_t{4} << 20;  // it has to go on after the refusal
 
+// An interrupted call gives back what it had reserved: a process with a timer would never come to the end of a large one.
+constexpr std::size_t step = std::size_t{4} << 20;
+
+// posix_fallocate returns the error code.
+int reserve_step(const MemoryFile& file, std::size_t offset, std::size_t bytes) {
+  for (;;) {
+    const int failure =
+        ::posix_fallocate(file.descriptor.get(), static_cast<off_t>(offset), static_cast<off_t>(bytes));
+    if (failure != EINTR) return failure;
+  }
+}
+
 Error over_the_limit(std::size_t bytes, std::size_t headroom) {
   Error error;
   error.what = "reserve " + std::to_string(bytes) + " bytes of shared memory";
-  error.hint = "the memory limit of the process's control group leaves " + std::to_string(headroom) +
-               " bytes: raise the container's limit, or give the publisher less memory";
+  error.hint = "the memory limit of the machine or of the process's control group leaves " +
+               std::to_string(headroom) +
+               " bytes: give the publisher less memory, or raise the container's limit";
   error.code = ENOMEM;
   return error;
 }
@@ -31,13 +46,14 @@ Status reserve(const MemoryFile& file, std::size_t offset, std::size_t bytes) {
   const std::size_t headroom = memory_headroom();
   if (headroom < left_for_the_process || headroom - left_for_the_process < bytes)
     return over_the_limit(bytes, headroom);
-  int failure = 0;
-  do {
-    failure = ::posix_fallocate(file.descriptor.get(), static_cast<off_t>(offset), static_cast<off_t>(bytes));
-  } while (failure == EINTR);
-  if (failure == 0) return Success{};
-  errno = failure;  // posix_fallocate returns it instead
-  return system_error("reserve " + std::to_string(bytes) + " bytes of shared memory");
+  const SizeSignalBlocked blocked;
+  for (std::size_t done = 0; done < bytes; done += step) {
+    const int failure = reserve_step(file, offset + done, std::min(step, bytes - done));
+    if (failure == 0) continue;
+    errno = failure;
+    return system_error("reserve " + std::to_string(bytes) + " bytes of shared memory");
+  }
+  return Success{};
 }
 
 }  // namespace posix

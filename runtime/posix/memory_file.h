@@ -15,7 +15,7 @@ enum class Sharing {
   peers_write,  ///< peers can map it read-write
 };
 
-/// A shared memory file without a name: gone with its last descriptor and mapping, whoever dies how.
+/// A shared memory file without a name: gone with its last descriptor and mapping, however a process dies.
 ///
 /// On Linux its size is sealed, so no peer can truncate it under us (a SIGBUS). The portable build has no
 /// seals: there a peer that receives a writable file is trusted not to truncate it.
@@ -39,7 +39,7 @@ Status seal(MemoryFile& file, Sharing sharing);
 Status reserve(const MemoryFile& file, std::size_t offset, std::size_t bytes);
 
 /// What a receiver must know before it maps a peer's file of `size` bytes: that it is a memory file of that
-/// very size, and (on Linux) that the peer can't truncate it any more.
+/// very size, and (on Linux) that the peer cannot truncate it any more.
 Status check_received(int fd, std::size_t size, Sharing sharing);
 
 }  // namespace posix

@@ -3,18 +3,29 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
+
+#include <cerrno>
+#include <string>
 
 #include "posix/error.h"
 #include "posix/memory_file.h"
+#include "posix/size_signal.h"
 
 #ifndef F_SEAL_FUTURE_WRITE
 #define F_SEAL_FUTURE_WRITE 0x0010
 #endif
 
+#ifndef MFD_NOEXEC_SEAL
+#define MFD_NOEXEC_SEAL 0x0008U
+#endif
+
 namespace tzc {
 namespace posix {
 namespace {
+
+constexpr long tmpfs_magic = 0x01021994;  // linux/magic.h
 
 constexpr int size_seals = F_SEAL_SHRINK | F_SEAL_GROW;
 
@@ -33,11 +44,24 @@ Status seal_against_writers(int fd) {
   return system_error("seal a memory file");
 }
 
+// Where vm.memfd_noexec is 2 the kernel refuses files that could be executed; before Linux 6.3 it does not know the flag.
+int create_memfd(const char* name) {
+  const int fd = ::memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING | MFD_NOEXEC_SEAL);
+  return fd >= 0 || errno != EINVAL ? fd : ::memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING);
+}
+
+// A huge page is reserved when it is touched, so a file of them can fault although its size is sealed.
+bool has_ordinary_pages(int fd) {
+  struct statfs system{};
+  return ::fstatfs(fd, &system) == 0 && static_cast<long>(system.f_type) == tmpfs_magic;
+}
+
 }  // namespace
 
 Expected<MemoryFile> create_memory_file(const char* name, std::size_t size, Sharing) {
+  const SizeSignalBlocked blocked;
   MemoryFile file;
-  file.descriptor = FileDescriptor(::memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  file.descriptor = FileDescriptor(create_memfd(name));
   if (!file.descriptor) return system_error("create a memory file", name);
   if (::ftruncate(file.descriptor.get(), static_cast<off_t>(size)) != 0)
     return system_error("size a memory file to " + std::to_string(size) + " bytes", name);
@@ -55,6 +79,7 @@ Status check_received(int fd, std::size_t size, Sharing) {
   const int seals = ::fcntl(fd, F_GET_SEALS);
   if (seals < 0) return refused("it is not a memfd");
   if ((seals & size_seals) != size_seals) return refused("its size is not sealed");
+  if (!has_ordinary_pages(fd)) return refused("it has huge pages");
   struct stat status{};
   if (::fstat(fd, &status) != 0) return system_error("inspect a received memory file");
   if (static_cast<std::size_t>(status.st_size) != size) return refused("its size is not the announced one");

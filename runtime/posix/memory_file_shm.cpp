@@ -14,6 +14,7 @@
 #include "posix/error.h"
 #include "posix/memory_file.h"
 #include "posix/nonce.h"
+#include "posix/size_signal.h"
 
 namespace tzc {
 namespace posix {
@@ -48,6 +49,7 @@ bool remove_names_of_the_dead() {
 Expected<MemoryFile> create_memory_file(const char* name, std::size_t size, Sharing sharing) {
   static const bool removed = remove_names_of_the_dead();
   (void)removed;
+  const SizeSignalBlocked blocked;
   const std::string path = fresh_name();
   MemoryFile file;
   file.descriptor = open_shm(path, O_RDWR | O_CREAT | O_EXCL);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Control groups as the kernel documents them: admin-guide/cgroup-v1/memory.rst and
-// admin-guide/cgroup-v2.rst.
+// admin-guide/cgroup-v2.rst; the machine's memory as filesystems/proc.rst does (meminfo).
 #include "posix/memory_limit.h"
 
 #include <algorithm>
@@ -100,10 +100,23 @@ std::size_t tightest(const Hierarchy& hierarchy, const std::string& root) {
   }
 }
 
+/// What the kernel could give without ending a process: a memory file lies in memory or in swap.
+std::size_t headroom_of_the_machine(const std::string& root) {
+  constexpr std::size_t unit = 1024;  // the file says kB and means this
+  std::ifstream meminfo(root + "/proc/meminfo");
+  bool known = false;
+  std::uint64_t sum = 0, value = 0;
+  for (std::string name; meminfo >> name >> value; meminfo.ignore(32, '\n')) {
+    known = known || name == "MemAvailable:";
+    if (name == "MemAvailable:" || name == "SwapFree:") sum += value;
+  }
+  return known ? static_cast<std::size_t>(sum) * unit : SIZE_MAX;
+}
+
 }  // namespace
 
 std::size_t memory_headroom(const std::string& root) {
-  std::size_t least = SIZE_MAX;
+  std::size_t least = headroom_of_the_machine(root);
   std::ifstream mounts(root + "/proc/self/mountinfo");
   for (std::string line; std::getline(mounts, line);) {
     Hierarchy hierarchy;

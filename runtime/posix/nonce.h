@@ -6,7 +6,7 @@
 namespace tzc {
 namespace posix {
 
-/// 128 random bits as 32 hexadecimal digits: a name that can't be guessed and doesn't collide.
+/// 128 random bits as 32 hexadecimal digits: a name that cannot be guessed and does not collide.
 std::string nonce();
 
 }  // namespace posix

@@ -19,7 +19,7 @@ enum class SendResult {
   full,       ///< the socket takes no more now; nothing was sent
   exhausted,  ///< the system has no memory, or too many descriptors are in flight; nothing was sent, and the
               ///< socket does not tell when it passes
-  gone,  ///< the peer is no longer there, or the socket is broken
+  gone,       ///< the peer is no longer there, or the socket is broken
 };
 
 /// Sends one packet, and descriptors along with it. Never blocks, never raises SIGPIPE.

@@ -51,7 +51,7 @@ int wait_by_select(std::vector<pollfd>& list, int timeout_ms) {
   return ready;
 }
 
-// poll refuses a list that is longer than the limit on descriptors, which somebody may have lowered below
+// poll refuses a list that is longer than the limit on descriptors, which may have been lowered below
 // what is open; select looks at no limit.
 int wait_for_any(std::vector<pollfd>& list, int timeout_ms) {
   const int ready = ::poll(list.data(), static_cast<nfds_t>(list.size()), timeout_ms);

@@ -95,7 +95,7 @@ Expected<FileDescriptor> connect_to(const std::string& text, std::chrono::millis
   while (!connect_once(socket.get(), *address)) {
     const bool queue_full = errno == EAGAIN || errno == EINTR;
     if (!queue_full || Clock::now() >= deadline) return system_error("connect", text);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // a full backlog can't be polled
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // a full backlog cannot be polled
   }
   ::fcntl(socket.get(), F_SETFL, 0);
   return {std::move(socket)};

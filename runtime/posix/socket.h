@@ -19,7 +19,7 @@ class Listener {
   Listener& operator=(Listener&& other) noexcept;
   ~Listener();
 
-  /// A leftover socket file that nobody listens on is replaced. Errors: in use, not permitted, no descriptor.
+  /// Replaces a leftover socket file that no process listens on. Errors: in use, not permitted, no descriptor.
   static Expected<Listener> listen(const std::string& address);
 
   int fd() const noexcept { return descriptor_.get(); }
@@ -51,7 +51,7 @@ Expected<channel::Credentials> peer_credentials(int socket);
 void stop_receiving(int socket) noexcept;
 /// Tells the peer that nothing more comes. The socket stays open.
 void stop_sending(int socket) noexcept;
-/// Both: the peer sees a hang-up, and so does whoever watches this end. The descriptor stays open.
+/// Both: the peer sees a hang-up, and so does a poller that watches this end. The descriptor stays open.
 void disconnect(int socket) noexcept;
 
 /// Deletes the socket files that killed processes left behind in the folder of generated addresses. Does

@@ -36,12 +36,12 @@ def main():
     with open(sys.argv[1]) as census:
         types = json.load(census)["types"]
     shards = int(sys.argv[3])
-    supported = sorted(name.split("/") for name, facts in types.items() if facts["supported"])
-    if not supported:
+    with_data_part = sorted(name.split("/") for name, facts in types.items() if facts["has_data_part"])
+    if not with_data_part:
         sys.exit(f"{sys.argv[1]} has no data-carrying type: are ROS's message packages installed?")
-    packages = sorted({package for package, _ in supported})
+    packages = sorted({package for package, _ in with_data_part})
     for index in range(shards):
-        mine = [(package, name) for package, name in supported if packages.index(package) % shards == index]
+        mine = [(package, name) for package, name in with_data_part if packages.index(package) % shards == index]
         includes = "\n".join(f"#include <{package}/{name}.h>" for package, name in mine)
         entries = "\n".join(f'  table.emplace("{package}/{name}", detail::make_codec<::{package}::{name}>());'
                             for package, name in mine)

@@ -7,12 +7,12 @@
 #include <tzc/subscribe.h>
 
 #include "preload/codec_table.h"
-#include "roscpp/plain_attachment.h"
+#include "roscpp/publish/plain_attachment.h"
 
 namespace tzc {
 namespace {
 
-/// The function that would have been called without us.
+/// The function of that name in the next library: roscpp's own.
 template <class Function>
 Function next(const char* symbol) {
   return reinterpret_cast<Function>(dlsym(RTLD_NEXT, symbol));

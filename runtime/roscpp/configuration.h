@@ -6,15 +6,20 @@
 #include <string>
 
 namespace tzc {
+namespace detail {
 
-/// TZC may be used for this resolved topic in this node. Thread-safe; the first call reads the parameter
-/// server.
+/// Whether TZC may be used for this resolved topic in this node: nothing turns it off, and roscpp is a version that TZC
+/// knows. Thread-safe; the first call reads the parameter server.
 bool is_enabled(const std::string& topic);
 
-/// What the code asked for, overridden by environment and ROS parameters (docs/configuration.md).
+/// The code's options, overridden by environment and ROS parameters (docs/configuration.md).
 PublisherOptions configured(const PublisherOptions& in_code);
 
-/// How often another node is called for an upgrade before the connection is left on TCPROS.
-int most_tries();
+/// Whether code of this node may write to messages that it receives (channel::SubscriberOptions::private_writes).
+bool private_writes();
 
+/// How often another node is called for an upgrade before the connection stays on TCPROS for good.
+int most_upgrade_attempts();
+
+}  // namespace detail
 }  // namespace tzc

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// The private members of roscpp 1.15/1.16 that the transport needs, all of them here. Access goes through explicit
+/// The private members of roscpp 1.15.9 to 1.17 that the transport needs, all of them here. Access goes through explicit
 /// template instantiation, where the standard ([temp.spec]/6) does not check access. Everything is read only, except
 /// that Publication::subscriber_links_ gets one pointer replaced in place (adding and removing links would fire the
-/// user's connect callbacks). ROS 1 is frozen; a roscpp where a member is missing fails to compile right here.
+/// user's connect callbacks). A roscpp where a member is missing fails to compile right here; with
+/// a version that was not looked at (roscpp_version.h) nothing here is used.
 
 #include <ros/connection.h>
+#include <ros/intraprocess_publisher_link.h>
+#include <ros/intraprocess_subscriber_link.h>
 #include <ros/publication.h>
 #include <ros/publisher_link.h>
 #include <ros/single_subscriber_publisher.h>
@@ -28,13 +31,15 @@ struct Grant {
   friend typename Tag::type member(Tag) { return Member; }
 };
 
-#define TZC_GRANT(Name, Class, Type, Field)        \
-  struct Name {                                    \
-    typedef Type Class::*type;                     \
-    friend type member(Name);                      \
-  };                                               \
-  template struct Grant<Name, &Class::Field>;      \
-  inline Type& Field(Class& object, Name = Name()) { return object.*member(Name()); }
+#define TZC_GRANT(Name, Class, Type, Field)          \
+  struct Name {                                      \
+    typedef Type Class::* type;                      \
+    friend type member(Name);                        \
+  };                                                 \
+  template struct Grant<Name, &Class::Field>;        \
+  inline Type& Field(Class& object, Name = Name()) { \
+    return object.*member(Name());                   \
+  }
 
 template <class Tag, auto Member>
 struct GrantUnnamed {
@@ -42,12 +47,14 @@ struct GrantUnnamed {
 };
 
 /// For a member whose type has a private name.
-#define TZC_GRANT_UNNAMED(Name, Class, Field)      \
-  struct Name {                                    \
-    friend auto member(Name);                      \
-  };                                               \
+#define TZC_GRANT_UNNAMED(Name, Class, Field)        \
+  struct Name {                                      \
+    friend auto member(Name);                        \
+  };                                                 \
   template struct GrantUnnamed<Name, &Class::Field>; \
-  inline auto& Field(Class& object) { return object.*member(Name()); }
+  inline auto& Field(Class& object) {                \
+    return object.*member(Name());                   \
+  }
 
 typedef std::list<ros::SubscriptionPtr> SubscriptionList;
 typedef std::vector<ros::PublisherLinkPtr> PublisherLinks;
@@ -79,6 +86,11 @@ TZC_GRANT(PublishQueue, ros::Publication, SerializedMessages, publish_queue_)
 TZC_GRANT(PublishQueueMutex, ros::Publication, boost::mutex, publish_queue_mutex_)
 
 TZC_GRANT(SingleLink, ros::SingleSubscriberPublisher, ros::SubscriberLinkPtr, link_)
+
+TZC_GRANT(LocalPublisherLink, ros::IntraProcessSubscriberLink, ros::IntraProcessPublisherLinkPtr, subscriber_)
+TZC_GRANT(LocalLinkDropped, ros::IntraProcessSubscriberLink, bool, dropped_)
+TZC_GRANT(LocalLinkMutex, ros::IntraProcessSubscriberLink, boost::recursive_mutex, drop_mutex_)
+TZC_GRANT(SubscriptionOf, ros::PublisherLink, ros::SubscriptionWPtr, parent_)
 
 TZC_GRANT(Outbox, ros::TransportSubscriberLink, SerializedQueue, outbox_)
 TZC_GRANT(OutboxMutex, ros::TransportSubscriberLink, boost::mutex, outbox_mutex_)

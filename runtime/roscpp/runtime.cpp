@@ -4,21 +4,22 @@
 #include <ros/init.h>
 #include <ros/xmlrpc_manager.h>
 
-#include "roscpp/offer.h"
-#include "roscpp/port.h"
+#include "roscpp/publish/publication_endpoint.h"
+#include "roscpp/upgrade/offer.h"
 
 namespace tzc {
+namespace detail {
 namespace {
 
 using XmlRpc::XmlRpcValue;
 
 bool is_request(XmlRpcValue& params) {
   return params.getType() == XmlRpcValue::TypeArray && params.size() == 3 &&
-         params[0].getType() == XmlRpcValue::TypeInt && static_cast<int>(params[0]) == kProtocolVersion &&
+         params[0].getType() == XmlRpcValue::TypeInt && static_cast<int>(params[0]) == kOfferVersion &&
          params[1].getType() == XmlRpcValue::TypeString && params[2].getType() == XmlRpcValue::TypeString;
 }
 
-/// A subscriber tells that it can take an offer; XMLRPC thread.
+/// Answers a subscriber that requests an offer; XMLRPC thread.
 void answer_request(XmlRpcValue& params, XmlRpcValue& result) {
   if (!is_request(params)) {
     result = response(0, "not a request of this version of TZC");
@@ -26,25 +27,23 @@ void answer_request(XmlRpcValue& params, XmlRpcValue& result) {
   }
   const std::string topic = static_cast<std::string>(params[1]);
   const std::string subscriber = static_cast<std::string>(params[2]);
-  runtime().caller.post([topic, subscriber] {
-    if (const std::shared_ptr<detail::Port> port = detail::find_port(topic)) port->offer_again(subscriber);
-  });
+  runtime().requests.note(topic, subscriber);
   result = response(1, "noted");
 }
 
 void bind_methods() {
   const ros::XMLRPCManagerPtr& xmlrpc = ros::XMLRPCManager::instance();
   xmlrpc->bind(kOfferMethod,
-               [](XmlRpcValue& params, XmlRpcValue& result) { runtime().receiver.answer(params, result); });
+               [](XmlRpcValue& params, XmlRpcValue& result) { runtime().responder.answer(params, result); });
   xmlrpc->bind(kRequestMethod, answer_request);
 }
 
-/// Binding takes microseconds before ROS starts, and up to half a second afterwards (a nodelet's library),
-/// because the XMLRPC thread holds the table while it waits: then the caller's thread does it.
+/// Binding takes microseconds before ROS starts. Afterwards (a nodelet's library) it takes up to half a
+/// second, because the XMLRPC thread holds the table while it waits; so another thread does it.
 struct BindAtLoad {
   BindAtLoad() {
     if (ros::isStarted())
-      runtime().caller.post(bind_methods);
+      runtime().clerk.post(bind_methods);
     else
       bind_methods();
   }
@@ -57,4 +56,5 @@ Runtime& runtime() {
   return *instance;
 }
 
+}  // namespace detail
 }  // namespace tzc

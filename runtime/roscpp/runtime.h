@@ -3,20 +3,26 @@
 
 #include <ros/callback_queue_interface.h>
 
-#include "roscpp/receiver.h"
+#include "roscpp/upgrade/offer_requests.h"
+#include "roscpp/upgrade/peer_pool.h"
+#include "roscpp/upgrade/upgrade_responder.h"
 #include "roscpp/worker.h"
 
 namespace tzc {
+namespace detail {
 
-/// What the transport has once in a process, made at its first use and never destroyed: roscpp's threads may
-/// call in until the very end, and nodelets come and go.
+/// The transport's state of a process, made at its first use and never destroyed: roscpp's threads may call
+/// TZC until the process ends, and nodelets are loaded and unloaded.
 struct Runtime {
-  Worker worker;  ///< moves links; waits for this process's own locks, and for nobody else
-  Worker caller;  ///< calls the master and other nodes, and may wait for each of them for some seconds
-  WorkerQueue queue{caller};
-  Receiver receiver{caller};
+  Worker worker;   ///< moves links; may wait for this process's own locks, not for other processes
+  Worker clerk;    ///< connect callbacks and the like: never waits
+  PeerPool peers;  ///< calls the master and other nodes, and may wait for each of them for some seconds
+  WorkerQueue queue{clerk};
+  UpgradeResponder responder{clerk, peers};
+  OfferRequests requests{clerk};
 };
 
 Runtime& runtime();
 
+}  // namespace detail
 }  // namespace tzc

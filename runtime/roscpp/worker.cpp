@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "roscpp/worker.h"
 
-#include <pthread.h>
-#include <signal.h>
+#include "roscpp/transport_thread.h"
 
 namespace tzc {
-namespace {
-
-/// Signals belong to the user's threads, as with roscpp's own.
-void block_signals() {
-  sigset_t all;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, nullptr);
-}
-
-}  // namespace
+namespace detail {
 
 Worker::~Worker() {
   {
@@ -33,12 +23,13 @@ void Worker::post(Job job, std::chrono::microseconds delay) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (stopping_) return;
   jobs_.emplace(Clock::now() + delay, std::move(job));
-  if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+  // Without a thread the jobs wait until a later post() can start one; meanwhile their connections stay on
+  // TCPROS.
+  if (!thread_.joinable()) start_transport_thread(thread_, [this] { run(); });
   wake_.notify_all();
 }
 
 void Worker::run() {
-  block_signals();
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stopping_) {
     if (jobs_.empty()) {
@@ -49,8 +40,8 @@ void Worker::run() {
       Job job = std::move(jobs_.begin()->second);
       jobs_.erase(jobs_.begin());
       lock.unlock();
-      job();
-      job = nullptr;  // what it captured may take locks when it dies
+      run_job(job);
+      job = nullptr;  // destroying its captures may take locks
       lock.lock();
     }
   }
@@ -61,4 +52,5 @@ void WorkerQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::ui
   worker_.post([callback] { callback->call(); });
 }
 
+}  // namespace detail
 }  // namespace tzc

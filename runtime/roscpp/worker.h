@@ -11,11 +11,11 @@
 #include <thread>
 
 namespace tzc {
+namespace detail {
 
-/// A thread of the transport's own: connect callbacks, master calls, offers, moves and clean-up run on such,
-/// because roscpp's threads hold locks where those would deadlock or stall everybody. Jobs run one at a time,
-/// in order of their due time. Thread-safe. The thread starts with the first job; jobs that are not due when
-/// the worker ends do not run.
+/// A thread of the transport, for connect callbacks, moves and clean-up: roscpp's threads hold locks with
+/// which these would deadlock or delay every topic. Jobs run one at a time, in order of their due time.
+/// Thread-safe. The thread starts with the first job; jobs that are not due when the worker ends do not run.
 class Worker {
  public:
   using Job = std::function<void()>;
@@ -38,7 +38,7 @@ class Worker {
   std::thread thread_;
 };
 
-/// Lets roscpp hand its callbacks to the worker.
+/// Lets roscpp queue its callbacks on the worker.
 class WorkerQueue : public ros::CallbackQueueInterface {
  public:
   explicit WorkerQueue(Worker& worker) : worker_(worker) {}
@@ -50,4 +50,5 @@ class WorkerQueue : public ros::CallbackQueueInterface {
   Worker& worker_;
 };
 
+}  // namespace detail
 }  // namespace tzc

@@ -9,8 +9,8 @@
 //   | generation 32 | in flight 16 | taken 16 |
 //
 //   publisher: mark    in flight + 1    before the record is sent
-//              revoke  in flight - 1    after it won the record's verdict (channel/verdict.h)
-//   subscriber: take   in flight - 1, taken + 1    after it won the record's verdict
+//              revoke  in flight - 1    after it won the record (channel/delivery_cursors.h)
+//   subscriber: take   in flight - 1, taken + 1    after it won the record
 //               release taken - 1
 //
 // Every step is one compare-and-swap that also compares the generation, so no step can ever hit another block
@@ -92,7 +92,7 @@ bool release(Atomic& word, std::uint32_t generation) {
   });
 }
 
-/// Nobody behind this word references the block of that generation.
+/// The subscriber behind this word does not reference the block of that generation.
 inline bool is_idle(std::uint64_t word, std::uint32_t generation) {
   const AckCounts counts = unpack(word);
   return counts.generation != generation || (counts.in_flight == 0 && counts.taken == 0);

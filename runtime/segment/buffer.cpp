@@ -4,10 +4,14 @@
 
 namespace tzc {
 
-// From here on the allocator may reuse the block; only the claim on the segment keeps this memory valid.
+// From here on the allocator may reuse the block; only the reference to the segment keeps this memory valid.
 void Buffer::release_last() noexcept {
-  segment_->count_release();
+  segment_->note_release(slot_);
   segment_->drop_user();
+}
+
+void Buffer::guard_published() noexcept {
+  if (segment_->guard() != nullptr) segment_->guard()->publish(static_cast<const segment::Block&>(*this));
 }
 
 namespace segment {

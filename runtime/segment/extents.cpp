@@ -11,15 +11,18 @@ Extents::Extents(std::uint64_t begin, std::uint64_t end) : size_(end - begin), f
   if (begin < end) free_.emplace(begin, end - begin);
 }
 
-std::uint64_t Extents::allocate(std::uint64_t bytes, std::uint64_t limit) {
+std::uint64_t Extents::allocate(std::uint64_t bytes, std::uint64_t limit, std::uint64_t alignment) {
   for (auto at = free_.begin(); at != free_.end(); ++at) {
     const auto [offset, length] = *at;
     if (offset >= limit || bytes > limit - offset) return none;  // later ones end even higher
-    if (length < bytes) continue;
+    const std::uint64_t begin = (offset + alignment - 1) & ~(alignment - 1);
+    const std::uint64_t skipped = begin - offset;
+    if (skipped > length || length - skipped < bytes || bytes > limit - begin) continue;
     erase(at);
-    if (length > bytes) insert(offset + bytes, length - bytes);
+    if (skipped > 0) insert(offset, skipped);
+    if (length > skipped + bytes) insert(begin + bytes, length - skipped - bytes);
     free_bytes_ -= bytes;
-    return offset;
+    return begin;
   }
   return none;
 }

@@ -23,8 +23,9 @@ class Extents {
 
   Extents(std::uint64_t begin, std::uint64_t end);
 
-  /// The lowest free range of that length that ends at or before `limit`; none when there is none.
-  std::uint64_t allocate(std::uint64_t bytes, std::uint64_t limit = none);
+  /// The lowest free range of that length that begins at a multiple of `alignment` (a power of two) and ends at or
+  /// before `limit`; none when there is none.
+  std::uint64_t allocate(std::uint64_t bytes, std::uint64_t limit = none, std::uint64_t alignment = 1);
   /// Gives back what allocate returned.
   void release(std::uint64_t offset, std::uint64_t bytes);
 

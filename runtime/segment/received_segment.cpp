@@ -6,6 +6,7 @@
 #include "posix/memory_file.h"
 #include "segment/ack_word.h"
 #include "segment/registry.h"
+#include "segment/size_class.h"
 
 namespace tzc {
 namespace segment {
@@ -21,9 +22,9 @@ Error refused(const char* what) {
 }
 
 bool is_plausible(const SegmentOffer& offer) {
-  return offer.slots > 0 && offer.slots <= max_slots && offer.size >= segment_header_bytes &&
-         offer.size <= SIZE_MAX / 2 && offer.ack_size >= ack_file_bytes(offer.slots) &&
-         offer.ack_size <= SIZE_MAX / 2;
+  return offer.slots > 0 && offer.slots <= max_slots &&
+         offer.size >= payloads_offset(offer.slots, posix::page_size()) && offer.size <= SIZE_MAX / 2 &&
+         offer.ack_size >= ack_file_bytes(offer.slots) && offer.ack_size <= SIZE_MAX / 2;
 }
 
 bool check_ack_header(const posix::Mapping& mapping, const SegmentOffer& offer) {
@@ -42,7 +43,8 @@ bool check_segment_header(const std::uint8_t* bytes, const SegmentOffer& offer) 
 
 Expected<std::shared_ptr<ReceivedSegment>> ReceivedSegment::open(const SegmentOffer& offer,
                                                                  posix::FileDescriptor data,
-                                                                 posix::FileDescriptor acknowledgements) {
+                                                                 posix::FileDescriptor acknowledgements,
+                                                                 ViewWrites writes, WriteListener* listener) {
   if (!is_plausible(offer)) return refused("its sizes don't agree");
   const Status data_ok = posix::check_received(data.get(), offer.size, posix::Sharing::peers_read);
   if (!data_ok) return data_ok.error();
@@ -59,47 +61,70 @@ Expected<std::shared_ptr<ReceivedSegment>> ReceivedSegment::open(const SegmentOf
     return refused("its acknowledgements are of another kind or version");
 
   auto segment = std::make_shared<ReceivedSegment>();
+  segment->writes_ = writes;
+  const Status mapped = segment->map_views(data.get(), offer.size, listener);
+  if (!mapped) return mapped.error();
   segment->id_ = offer.id;
-  segment->slots_ = offer.slots;
   segment->data_ = std::move(*data_map);
   segment->acknowledgements_ = std::move(*ack_map);
-  registry().add(MappedRange{segment->data_.data(), segment->data_.data() + offer.size, nullptr});
+  segment->acks_ = AckView(segment->acknowledgements_.data(), offer.slots);
+  segment->add_range(segment->data_.data());
+  if (segment->views_) segment->add_range(segment->views_->data());
   return segment;
 }
 
+Status ReceivedSegment::map_views(int fd, std::size_t size, WriteListener* listener) {
+  if (writes_ != ViewWrites::private_pages) return Success{};
+  auto views = PrivateViews::map(fd, size, listener);
+  if (!views) return views.error();
+  views_ = std::move(*views);
+  return Success{};
+}
+
+void ReceivedSegment::add_range(const std::uint8_t* begin) const {
+  registry().add(MappedRange{begin, begin + data_.size(), nullptr});
+}
+
 ReceivedSegment::~ReceivedSegment() {
-  if (data_.data() != nullptr) registry().remove(data_.data());
+  if (data_.data() == nullptr) return;
+  registry().remove(data_.data());
+  if (views_) registry().remove(views_->data());
 }
 
 bool ReceivedSegment::check(const BlockRef& ref) const {
-  const std::uint64_t first = segment_header_bytes + block_header_bytes;
-  if (ref.slot >= slots_ || ref.offset < first || ref.offset % cache_line != 0) return false;
-  if (ref.offset > data_.size() || ref.size > data_.size() - ref.offset) return false;
+  if (ref.slot >= acks_.slots() || ref.size > data_.size() || ref.offset > data_.size() - ref.size)
+    return false;
+  const std::size_t page = posix::page_size();
+  const std::uint64_t alignment = has_own_pages(ref.size, page) ? page : cache_line;
+  if (ref.offset < payloads_offset(acks_.slots(), page) || ref.offset % alignment != 0) return false;
   BlockHeader header;
-  std::memcpy(&header, data_.data() + ref.offset - block_header_bytes, sizeof header);
+  std::memcpy(&header, data_.data() + block_header_offset(ref.slot), sizeof header);
   return header.magic == block_magic && header.generation == ref.generation && header.slot == ref.slot &&
-         header.size == ref.size;
+         header.offset == ref.offset && header.size == ref.size;
 }
 
 ConstBlock ReceivedSegment::block(const BlockRef& ref) const {
   return ConstBlock{data_.data() + ref.offset, static_cast<std::size_t>(ref.size)};
 }
 
+bool ReceivedSegment::begin_view(const BlockRef& ref, ConstBlock& view) {
+  if (!views_ || !has_own_pages(ref.size, posix::page_size()) || !views_->begin(ref.offset, ref.size))
+    return false;
+  view = ConstBlock{views_->data() + ref.offset, static_cast<std::size_t>(ref.size)};
+  return true;
+}
+
+bool ReceivedSegment::end_view(const BlockRef& ref) {
+  return views_->end(ref.offset, ref.size);
+}
+
 bool ReceivedSegment::take(const BlockRef& ref) {
-  return segment::take(word(ref.slot), ref.generation);
+  return segment::take(acks_.word(ref.slot), ref.generation);
 }
 
 void ReceivedSegment::release(const BlockRef& ref) {
-  segment::release(word(ref.slot), ref.generation);
-  header().releases.fetch_add(1, std::memory_order_release);
-}
-
-std::atomic<std::uint64_t>& ReceivedSegment::word(std::uint32_t slot) const {
-  return reinterpret_cast<std::atomic<std::uint64_t>*>(acknowledgements_.data() + ack_header_bytes)[slot];
-}
-
-AckHeader& ReceivedSegment::header() const {
-  return *reinterpret_cast<AckHeader*>(acknowledgements_.data());
+  segment::release(acks_.word(ref.slot), ref.generation);
+  add_hint(acks_.released(), acks_.leaf(ref.slot / 64), ref.slot, acks_.slots());
 }
 
 }  // namespace segment

@@ -8,8 +8,10 @@
 #include "posix/file_descriptor.h"
 #include "posix/hot.h"
 #include "posix/mapping.h"
+#include "segment/ack_view.h"
 #include "segment/block.h"
 #include "segment/layout.h"
+#include "segment/private_views.h"
 #include "tzc/error.h"
 #include "tzc/memory.h"
 
@@ -33,35 +35,52 @@ struct BlockRef {
   std::uint32_t generation;
 };
 
-/// The subscriber's side of a segment: its data mapped read-only, its acknowledgements read-write.
-/// Thread-safe. Whatever the peer sent or writes meanwhile, nothing here reads or writes outside the two
-/// mappings.
+/// What a write to a payload by this process does.
+enum class ViewWrites {
+  private_pages,  ///< changes pages of its own (private_views.h)
+  copies,         ///< changes a copy: every payload is copied
+  fault,          ///< is a SIGSEGV; nothing is copied
+};
+
+/// The subscriber's side of a segment: its data mapped read-only, once more for the views of payloads that have pages of
+/// their own (private_views.h), and its acknowledgements read-write. Thread-safe. Whatever the peer sent or writes
+/// meanwhile, nothing here reads or writes outside these mappings.
 class ReceivedSegment {
  public:
   /// Error: sizes that don't agree, files that are not sealed, a header of another version.
   static Expected<std::shared_ptr<ReceivedSegment>> open(const SegmentOffer& offer,
                                                          posix::FileDescriptor data,
-                                                         posix::FileDescriptor acknowledgements);
+                                                         posix::FileDescriptor acknowledgements,
+                                                         ViewWrites writes = ViewWrites::private_pages,
+                                                         WriteListener* listener = nullptr);
   ReceivedSegment() = default;
   ~ReceivedSegment();
 
   std::uint64_t id() const { return id_; }
   /// True when the reference lies in this segment and the block there is the one it names.
   TZC_HOT bool check(const BlockRef& ref) const;
-  /// The bytes of a reference that check() accepted.
+  /// The bytes of a reference that check() accepted, as the publisher wrote them.
   TZC_HOT ConstBlock block(const BlockRef& ref) const;
+  ViewWrites writes() const { return writes_; }
+  /// The same in a view that this process may write to. False: the payload has no pages of its own (small), another
+  /// view of it lives, or there are no such views.
+  TZC_HOT bool begin_view(const BlockRef& ref, ConstBlock& view);
+  /// True: the view was written to. Before release().
+  TZC_HOT bool end_view(const BlockRef& ref);
   /// In flight -> taken. False: the block was not in flight to us, or another one lives there now.
   TZC_HOT bool take(const BlockRef& ref);
   TZC_HOT void release(const BlockRef& ref);
 
  private:
-  std::atomic<std::uint64_t>& word(std::uint32_t slot) const;
-  AckHeader& header() const;
+  Status map_views(int fd, std::size_t size, WriteListener* listener);
+  void add_range(const std::uint8_t* begin) const;
 
   std::uint64_t id_ = 0;
-  std::uint32_t slots_ = 0;
+  ViewWrites writes_ = ViewWrites::fault;
   posix::Mapping data_;
+  std::unique_ptr<PrivateViews> views_;  // null: there are none
   posix::Mapping acknowledgements_;
+  AckView acks_;
 };
 
 /// What open() checks in the first bytes of a received data file.

@@ -7,8 +7,6 @@
 #include <mutex>
 #include <new>
 
-#include "segment/segment.h"
-
 namespace tzc {
 namespace segment {
 namespace {
@@ -20,8 +18,11 @@ auto first_at_or_after(const std::vector<MappedRange>& ranges, const std::uint8_
 
 }  // namespace
 
-// A read-write lock remembers which thread locked it, and the child's thread is another one: it can't unlock.
-void Registry::renew_lock() {
+// A read-write lock remembers which thread locked it, and the child's thread is another one: it cannot unlock.
+void Registry::renew_in_child() {
+  for (const MappedRange& range : ranges_) {
+    if (range.own != nullptr) range.own->make_private();
+  }
   new (&mutex_) std::shared_mutex;
 }
 
@@ -59,7 +60,8 @@ namespace {
 
 // A child must not inherit the lock from a thread that it does not have.
 Registry* create_registry() {
-  ::pthread_atfork([] { registry().lock(); }, [] { registry().unlock(); }, [] { registry().renew_lock(); });
+  ::pthread_atfork([] { registry().lock(); }, [] { registry().unlock(); },
+                   [] { registry().renew_in_child(); });
   return new Registry;
 }
 

@@ -10,12 +10,22 @@
 namespace tzc {
 namespace segment {
 
-class Segment;
+/// One of this process's own segments. Thread-safe.
+class OwnSegment {
+ public:
+  /// The live block that contains the bytes; null when there is none, or it has no handle.
+  virtual BufferPtr find(const std::uint8_t* address, std::size_t bytes) const = 0;
+  /// In a forked child: the memory is its own from now on.
+  virtual void make_private() const noexcept = 0;
+
+ protected:
+  ~OwnSegment() = default;
+};
 
 struct MappedRange {
   const std::uint8_t* begin;
   const std::uint8_t* end;
-  Segment* own;  // null: received from a publisher
+  const OwnSegment* own;  // null: received from a publisher
 };
 
 /// Every segment mapped in this process, by address: what makes find_buffer possible. One for each process,
@@ -27,10 +37,10 @@ class Registry {
   bool contains(const std::uint8_t* address) const;
   BufferPtr find(const std::uint8_t* address, std::size_t bytes) const;
 
-  /// Around a fork: locked before, unlocked by the parent, renewed in the child.
+  /// Around a fork: locked before, unlocked by the parent, renewed in the child, which gets memory of its own.
   void lock() { mutex_.lock(); }
   void unlock() { mutex_.unlock(); }
-  void renew_lock();
+  void renew_in_child();
 
  private:
   const MappedRange* range_of(const std::uint8_t* address) const;

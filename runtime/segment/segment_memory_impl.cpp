@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "posix/fork_epoch.h"
-#include "posix/step.h"
-#include "segment/layout.h"
+#include "posix/mapping.h"
 #include "segment/size_class.h"
+#include "sync_point/sync_point.h"
 
 namespace tzc {
 namespace segment {
@@ -15,17 +15,29 @@ namespace {
 constexpr std::size_t visits_per_allocate = 16;
 constexpr std::size_t least_blocks = 4;
 
-// How many blocks in use a walk may pass before it stops: the whole difference between the policies.
-std::size_t allowed_passes(const Policy& policy) {
-  switch (policy.kind) {
-    case PolicyKind::worst_effort:
-      return 0;
-    case PolicyKind::medium_effort:
-      return policy.attempts;
-    case PolicyKind::best_effort:
-      break;
+// In guard mode blocks take whole pages, and some are kept from reuse; that must not look like a memory that is too small.
+std::size_t guarded_size(std::size_t size) {
+  constexpr std::size_t enough = std::size_t{64} << 20;
+  return guard::active && size < SIZE_MAX / 8 ? 4 * size + enough : size;
+}
+
+std::size_t guarded_bytes(std::size_t bytes) {
+  return guard::active ? std::max(bytes, posix::page_size()) : bytes;
+}
+
+std::size_t first_size(std::size_t bytes, const MemoryOptions& options) {
+  const std::size_t blocks = std::max(least_blocks, std::min<std::size_t>(options.queue_size, 4096) + 2);
+  return std::max(bytes, bytes < options.ceiling / blocks ? bytes * blocks : options.ceiling);
+}
+
+/// Reuses what guard mode keeps from reuse, until there is room.
+Block* allocate_in_quarantine(const std::vector<SegmentPtr>& segments, std::size_t bytes, Error& failure) {
+  for (const SegmentPtr& segment : segments) {
+    while (segment->guard() != nullptr && segment->guard()->cut_quarantine()) {
+      if (Block* block = segment->allocate_block(bytes, Segment::Where::anywhere, failure)) return block;
+    }
   }
-  return SIZE_MAX;
+  return nullptr;
 }
 
 }  // namespace
@@ -38,7 +50,7 @@ SegmentMemoryImpl::~SegmentMemoryImpl() {
 }
 
 Status SegmentMemoryImpl::open() {
-  if (options_.size == 0 || add_segment(options_.size)) return Success{};
+  if (options_.size == 0 || add_segment(guarded_size(options_.size))) return Success{};
   return failure_;
 }
 
@@ -48,74 +60,86 @@ BufferPtr SegmentMemoryImpl::allocate(std::size_t bytes) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (failure_.code != 0) failure_ = Error();
   if (bytes > SIZE_MAX / 4) return refuse(bytes);
-  posix::step("allocate: begin");
-  Block* block = find_room(size_class(bytes));
-  return block != nullptr ? hand_out(*block) : refuse(bytes);
+  sync_point("allocate: begin");
+  Block* block = find_room(occupied_bytes(guarded_bytes(bytes), posix::page_size()));
+  return block != nullptr ? admit(*block) : refuse(bytes);
 }
 
 Block* SegmentMemoryImpl::find_room(std::size_t bytes) {
-  reclaim(visits_per_allocate);
-  if (Block* block = carve(bytes, Segment::Where::touched_memory)) return block;
-  reclaim_everything();
-  posix::step("allocate: reclaimed");
-  if (Block* block = carve(bytes, Segment::Where::touched_memory)) return block;
-  if (Block* block = carve(bytes, Segment::Where::anywhere)) return block;
-  if (Block* block = grow_and_carve(bytes)) return block;
-  return options_.policy.kind == PolicyKind::best_effort ? revoke_and_carve(bytes) : nullptr;
+  reclaim(visits_per_allocate, SIZE_MAX);
+  if (Block* block = allocate_block(bytes, Segment::Where::touched_memory)) return block;
+  const bool bounded = options_.policy.kind == PolicyKind::medium_effort;
+  reclaim(SIZE_MAX, bounded ? options_.policy.attempts : SIZE_MAX);
+  sync_point("allocate: reclaimed");
+  if (Block* block = allocate_block(bytes, Segment::Where::touched_memory)) return block;
+  if (Block* block = allocate_block(bytes, Segment::Where::anywhere)) return block;
+  if (Block* block = grow_and_allocate(bytes)) return block;
+  if (guard::active) {
+    if (Block* block = allocate_in_quarantine(segments_, bytes, failure_)) return block;
+  }
+  if (options_.policy.kind == PolicyKind::best_effort) return revoke_and_allocate(bytes);
+  if (!bounded) return nullptr;
+  reclaim(SIZE_MAX, SIZE_MAX);
+  return allocate_block(bytes, Segment::Where::anywhere);
 }
 
-Block* SegmentMemoryImpl::carve(std::size_t bytes, Segment::Where where) {
+Block* SegmentMemoryImpl::allocate_block(std::size_t bytes, Segment::Where where) {
   for (const SegmentPtr& segment : segments_) {
-    if (Block* block = segment->carve(bytes, where, failure_)) return block;
+    if (Block* block = segment->allocate_block(bytes, where, failure_)) return block;
   }
   return nullptr;
 }
 
-// Blocks that are still being filled are no messages yet: no policy counts them.
-void SegmentMemoryImpl::reclaim(std::size_t visits) {
-  std::size_t passes_left = allowed_passes(options_.policy);
-  Block* next = queue_.oldest();
-  for (; next != nullptr && visits > 0; --visits) {
-    Block& block = *next;
-    next = block.newer;
-    if (!Segment::of(block).in_use(block)) {
-      take_back(block);
-    } else if (block.sealed() && passes_left-- == 0) {
-      return;
+void SegmentMemoryImpl::reclaim(std::size_t visits, std::size_t passes) {
+  if (options_.policy.kind == PolicyKind::worst_effort) return reclaim_in_order(visits);
+  for (const SegmentPtr& segment : segments_) {
+    // A peer can hint at slots as fast as they are looked at; each holder has its turn before this ends.
+    const std::size_t most = std::min(visits, segment->file().slots() * (segment->holders().count() + 1));
+    for (std::size_t i = 0; i < most; ++i) {
+      Block* block = segment->next_released();
+      if (block == nullptr) break;
+      if (try_reclaim(*block)) continue;
+      bring_back(*block);
+      if (passes-- == 0) return;
     }
   }
 }
 
-// Asks before the walk: what is released meanwhile counts for the next one.
-void SegmentMemoryImpl::reclaim_everything() {
-  bool anything = false;
-  for (const SegmentPtr& segment : segments_) anything |= segment->notice_releases();
-  if (anything) reclaim(SIZE_MAX);
+// Blocks that are still being filled are no messages yet: the policy does not count them.
+void SegmentMemoryImpl::reclaim_in_order(std::size_t visits) {
+  for (Block* next = queue_.oldest(); next != nullptr && visits > 0; --visits) {
+    Block& block = *next;
+    next = block.newer;
+    const bool sealed = block.sealed();
+    if (!try_reclaim(block) && sealed) return;
+  }
 }
 
-void SegmentMemoryImpl::take_back(Block& block) {
-  queue_.remove(block);
-  Segment::of(block).give_back(block);
-  stats_.used_bytes -= block.size();
+bool SegmentMemoryImpl::try_reclaim(Block& block) {
+  const std::size_t size = block.size();
+  if (!Segment::of(block).free_if_unused(block)) return false;
+  (block.put_aside ? aside_ : queue_).remove(block);
+  stats_.used_bytes -= size;
   --stats_.used_blocks;
   ++stats_.reclaimed;
+  return true;
 }
 
-Block* SegmentMemoryImpl::grow_and_carve(std::size_t bytes) {
+Block* SegmentMemoryImpl::grow_and_allocate(std::size_t bytes) {
   if (options_.size != 0) return nullptr;
   if (segments_.empty())
-    return add_segment(first_size(bytes)) ? carve(bytes, Segment::Where::anywhere) : nullptr;
+    return add_segment(first_size(bytes, options_)) ? allocate_block(bytes, Segment::Where::anywhere)
+                                                    : nullptr;
   drop_unused_segments();
   const std::size_t total = total_size();
   const std::size_t room = options_.ceiling > total ? options_.ceiling - total : 0;
-  const std::size_t needed = segment_header_bytes + block_header_bytes + bytes;
-  const std::size_t wanted = std::min(std::max(total, first_size(bytes)), room);
-  if (wanted < needed || !add_segment(wanted)) return nullptr;
-  return carve(bytes, Segment::Where::anywhere);
+  const std::size_t wanted = std::min(std::max(total, first_size(bytes, options_)), room);
+  if (wanted < bytes || !add_segment(wanted)) return nullptr;
+  return allocate_block(bytes, Segment::Where::anywhere);
 }
 
 // First what is in flight in sockets, then what still waits in this process's queues.
-Block* SegmentMemoryImpl::revoke_and_carve(std::size_t bytes) {
+Block* SegmentMemoryImpl::revoke_and_allocate(std::size_t bytes) {
   if (Block* block = revoke_blocks(bytes, false)) return block;
   return revoke_blocks(bytes, true);
 }
@@ -125,16 +149,32 @@ Block* SegmentMemoryImpl::revoke_blocks(std::size_t bytes, bool with_handles) {
     Block& block = *next;
     next = block.newer;
     Segment& segment = Segment::of(block);
-    if (!block.sealed() || segment.has_handles(block) != with_handles || segment.taken_by_subscriber(block))
+    const BlockName name = Segment::name_of(block);
+    if (!block.sealed() || block.has_handles() != with_handles) continue;
+    if (segment.holders().have_taken(name)) {
+      put_aside(block);
       continue;
-    posix::step("allocate: revoking");
-    segment.revoke(block);
-    if (segment.in_use(block)) continue;
-    take_back(block);
+    }
+    sync_point("allocate: revoking");
+    segment.holders().revoke(name);
+    if (!try_reclaim(block)) continue;
     ++stats_.revoked;
-    if (Block* room = carve(bytes, Segment::Where::anywhere)) return room;
+    if (Block* room = allocate_block(bytes, Segment::Where::anywhere)) return room;
   }
   return nullptr;
+}
+
+void SegmentMemoryImpl::put_aside(Block& block) {
+  queue_.remove(block);
+  aside_.push(block);
+  block.put_aside = true;
+}
+
+void SegmentMemoryImpl::bring_back(Block& block) {
+  if (!block.put_aside) return;
+  aside_.remove(block);
+  queue_.push_oldest(block);
+  block.put_aside = false;
 }
 
 bool SegmentMemoryImpl::add_segment(std::size_t size) {
@@ -155,25 +195,18 @@ void SegmentMemoryImpl::drop_unused_segments() {
   segments_.erase(unused, segments_.end());
 }
 
-std::size_t SegmentMemoryImpl::first_size(std::size_t bytes) const {
-  const std::size_t blocks = std::max(least_blocks, std::min<std::size_t>(options_.queue_size, 4096) + 2);
-  const std::size_t block = bytes + block_header_bytes;
-  const std::size_t wanted = block < options_.ceiling / blocks ? block * blocks : options_.ceiling;
-  return std::max(segment_header_bytes + block, segment_header_bytes + wanted);
-}
-
 std::size_t SegmentMemoryImpl::total_size() const {
   std::size_t total = 0;
-  for (const SegmentPtr& segment : segments_) total += segment->size();
+  for (const SegmentPtr& segment : segments_) total += segment->file().size();
   return total;
 }
 
-BufferPtr SegmentMemoryImpl::hand_out(Block& block) {
+BufferPtr SegmentMemoryImpl::admit(Block& block) {
   queue_.push(block);
   stats_.used_bytes += block.size();
   ++stats_.used_blocks;
   ++stats_.allocated;
-  return Segment::handle(block);
+  return Segment::wrap(block);
 }
 
 BufferPtr SegmentMemoryImpl::refuse(std::size_t bytes) {
@@ -194,7 +227,7 @@ MemoryStats SegmentMemoryImpl::stats() const {
   MemoryStats stats = stats_;
   stats.segments = segments_.size();
   stats.size_bytes = total_size();
-  for (const SegmentPtr& segment : segments_) stats.reserved_bytes += segment->reserved_bytes();
+  for (const SegmentPtr& segment : segments_) stats.reserved_bytes += segment->file().committed_bytes();
   return stats;
 }
 

@@ -15,8 +15,11 @@ namespace segment {
 /// The allocator of one publisher: its segments, the queue of blocks in use, and what happens when there is
 /// no room.
 ///
-///   allocate:  reclaim a few -> fit into touched memory -> reclaim all -> fit anywhere -> add a segment ->
-///   revoke
+///   allocate:  reclaim a few -> fit into touched memory -> reclaim all -> fit anywhere -> add a segment
+///              -> revoke
+///
+/// To reclaim looks at the blocks of which something was released (release_hints.h); only worst_effort, which wants
+/// the oldest one first, walks the queue.
 ///
 /// Touched memory comes first because a fresh page costs a fault. Thread-safe through one lock of this
 /// process.
@@ -33,25 +36,28 @@ class SegmentMemoryImpl {
 
  private:
   Block* find_room(std::size_t bytes);
-  Block* carve(std::size_t bytes, Segment::Where where);
-  Block* grow_and_carve(std::size_t bytes);
-  Block* revoke_and_carve(std::size_t bytes);
+  Block* allocate_block(std::size_t bytes, Segment::Where where);
+  Block* grow_and_allocate(std::size_t bytes);
+  Block* revoke_and_allocate(std::size_t bytes);
   Block* revoke_blocks(std::size_t bytes, bool with_handles);
-  void reclaim(std::size_t visits);
-  void reclaim_everything();
-  void take_back(Block& block);
+  void reclaim(std::size_t visits, std::size_t passes);
+  void reclaim_in_order(std::size_t visits);
+  bool try_reclaim(Block& block);
+  void put_aside(Block& block);
+  void bring_back(Block& block);
   bool add_segment(std::size_t size);
   void drop_unused_segments();
-  std::size_t first_size(std::size_t bytes) const;
   std::size_t total_size() const;
-  BufferPtr hand_out(Block& block);
+  BufferPtr admit(Block& block);
   BufferPtr refuse(std::size_t bytes);
 
   const MemoryOptions options_;
   const std::uint32_t epoch_;
   mutable std::mutex mutex_;
   std::vector<SegmentPtr> segments_;
-  BlockQueue queue_;
+  BlockQueue queue_;  // of blocks in use
+  BlockQueue
+      aside_;  // of those that a subscriber took: nothing can be revoked there until something is released
   MemoryStats stats_;
   Error failure_;  // of the system, during the allocate that runs
   Error last_;     // of the latest allocate that was refused

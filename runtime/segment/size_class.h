@@ -18,5 +18,16 @@ inline std::size_t size_class(std::size_t bytes) {
   return rounded == 0 ? cache_line : rounded;
 }
 
+/// Whether a payload has pages of its own.
+inline bool has_own_pages(std::size_t bytes, std::size_t page) {
+  return bytes >= page;
+}
+
+/// What a payload of that size occupies.
+inline std::size_t occupied_bytes(std::size_t bytes, std::size_t page) {
+  const std::size_t rounded = size_class(bytes);
+  return has_own_pages(bytes, page) ? (rounded + page - 1) / page * page : rounded;
+}
+
 }  // namespace segment
 }  // namespace tzc

@@ -14,7 +14,9 @@ namespace {
 
 constexpr std::uint32_t width = 1280, height = 720;
 
-std::int64_t now_ns() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
+std::int64_t now_ns() {
+  return std::chrono::steady_clock::now().time_since_epoch().count();
+}
 
 bool publish_frame(tzc::channel::Publisher& publisher, std::uint64_t number) {
   tzc::BufferPtr pixels = publisher.memory()->allocate(width * height);

@@ -12,7 +12,9 @@
 
 namespace {
 
-std::int64_t now_ns() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
+std::int64_t now_ns() {
+  return std::chrono::steady_clock::now().time_since_epoch().count();
+}
 
 bool show(const tzc::channel::Message& message) {
   Frame frame;
@@ -20,8 +22,8 @@ bool show(const tzc::channel::Message& message) {
   std::memcpy(&frame, message.control(), sizeof frame);
   const tzc::ConstBlock& pixels = message.blocks()[0];
   const std::size_t last = std::size_t{frame.width} * frame.height - 1;
-  std::printf("frame %llu, %u x %u, %.0f us old\n", static_cast<unsigned long long>(frame.number), frame.width,
-              frame.height, static_cast<double>(now_ns() - frame.taken_ns) / 1000);
+  std::printf("frame %llu, %u x %u, %.0f us old\n", static_cast<unsigned long long>(frame.number),
+              frame.width, frame.height, static_cast<double>(now_ns() - frame.taken_ns) / 1000);
   return last < pixels.size && pixels.data[0] == static_cast<std::uint8_t>(frame.number) &&
          pixels.data[last] == pixels.data[0];
 }

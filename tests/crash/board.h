@@ -33,7 +33,7 @@ struct Board {
   std::atomic<int> connections;              // as the publisher sees it
   std::atomic<int> errors;
 
-  std::atomic<int> aimed_role;  // who dies at a step; -1: nobody
+  std::atomic<int> aimed_role;  // who dies at a step; -1: no one
   std::atomic<int> aimed_step;
   std::atomic<int> steps_left;
   std::atomic<std::int64_t> died_at;
@@ -41,10 +41,10 @@ struct Board {
 };
 
 constexpr const char* publisher_steps[] = {
-    "allocate: begin",      "allocate: carved", "allocate: reclaimed",    "allocate: revoking",
+    "allocate: begin",      "allocate: placed", "allocate: reclaimed",    "allocate: revoking",
     "publish: before mark", "publish: marked",  "publish: before write",  "publish: slot filled",
     "publish: before bell", "publish: written", "publish: revoke decided"};
-constexpr const char* subscriber_steps[] = {"take: slot copied", "take: before verdict", "take: verdict won",
+constexpr const char* subscriber_steps[] = {"take: slot copied", "take: before cursors", "take: record won",
                                             "take: block taken", "release: block",       "release: released"};
 
 inline std::int64_t now_ns() {

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "board.h"
-#include "posix/step.h"
+#include "sync_point/sync_point.h"
 
 namespace tzc {
 namespace crash {
@@ -103,7 +103,7 @@ class Supervisor {
 
   /// False: the survivors did not go on.
   bool kill_one(Tally& tally) {
-    if (!everyone_receives()) return fail("somebody receives nothing any more");
+    if (!everyone_receives()) return fail("a subscriber receives nothing any more");
     const int victim = random_() % 2 ? publisher : static_cast<int>(random_() % subscribers);
     const bool hit = 2 * tally.aimed <= tally.kills && kill_at_a_step(victim);
     if (!hit) kill_now(victim);
@@ -124,7 +124,7 @@ class Supervisor {
       return;
     }
     own_role = role;
-    posix::step_hook = die_here;
+    sync_point_hook = die_here;
     role == publisher ? run_publisher(seed) : run_subscriber(seed);
     ::_exit(0);
   }

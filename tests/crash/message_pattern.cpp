@@ -57,7 +57,7 @@ channel::RecordPtr make_patterned(SegmentMemory& memory, std::uint64_t seed) {
     fill(buffer->data(), control.bytes[i], start_of(control, i));
     buffers.push_back(std::move(buffer));
   }
-  return channel::make_record(1, &control, sizeof control, std::move(buffers));
+  return channel::make_record(1, &control, sizeof control, buffers);
 }
 
 bool is_intact(const channel::Message& message) {

@@ -12,7 +12,7 @@ namespace crash {
 
 /// A message of several blocks whose every byte follows from its seed. Null: no memory.
 channel::RecordPtr make_patterned(SegmentMemory& memory, std::uint64_t seed);
-/// Nobody changed a single byte of it.
+/// True when no byte of it was changed.
 bool is_intact(const channel::Message& message);
 
 }  // namespace crash

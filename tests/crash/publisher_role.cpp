@@ -24,7 +24,7 @@ std::shared_ptr<channel::Publisher> open(std::mt19937& random) {
     if (created) return *created;
     ::usleep(1000);  // the kernel is still closing the dead one's socket
   }
-  report_error("can't listen again");
+  report_error("cannot listen again");
   ::_exit(1);
 }
 

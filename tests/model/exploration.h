@@ -20,7 +20,15 @@ struct Planted {
 template <class Scenario, class Explorer>
 class Exploration {
  public:
-  Exploration(const Explorer& explorer, Scenario& current) : explorer_(explorer), current_(current) {}
+  using State = typename Explorer::State;
+
+  Exploration(const Explorer& explorer, Scenario& current, const State& start = State{})
+      : explorer_(explorer), current_(current), start_(start) {}
+  /// A start that depends on the scenario.
+  Exploration& starts_with(State (*start_of)(const Scenario&)) {
+    start_of_ = start_of;
+    return *this;
+  }
 
   /// Then plants each mistake in the scenarios until one finds it. Returns the number of failures.
   template <std::size_t scenario_count, class Mistake, std::size_t mistake_count>
@@ -46,7 +54,7 @@ class Exploration {
     current_ = scenario;
     Explorer explorer = explorer_;
     explorer.most_deaths = scenario.deaths;
-    const bool held = explorer.explore(typename Explorer::State{});
+    const bool held = explorer.explore(start_of_ ? start_of_(scenario) : start_);
     if (print)
       std::printf("%-32s %9zu states  %s\n", scenario.name, explorer.states(),
                   held ? "holds" : explorer.violation().c_str());
@@ -57,6 +65,8 @@ class Exploration {
 
   const Explorer& explorer_;
   Scenario& current_;
+  const State start_;
+  State (*start_of_)(const Scenario&) = nullptr;
 };
 
 }  // namespace model

@@ -25,7 +25,19 @@ namespace model {
 using Word = std::uint64_t;
 
 struct Operation {
-  enum Kind { load, compare_exchange, store, fetch_add, push, pop, fall_asleep, stay_asleep } kind;
+  enum Kind {
+    load,
+    compare_exchange,
+    store,
+    fetch_add,
+    fetch_or,
+    exchange,
+    lock,
+    push,
+    pop,
+    fall_asleep,
+    stay_asleep
+  } kind;
   std::size_t index;
   Word expected = 0;
   Word desired = 0;
@@ -68,17 +80,25 @@ class ModelAtomic {
   Word fetch_add(Word value, std::memory_order) {
     return context_.perform({Operation::fetch_add, index_, 0, value});
   }
+  Word fetch_or(Word value, std::memory_order) {
+    return context_.perform({Operation::fetch_or, index_, 0, value});
+  }
+  Word exchange(Word value, std::memory_order) {
+    return context_.perform({Operation::exchange, index_, 0, value});
+  }
   bool compare_exchange_weak(Word& expected, Word desired, std::memory_order, std::memory_order) {
     const Word before = context_.perform({Operation::compare_exchange, index_, expected, desired});
     if (before == expected) return true;
     expected = before;
     return false;
   }
+  /// A mutex: waits until the word is 0, then makes it 1; store(0) unlocks.
+  void lock() { context_.perform({Operation::lock, index_}); }
   /// A bounded queue of 16-bit entries in one word, like a socket; pop waits until something is there or the
   /// other end is closed (0).
   void push(Word entry) { context_.perform({Operation::push, index_, 0, entry}); }
   Word pop() { return context_.perform({Operation::pop, index_}); }
-  /// A futex: this word says that somebody sleeps on word `on`, unless that is not `expected`; another thread
+  /// A futex: this word says that a thread sleeps on word `on`, unless that is not `expected`; another thread
   /// wakes it by storing 0.
   void sleep(std::size_t on, Word expected) {
     if (context_.perform({Operation::fall_asleep, index_, expected, on}) != 0)
@@ -183,6 +203,16 @@ class Explorer {
         return true;
       case Operation::fetch_add:
         word += operation.desired;
+        return true;
+      case Operation::fetch_or:
+        word |= operation.desired;
+        return true;
+      case Operation::exchange:
+        word = operation.desired;
+        return true;
+      case Operation::lock:
+        if (word != 0) return false;
+        word = 1;
         return true;
       case Operation::fall_asleep:
         word = result = state.shared[operation.desired] == operation.expected ? 1 : 0;

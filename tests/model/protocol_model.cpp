@@ -17,6 +17,8 @@ constexpr Scenario scenarios[] = {
     {"best_effort, one dies", 2, 1, 1, true, false, 1, Mistake::none},
     {"two blocks in each message", 2, 2, 1, true, false, 1, Mistake::none},
     {"each message sent twice", 2, 1, 2, false, true, 0, Mistake::none},
+    {"no revocation for long", 3, 1, 2, false, false, 0, Mistake::none, Behind::revoked},
+    {"nothing taken for long", 3, 1, 1, true, false, 0, Mistake::none, Behind::taken},
 };
 
 constexpr Planted<Mistake> mistakes[] = {
@@ -25,6 +27,7 @@ constexpr Planted<Mistake> mistakes[] = {
     {Mistake::forget_taken_on_revoke, "revoking a range without asking who won its beginning"},
     {Mistake::reuse_taken_blocks, "reusing blocks that are taken"},
     {Mistake::ignore_generation, "releasing without the right generation"},
+    {Mistake::never_follow, "leaving a cursor 2^31 records behind"},
 };
 
 int run() {
@@ -33,7 +36,9 @@ int run() {
   explorer.writer = publisher;
   explorer.on_death = hang_up;
   explorer.check_end = check_end;
-  return Exploration<Scenario, ProtocolExplorer>(explorer, scenario).explore(scenarios, mistakes);
+  return Exploration<Scenario, ProtocolExplorer>(explorer, scenario)
+      .starts_with(start_of)
+      .explore(scenarios, mistakes);
 }
 
 }  // namespace

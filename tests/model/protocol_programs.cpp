@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "channel/verdict.h"
+#include "channel/delivery_cursors.h"
 #include "segment/ack_word.h"
 
 namespace tzc {
@@ -42,7 +42,7 @@ class Publisher {
   void notice_hang_ups() {
     for (std::size_t s = 0; s < subscribers; ++s) {
       if (!local_.gone[s] && word(hang_up_word(s)).load(acquire))
-        local_.gone[s] = 1, local_.undecided_count[s] = 0;
+        local_.gone[s] = 1, local_.in_flight_count[s] = 0;
     }
   }
 
@@ -55,7 +55,7 @@ class Publisher {
     if (!scenario.best_effort) return false;
     for (std::size_t i = 0; i < slots; ++i) {
       if (i == other_than) continue;
-      for (std::size_t s = 0; s < subscribers; ++s) give_up(s, i);
+      for (std::size_t s = 0; s < subscribers; ++s) revoke_block(s, i);
       if (in_use(i)) continue;
       slot = static_cast<std::uint8_t>(i);
       return true;
@@ -84,12 +84,12 @@ class Publisher {
 
   void send(std::size_t s, const Sent& message) {
     if (local_.gone[s]) return;
-    settle(s, channel::unpack_verdict(word(verdict_word(s)).load(acquire)).taken);
-    while (local_.undecided_count[s] >= scenario.queue_size) revoke_through(s, oldest_sequence(s));
+    retire_taken(s, channel::unpack_cursors(word(cursors_word(s)).load(acquire)).taken);
+    while (local_.in_flight_count[s] >= scenario.queue_size) revoke_through(s, oldest_sequence(s));
     const Word entry = Word{message.message} | Word{message.slot_a} << 4 | Word{message.slot_b} << 6 |
                        Word{message.generation_a} << 8 | Word{message.generation_b} << 12;
     ++local_.last_sequence[s];
-    local_.undecided[s][local_.undecided_count[s]++] = message;
+    local_.in_flight[s][local_.in_flight_count[s]++] = message;
     if (scenario.mistake != Mistake::mark_after_send) mark_all(s, message);
     word(socket_word(s)).push(entry);
     if (scenario.mistake == Mistake::mark_after_send) mark_all(s, message);
@@ -107,20 +107,20 @@ class Publisher {
   }
 
   std::uint8_t oldest_sequence(std::size_t s) const {
-    return static_cast<std::uint8_t>(local_.last_sequence[s] - local_.undecided_count[s] + 1);
+    return static_cast<std::uint8_t>(local_.last_sequence[s] - local_.in_flight_count[s] + 1);
   }
 
-  void settle(std::size_t s, std::uint32_t taken) {
-    while (local_.undecided_count[s] > 0 && !channel::is_after(oldest_sequence(s), taken))
+  void retire_taken(std::size_t s, std::uint32_t taken) {
+    while (local_.in_flight_count[s] > 0 && !channel::is_after(oldest_sequence(s), taken))
       drop_oldest(s, false);
   }
 
-  void give_up(std::size_t s, std::size_t slot) {
+  void revoke_block(std::size_t s, std::size_t slot) {
     if (local_.gone[s]) return;
-    settle(s, channel::unpack_verdict(word(verdict_word(s)).load(acquire)).taken);
+    retire_taken(s, channel::unpack_cursors(word(cursors_word(s)).load(acquire)).taken);
     std::uint8_t sequence = oldest_sequence(s), found = 0;
-    for (std::size_t i = 0; i < local_.undecided_count[s]; ++i, ++sequence) {
-      const Sent& sent = local_.undecided[s][i];
+    for (std::size_t i = 0; i < local_.in_flight_count[s]; ++i, ++sequence) {
+      const Sent& sent = local_.in_flight[s][i];
       if (sent.slot_a == slot || sent.slot_b == slot) found = sequence;
     }
     if (found != 0) revoke_through(s, found);
@@ -128,18 +128,18 @@ class Publisher {
 
   void revoke_through(std::size_t s, std::uint8_t sequence) {
     std::uint32_t taken = 0;
-    ModelAtomic verdict = word(verdict_word(s));
-    channel::win_revoke(verdict, sequence, taken);
+    ModelAtomic cursors = word(cursors_word(s));
+    channel::try_revoke(cursors, sequence, taken);
     if (scenario.mistake == Mistake::forget_taken_on_revoke) taken = 0;
-    while (local_.undecided_count[s] > 0 && !channel::is_after(oldest_sequence(s), sequence))
+    while (local_.in_flight_count[s] > 0 && !channel::is_after(oldest_sequence(s), sequence))
       drop_oldest(s, channel::is_after(oldest_sequence(s), taken));
   }
 
   void drop_oldest(std::size_t s, bool revoked) {
-    const Sent sent = local_.undecided[s][0];
-    std::copy(local_.undecided[s] + 1, local_.undecided[s] + 4, local_.undecided[s]);
-    local_.undecided[s][3] = Sent{};
-    --local_.undecided_count[s];
+    const Sent sent = local_.in_flight[s][0];
+    std::copy(local_.in_flight[s] + 1, local_.in_flight[s] + 4, local_.in_flight[s]);
+    local_.in_flight[s][3] = Sent{};
+    --local_.in_flight_count[s];
     if (!revoked) return;
     revoke(s, sent.slot_a, sent.generation_a);
     if (sent.slot_b != slots) revoke(s, sent.slot_b, sent.generation_b);
@@ -185,12 +185,23 @@ class Subscriber {
   ModelAtomic ack(std::size_t slot) { return ModelAtomic(context_, ack_word(self_, slot)); }
 
   bool win() {
-    ModelAtomic verdict(context_, verdict_word(self_));
-    if (scenario.mistake != Mistake::check_before_take) return channel::win_take(verdict, local_.received);
-    const channel::Verdict seen = channel::unpack_verdict(verdict.load(acquire));
+    ModelAtomic cursors(context_, cursors_word(self_));
+    if (scenario.mistake == Mistake::never_follow) return take_without_following(cursors);
+    if (scenario.mistake != Mistake::check_before_take) return channel::try_take(cursors, local_.received);
+    const channel::DeliveryCursors seen = channel::unpack_cursors(cursors.load(acquire));
     if (!channel::is_after(local_.received, seen.revoked)) return false;
-    verdict.store(channel::pack(channel::Verdict{seen.revoked, local_.received}));
+    cursors.store(channel::pack(channel::DeliveryCursors{seen.revoked, local_.received}));
     return true;
+  }
+
+  bool take_without_following(ModelAtomic& cursors) {
+    for (;;) {
+      Word word = cursors.load(acquire);
+      const channel::DeliveryCursors seen = channel::unpack_cursors(word);
+      if (!channel::is_after(local_.received, seen.revoked)) return false;
+      const Word next = channel::pack(channel::DeliveryCursors{seen.revoked, local_.received});
+      if (cursors.compare_exchange_weak(word, next, acquire, acquire)) return true;
+    }
   }
 
   void hold(const Sent& message) {
@@ -241,6 +252,18 @@ bool subscribe_round(Context& context, Local& local, std::size_t thread) {
 
 void hang_up(ProtocolExplorer::State& state, std::size_t thread) {
   if (thread != publisher) state.shared[hang_up_word(thread)] = 1;
+}
+
+// Shortly before a cursor is moved along; where that is forgotten, shortly before it can no longer be compared.
+ProtocolExplorer::State start_of(const Scenario& scenario) {
+  const std::uint32_t gap =
+      scenario.mistake == Mistake::never_follow ? 0x7ffffffe : channel::max_cursor_gap - 1;
+  channel::DeliveryCursors cursors{0, 0};
+  if (scenario.behind == Behind::revoked) cursors.revoked -= gap;
+  if (scenario.behind == Behind::taken) cursors.taken -= gap;
+  ProtocolExplorer::State state{};
+  for (std::size_t s = 0; s < subscribers; ++s) state.shared[cursors_word(s)] = channel::pack(cursors);
+  return state;
 }
 
 // When all is over: every record was either delivered or is known to be lost, and no living subscriber's

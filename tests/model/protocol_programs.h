@@ -6,7 +6,7 @@
 #include "explorer.h"
 
 // The lifetime protocol of one publisher and two subscribers, on the very code that the library runs for
-// every shared word: segment/ack_word.h and channel/verdict.h. What is modelled around it: allocate (reclaim,
+// every shared word: segment/ack_word.h and channel/delivery_cursors.h. What is modelled around it: allocate (reclaim,
 // revoke for best_effort), publish (queue bound, mark, write), receive, take, read twice, release, the death
 // of anybody anywhere and the hang-up that follows.
 
@@ -18,7 +18,7 @@ constexpr std::size_t publisher = 2;  // threads 0 and 1 subscribe
 constexpr std::size_t slots = 2;
 
 // Shared words.
-constexpr std::size_t verdict_word(std::size_t subscriber) {
+constexpr std::size_t cursors_word(std::size_t subscriber) {
   return subscriber;
 }
 constexpr std::size_t ack_word(std::size_t subscriber, std::size_t slot) {
@@ -38,12 +38,15 @@ constexpr std::size_t word_count = 12;
 /// Deliberate mistakes, each of which the exploration must find.
 enum class Mistake {
   none,
-  mark_after_send,         // the subscriber may know a block that nobody counts yet
-  check_before_take,       // the subscriber looks at the verdict, then takes: not in one step
+  mark_after_send,         // the subscriber may know a block that is not counted yet
+  check_before_take,       // the subscriber looks at the cursors, then takes: not in one step
   forget_taken_on_revoke,  // the publisher revokes a range without looking who won its beginning
   reuse_taken_blocks,      // allocate looks only at what is in flight
   ignore_generation,       // a release hits whatever lives in the slot now
+  never_follow,            // a cursor that its side does not move falls back by 2^31 records
 };
+
+enum class Behind { none, revoked, taken };
 
 struct Scenario {
   const char* name;
@@ -54,6 +57,7 @@ struct Scenario {
   bool same_block_twice;  // the first subscriber gets every message twice
   int deaths;
   Mistake mistake;
+  Behind behind = Behind::none;  // the cursor that has not moved for long when it starts
 };
 
 extern Scenario scenario;  // of the exploration that runs now: programs are plain functions
@@ -70,9 +74,9 @@ struct Local {
   std::uint8_t generation[slots];
   std::uint8_t sent_generation[subscribers][slots];
   std::uint8_t gone[subscribers];
-  std::uint8_t undecided_count[subscribers];
+  std::uint8_t in_flight_count[subscribers];
   std::uint8_t last_sequence[subscribers];
-  Sent undecided[subscribers][4];
+  Sent in_flight[subscribers][4];
   // subscriber
   std::uint8_t received;
   std::uint8_t delivered;
@@ -84,6 +88,8 @@ using ProtocolExplorer = Explorer<Local, subscribers + 1, word_count>;
 bool publish_round(Context& context, Local& local, std::size_t thread);
 bool subscribe_round(Context& context, Local& local, std::size_t thread);
 void hang_up(ProtocolExplorer::State& state, std::size_t thread);
+/// Where the cursors stand when a scenario begins.
+ProtocolExplorer::State start_of(const Scenario& scenario);
 void check_end(const ProtocolExplorer::State& state);
 
 }  // namespace model

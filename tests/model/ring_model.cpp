@@ -2,7 +2,7 @@
 // usage: ring_model
 // Explores every interleaving of one publisher and one subscriber that share a ring and a socket, on the very
 // code that the library runs for the ring's words (channel/ring.h): the records come in order, none is missed
-// and nobody sleeps forever, whoever dies where. Then plants each mistake and demands that it is found.
+// and no thread sleeps forever, wherever one of them dies. Then plants each mistake and demands that it is found.
 #include "channel/ring.h"
 #include "exploration.h"
 #include "explorer.h"
@@ -102,7 +102,7 @@ bool takes(Context& context, const Local& local) {
 
 bool publish_round(Context& context, Local& local, std::size_t) {
   const auto message = static_cast<std::uint8_t>(local.messages + 1);
-  const bool ends = message > scenario.messages;  // which is one packet more, that nobody has to count
+  const bool ends = message > scenario.messages;  // which is one packet more, that need not be counted
   if (!ends && (scenario.through_socket >> message & 1) == 0 && takes(context, local)) {
     ModelAtomic(context, first_slot + local.through_ring % slots).store(message);
     ModelAtomic(context, written).store(++local.through_ring);
@@ -134,7 +134,7 @@ void sleep(Context& context, std::uint32_t heard) {
   auto words = words_of(context);
   channel::wait_for_bell(words, heard, [&](std::uint32_t value) {
     const bool deaf = scenario.mistake == Mistake::deaf_sleep;
-    const std::size_t compared = deaf ? asleep : bell;  // nobody changes that while this thread is awake
+    const std::size_t compared = deaf ? asleep : bell;  // it does not change while this thread is awake
     ModelAtomic(context, asleep).sleep(compared, deaf ? 0 : value);
   });
 }

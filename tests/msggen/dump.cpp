@@ -22,9 +22,12 @@ json describe(const Message& message, Analysis& analysis) {
   for (const Field& f : message.fields) fields.push_back({f.type, f.name});
   for (const Constant& c : message.constants) constants.push_back({c.type, c.name, c.text, c.value});
   const Facts& facts = analysis.facts(message);
-  return {
-      {"md5", facts.md5},       {"full_text", analysis.full_text(message)}, {"fields", fields},
-      {"constants", constants}, {"fixed_length", facts.fixed_length},       {"supported", facts.supported()}};
+  return {{"md5", facts.md5},
+          {"full_text", analysis.full_text(message)},
+          {"fields", fields},
+          {"constants", constants},
+          {"fixed_length", facts.fixed_length},
+          {"supported", facts.has_data_part()}};
 }
 
 json dump_installed() {

@@ -97,7 +97,7 @@ class RosSession:
         return self
 
     def restart_core(self):
-        """Another roscore takes the place of the one that is killed; it knows nobody."""
+        """Another roscore takes the place of the one that is killed; it knows no node."""
         self.core.stop()
         self.core = self.start(["roscore", "-p", str(self.port)], name="roscore")
         self.wait_until(self.master_answers, 30, "roscore to answer again")
@@ -121,7 +121,7 @@ class RosSession:
         return len(self._processes)
 
     def stop_since(self, mark):
-        """Stops what was started after the mark, all at once. They are signalled first, so that nobody waits in turn."""
+        """Stops what was started after the mark, all at once. They are signalled first, so that none waits in turn."""
         started, self._processes[mark:] = self._processes[mark:], []
         for process in started:
             if process.alive():

@@ -2,8 +2,8 @@
 #include <cv_bridge/cv_bridge.h>
 #include <image_transport/simple_publisher_plugin.h>
 #include <image_transport/simple_subscriber_plugin.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <sensor_msgs/CompressedImage.h>
+#include <pluginlib/class_list_macros.hpp>
 
 #include <opencv2/imgcodecs.hpp>
 #include <string>
@@ -17,7 +17,8 @@ class JpegPublisher : public image_transport::SimplePublisherPlugin<sensor_msgs:
 
  protected:
   void publish(const sensor_msgs::Image& image, const PublishFn& publish_fn) const override {
-    const cv_bridge::CvImageConstPtr bgr = cv_bridge::toCvShare(image, boost::shared_ptr<void const>(), "bgr8");
+    const cv_bridge::CvImageConstPtr bgr =
+        cv_bridge::toCvShare(image, boost::shared_ptr<void const>(), "bgr8");
     sensor_msgs::CompressedImage compressed;
     compressed.header = image.header;
     compressed.format = image.encoding + "; jpeg compressed bgr8";
@@ -31,7 +32,8 @@ class JpegSubscriber : public image_transport::SimpleSubscriberPlugin<sensor_msg
   std::string getTransportName() const override { return "compressed"; }
 
  protected:
-  void internalCallback(const sensor_msgs::CompressedImageConstPtr& message, const Callback& callback) override {
+  void internalCallback(const sensor_msgs::CompressedImageConstPtr& message,
+                        const Callback& callback) override {
     const cv::Mat bgr = cv::imdecode(message->data, cv::IMREAD_COLOR);
     callback(cv_bridge::CvImage(message->header, "bgr8", bgr).toImageMsg());
   }

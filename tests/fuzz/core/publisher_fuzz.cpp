@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "channel/connection.h"
-#include "channel/greeting.h"
+#include "channel/pending_peer.h"
 #include "channel/wire.h"
 #include "input.h"
 #include "posix/mapping.h"
@@ -80,7 +80,7 @@ void read(const Record& record) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string reason;
-  ConnectionImpl::Peer peer;
+  Peer peer;
   parse_hello(data, size, peer, reason);
 
   fuzz::Input input(data, size);
@@ -92,9 +92,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto memory = *SegmentMemory::create(memory_options);
   auto page = SharedPage::create(first_sequence);
   peer.reads_ring = (input.take<std::uint8_t>() & 1) != 0;
+  ConnectionImpl::Options options{};
+  options.queue_size = input.take<std::uint8_t>() % 8 + 1;
+  options.keeps_undelivered = (input.take<std::uint8_t>() & 1) != 0;
   auto connection = std::make_shared<ConnectionImpl>(
-      std::move(sockets.ours), std::move(peer), std::move(*page), input.take<std::uint8_t>() % 8 + 1,
-      std::weak_ptr<Hub>(), (input.take<std::uint8_t>() & 1) != 0);
+      std::move(sockets.ours), std::move(peer), std::move(*page), options, std::weak_ptr<ConnectionOwner>());
   connection->start(**Service::instance());
   connection->uncork();
   {

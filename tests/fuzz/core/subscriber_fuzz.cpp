@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include "channel/delivery_cursors.h"
 #include "channel/link.h"
 #include "channel/reader.h"
 #include "channel/service.h"
-#include "channel/verdict.h"
 #include "channel/wire.h"
 #include "input.h"
 #include "posix/mapping.h"
@@ -22,6 +22,7 @@ using namespace tzc::channel;  // NOLINT
 
 constexpr std::size_t file_bytes = 16384;
 constexpr std::uint32_t slots = 64;
+const std::uint64_t payload = segment::payloads_offset(slots, posix::page_size());
 
 struct SharedFile {
   posix::MemoryFile file;
@@ -47,10 +48,10 @@ class Hostile {
     const std::uint64_t ack_header[] = {segment::ack_magic,
                                         std::uint64_t{slots} << 32 | segment::layout_version};
     std::memcpy(acks_.mapping.data(), ack_header, sizeof ack_header);
-    const segment::BlockHeader block{segment::block_magic, 5, 0, 0, 1024};
-    std::memcpy(data_.mapping.data() + 64, &block, sizeof block);
+    const segment::BlockHeader block{segment::block_magic, 5, 0, 0, payload, 1024};
+    std::memcpy(data_.mapping.data() + segment::block_header_offset(0), &block, sizeof block);
     const std::uint64_t in_flight = std::uint64_t{5} << 32 | 3 << 16;
-    std::memcpy(acks_.mapping.data() + 64, &in_flight, sizeof in_flight);
+    std::memcpy(acks_.mapping.data() + segment::ack_words_offset(slots), &in_flight, sizeof in_flight);
   }
 
   void welcome(const fuzz::SocketPair& sockets) const {
@@ -105,7 +106,7 @@ std::vector<std::uint8_t> valid_record(std::uint32_t sequence, fuzz::Input& inpu
   const auto control = input.take_bytes(input.take<std::uint8_t>());
   const RecordPrefix prefix{PacketKind::record, sequence};
   const BodyHeader header{1, input.take<std::uint8_t>() & 1u, 1, 0, control.size()};
-  const segment::BlockRef ref{1, 128, 1024, 0, 5};
+  const segment::BlockRef ref{1, payload, 1024, 0, 5};
   std::vector<std::uint8_t> packet(sizeof prefix + sizeof header + sizeof ref);
   std::memcpy(packet.data(), &prefix, sizeof prefix);
   std::memcpy(packet.data() + sizeof prefix, &header, sizeof header);

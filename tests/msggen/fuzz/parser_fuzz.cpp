@@ -52,8 +52,8 @@ void check_fault(const Diagnostic& d, const std::vector<Input>& inputs) {
 void check_message(const Message& message, Library& library) {
   const Facts& facts = library.analysis().facts(message);
   require(facts.md5.size() == 32);
-  require(!facts.supported() || facts.needs_support);
-  require(!facts.fixed_length || !facts.needs_support);
+  require(!facts.has_data_part() || facts.has_variable_array);
+  require(!facts.fixed_length || !facts.has_variable_array);
   require(library.analysis().full_text(message).size() >= message.text.size());
   require(emit_message(message, library.analysis()).text.find("#endif") != std::string::npos);
 }

@@ -36,7 +36,7 @@ TEST(Classification, fixed_length) {
       .file("C.msg", "string s\n")
       .file("D.msg", "");
   EXPECT_TRUE(c.facts("A").fixed_length && c.facts("B").fixed_length && c.facts("D").fixed_length);
-  EXPECT_FALSE(c.facts("C").fixed_length || c.facts("C").needs_support);
+  EXPECT_FALSE(c.facts("C").fixed_length || c.facts("C").has_variable_array);
   EXPECT_EQ(c.facts("B").wire_size, 4u * 80);
 }
 
@@ -46,13 +46,13 @@ TEST(Classification, variable_arrays_of_fixed_length_types_are_data_at_any_depth
   c.file("Cloud.msg", "Point[] points\nChannel[] channels\nChannel[2] pair\nChannel one\nstring[] notes\n");
   EXPECT_THAT(c.facts("Cloud").data_fields,
               ElementsAre("points", "channels[].values", "pair[2].values", "one.values"));
-  EXPECT_TRUE(c.facts("Cloud").supported() && c.facts("Cloud").needs_support);
+  EXPECT_TRUE(c.facts("Cloud").has_data_part() && c.facts("Cloud").has_variable_array);
 }
 
 TEST(Classification, needs_support_but_has_no_data_part) {
   LibraryCase c;
   c.file("Names.msg", "string[] names\n").file("Outer.msg", "Names inner\n");
-  EXPECT_TRUE(c.facts("Outer").needs_support);
+  EXPECT_TRUE(c.facts("Outer").has_variable_array);
   EXPECT_THAT(c.facts("Outer").data_fields, IsEmpty());
 }
 

@@ -2,13 +2,11 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "support/temp_dir.h"
 #include "tool/commands.h"
 #include "tool/output.h"
 
@@ -22,27 +20,14 @@ using ::testing::Not;
 
 class Tool : public ::testing::Test {
  protected:
-  Tool() {
-    std::string name = (fs::temp_directory_path() / "msggen_test_XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~Tool() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) {
-    fs::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name) << text;
-    return path(name);
-  }
-  std::string read(const std::string& name) const {
-    std::ifstream in(folder_ / name);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  std::string path(const std::string& name) const { return folder_ / name; }
+  std::string write(const std::string& name, const std::string& text) { return folder_.write(name, text); }
+  std::string read(const std::string& name) const { return folder_.read(name); }
   std::vector<std::string> files_below(const std::string& name) const {
     std::vector<std::string> files;
-    if (!fs::exists(folder_ / name)) return files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder_ / name)) {
-      if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), folder_ / name).string());
+    if (!fs::exists(path(name))) return files;
+    for (const auto& entry : fs::recursive_directory_iterator(path(name))) {
+      if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), path(name)).string());
     }
     return files;
   }
@@ -64,7 +49,7 @@ class Tool : public ::testing::Test {
     return nlohmann::json::parse(out_.str());
   }
 
-  fs::path folder_;
+  tzc::test::TempDir folder_;
   std::ostringstream out_, err_;
   Console console_{out_, err_};
 };
@@ -94,7 +79,7 @@ TEST_F(Tool, what_was_there_survives_a_bad_run) {
 TEST_F(Tool, an_output_that_cannot_be_written_leaves_nothing_behind) {
   write("out/tzc", "a file where a folder should be");
   EXPECT_EQ(generate_files({write("msg/A.msg", "uint8[] x\n")}), exit_bad_input);
-  EXPECT_THAT(err_.str(), HasSubstr("can't create"));
+  EXPECT_THAT(err_.str(), HasSubstr("cannot create"));
   EXPECT_THAT(files_below("out"), ::testing::ElementsAre("tzc"));
 }
 
@@ -128,9 +113,14 @@ TEST_F(Tool, census_of_several_packages) {
   EXPECT_EQ(json["types"]["one_msgs/A"]["data_fields"], nlohmann::json({"x", "y"}));
   EXPECT_EQ(json["types"]["two/B"]["fixed_length"], true);
   EXPECT_EQ(json["types"]["two/CRequest"]["data_fields"], nlohmann::json({"a.x", "a.y"}));
-  EXPECT_EQ(json["types"]["two/CResponse"]["needs_support"], true);
-  EXPECT_EQ(json["totals"],
-            nlohmann::json({{"types", 4}, {"needs_support", 3}, {"supported", 2}, {"unsupported", 1}}));
+  EXPECT_EQ(json["types"]["two/CResponse"]["has_variable_array"], true);
+  EXPECT_EQ(json["types"]["two/CResponse"]["needs_support"], true);  // its former name
+  EXPECT_EQ(json["totals"], nlohmann::json({{"types", 4},
+                                            {"has_variable_array", 3},
+                                            {"has_data_part", 2},
+                                            {"needs_support", 3},
+                                            {"supported", 2},
+                                            {"unsupported", 1}}));
   EXPECT_EQ(json["unresolved"], nlohmann::json({"two/D"}));
   EXPECT_THAT(err_.str(), HasSubstr("unknown package 'missing_msgs'"));
 }

@@ -8,5 +8,6 @@ int main() {
   tzc::Publisher publisher;
   tzc::sensor_msgs::Image image;
   image.data.resize(3);
-  std::printf("%zu bytes, %s\n", image.data.size(), publisher.allocate(image) ? "allocated" : "not allocated");
+  std::printf("%zu bytes, %s\n", image.data.size(),
+              publisher.allocate(image) ? "allocated" : "not allocated");
 }

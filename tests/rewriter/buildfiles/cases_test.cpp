@@ -4,9 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "buildfiles/plan.h"
+#include "edits/apply.h"
 #include "edits/diff.h"
 #include "edits/files.h"
-#include "support/case_file.h"
+#include "support/golden_case.h"
 #include "support/temp_dir.h"
 
 namespace tzc::rewriter {
@@ -65,7 +66,7 @@ class BuildFilesCase : public ::testing::TestWithParam<std::string> {
   void write_package() {
     package_.write("package.xml", crlf_ ? with_crlf(default_package_xml) : default_package_xml);
     for (const auto& [name, text] : case_.sections())
-      if (name != "uses" && name != "expected") package_.write(name, crlf_ ? with_crlf(text) : text);
+      if (name != "uses") package_.write(name, crlf_ ? with_crlf(text) : text);
   }
 
   /// The plan as text: the diff, then the notes. Leaves the edits applied.
@@ -98,8 +99,8 @@ class BuildFilesCase : public ::testing::TestWithParam<std::string> {
     return text;
   }
 
-  test::CaseFile case_{std::string(CASES_DIR) + "/" + GetParam() + ".case"};
-  test::TempDir package_;
+  tzc::test::GoldenCase case_{GetParam()};
+  tzc::test::TempDir package_;
   json database_ = json::array();
   BuildNeeds needs_;
   bool crlf_ = false, crs_kept_ = true;
@@ -112,8 +113,11 @@ TEST_P(BuildFilesCase, comes_out_as_written_down_and_a_second_run_changes_nothin
   EXPECT_EQ(outcome().find("@@"), std::string::npos) << "the second run has edits";
 }
 
-INSTANTIATE_TEST_SUITE_P(BuildFiles, BuildFilesCase, ::testing::ValuesIn(test::CaseFile::all(CASES_DIR)),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(BuildFiles, BuildFilesCase,
+                         ::testing::ValuesIn(tzc::test::GoldenCase::all(CASES_DIR, ".case")),
+                         [](const auto& info) {
+                           return tzc::test::GoldenCase::test_name(CASES_DIR, info.param);
+                         });
 
 }  // namespace
 }  // namespace tzc::rewriter

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "edits/edit.h"
+#include "edits/apply.h"
 
 namespace tzc::rewriter {
 namespace {
 
 Edit edit(std::size_t offset, std::size_t length, const std::string& text, const std::string& rule = "rule") {
-  return {"/p/a.cpp", offset, length, text, 0, rule};
+  return {"/p/a.cpp", offset, length, text, {}, rule};
 }
 
 std::string applied(const std::string& content, const Edits& edits) {

@@ -73,7 +73,7 @@ std::string random_content(std::mt19937& random) {
 }
 
 TEST_P(GitApply, takes_the_diff_of_random_contents) {
-  test::TempDir folder;
+  tzc::test::TempDir folder;
   std::mt19937 random(7);
   const std::string apply =
       "cd '" + folder.path() + "' && git init -q . && git apply --whitespace=nowarn d.patch";

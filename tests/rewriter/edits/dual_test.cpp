@@ -49,7 +49,7 @@ TEST(InDualBranch, knows_its_own_branches) {
 /// The preprocessor is the judge: what it leaves with and without the macro.
 TEST(DualText, reads_as_either_text) {
   const std::string before = "one\ntwo\nthree\nfour\n", after = "zero\none\nzwei\nthree\n";
-  test::TempDir folder;
+  tzc::test::TempDir folder;
   folder.write("f.cpp", dual(before, after));
   const std::string run = "cd '" + folder.path() + "' && c++ -E -P ";
   ASSERT_EQ(std::system((run + "f.cpp > without").c_str()), 0);

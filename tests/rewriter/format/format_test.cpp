@@ -10,7 +10,7 @@ namespace {
 
 /// A source below a folder with this .clang-format (none when empty), changed from `before` to `after`.
 std::string formatted(const std::string& style, const std::string& before, const std::string& after) {
-  test::TempDir package;
+  tzc::test::TempDir package;
   if (!style.empty()) package.write(".clang-format", style);
   return format_changes(package / "src/a.cpp", before, after);
 }
@@ -38,7 +38,7 @@ TEST(FormatChanges, options_that_change_more_than_white_space_are_not_followed) 
 TEST(FormatChanges, options_of_another_clang_format_are_passed_over) {
   EXPECT_EQ(formatted("{BasedOnStyle: LLVM, NoSuchOption: 3}", "int a;\n", "int   b;\n"), "int b;\n");
 }
-TEST(FormatChanges, a_style_that_can_not_be_read_is_no_style) {
+TEST(FormatChanges, a_style_that_cannot_be_read_is_no_style) {
   EXPECT_EQ(formatted("]", "int a;\n", "int   b;\n"), "int   b;\n");
 }
 TEST(FormatChanges, windows_line_endings_stay) {

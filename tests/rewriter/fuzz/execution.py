@@ -10,16 +10,22 @@ from ros_session import RosSession  # noqa: E402
 LOGS = ("recorder.log", "listener.log")
 
 
-def execute(program, recorder, folder, topics):
-    """{(log, topic): [what was received]}"""
+def execute(program, recorder, folder, topics, guard=False):
+    """{(log, topic): [what was received]}. In guard mode a late write is an error."""
     os.makedirs(folder, exist_ok=True)
-    with RosSession(folder, env={"FUZZ_FOLDER": folder, "ROS_VERSION": "1"}) as ros:
+    # Small payloads are read where they lie, so that a write by their publisher shows; by default they are copied.
+    environment = {"FUZZ_FOLDER": folder, "ROS_VERSION": "1", "TZC_PRIVATE_WRITES": "0",
+                   "TZC_GUARD": "1" if guard else "0"}
+    with RosSession(folder, env=environment) as ros:
         ros.start([recorder, *topics], name="recorder")
-        ros.start([program, "listener"], name="listener")
+        listener = ros.start([program, "listener"], name="listener")
         talker = ros.start([program, "talker"], name="talker")
         status = talker.wait(400)
         if status != 0:
             raise RuntimeError(f"{program} ends with {status}; its output ends:\n{talker.tail()}")
+        for process in (talker, listener):
+            if "TZC guard: a" in process.log():
+                raise RuntimeError(f"{program} writes too late:\n{process.log()}")
     return {(name, topic): lines for name in LOGS for topic, lines in read_log(f"{folder}/{name}").items()}
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Ports random programs and shows that they still do the same.
 
-    run_fuzz.py CONFIG.json FOLDER [--seed N] [--programs N] [--first N] [--only N,N] [--batch N]
+    run_fuzz.py CONFIG.json FOLDER [--seed N] [--programs N] [--first N] [--only N,N] [--batch N] [--adversarial]
 
 Of every batch of programs (one package): tzc-rewrite ports it; original and port are compiled against the real roscpp,
 image_transport, cv_bridge and PCL; both run under a roscore; every message that subscribers and a recorder get is
@@ -29,7 +29,7 @@ from toolchain import Failure, Toolchain  # noqa: E402
 class Batch:
     def __init__(self, options, toolchain, folder, indices):
         self.options, self.toolchain, self.folder = options, toolchain, folder
-        self.programs = [package.make_program(options.seed, index) for index in indices]
+        self.programs = [package.make_program(options.seed, index, options.adversarial) for index in indices]
         self.before, self.after = f"{folder}/before/fuzz_nodes", f"{folder}/after/fuzz_nodes"
         self.seconds = collections.Counter()
 
@@ -51,10 +51,13 @@ class Batch:
                                precompiled,
                                name == "after") for name, folder in (("before", self.before), ("after", self.after))]
         topics = [topic.name for program in self.programs for topic in program.topics]
-        logs = [self.timed("run", execute, program, self.toolchain.config["recorder"], f"{self.folder}/{name}/run",
-                           topics)
-                for name, program in zip(("before", "after"), programs)]
-        different = differences(*logs)
+        runs = [(programs[0], "before/run", False), (programs[1], "after/run", False)]
+        if self.options.guard:
+            runs.append((programs[1], "after/guard", True))
+        logs = [self.timed("run", execute, program, self.toolchain.config["recorder"], f"{self.folder}/{folder}", topics,
+                           guard)
+                for program, folder, guard in runs]
+        different = [line for log in logs[1:] for line in differences(logs[0], log)]
         if different:
             raise Failure("messages differ before and after:\n" + "\n".join(different))
         return sites, sum(map(len, logs[1].values())), shared_messages(f"{self.folder}/after/run")
@@ -101,7 +104,7 @@ def remarks(sites):
 def again(options, failure, indices):
     """The command that repeats a failure: with the programs that it names, otherwise with the whole batch."""
     named = sorted({int(number) for number in re.findall(r"\bp(\d{3,})\b", str(failure))} & set(indices))
-    return f"{sys.executable} {' '.join(sys.argv[:3])} --keep --seed {options.seed} --only {','.join(map(str, named or indices))}"
+    return f"{sys.executable} {' '.join(sys.argv[:3])} --keep{' --adversarial' if options.adversarial else ''} --seed {options.seed} --only {','.join(map(str, named or indices))}"
 
 
 def parse_arguments():
@@ -109,12 +112,14 @@ def parse_arguments():
     parser.add_argument("config")
     parser.add_argument("folder")
     parser.add_argument("--seed", default="1")
+    parser.add_argument("--adversarial", action="store_true", help="programs that point into their messages")
     parser.add_argument("--programs", type=int, default=50)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--only", help="these programs alone, by number")
     parser.add_argument("--batch", type=int, default=50)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--keep", action="store_true", help="keep the packages of batches that pass, too")
+    parser.add_argument("--guard", action="store_true", help="run each port in guard mode, too: a late write is a failure")
     options = parser.parse_args()
     options.folder = os.path.realpath(options.folder)
     return options

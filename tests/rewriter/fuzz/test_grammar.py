@@ -7,7 +7,7 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from execution import differences  # noqa: E402
-from grammar import builders, libraries, package, publishers, subscribers  # noqa: E402
+from grammar import aliases, builders, libraries, package, publishers, subscribers  # noqa: E402
 from port import check_levels, check_sites  # noqa: E402
 from toolchain import Failure  # noqa: E402
 
@@ -28,6 +28,14 @@ class Programs(unittest.TestCase):
         ways = [*builders.WAYS, *publishers.HOMES, *libraries.SENSORS, *libraries.VISION, *libraries.CLOUDS]
         missing = {way.__name__ for way in ways} | {"relay: " + way.__name__ for way in subscribers.RELAYS}
         self.assertEqual(missing - seen, set())
+
+
+    def test_every_attack_occurs(self):
+        seen = set()
+        for index in range(300):
+            seen.update(package.make_program("1", index, adversarial=True).traits)
+        ways = [("owner", aliases.OWNERS), ("store", aliases.STORES), ("time", aliases.TIMES)]
+        self.assertEqual({f"{kind}: {way.__name__}" for kind, some in ways for way in some} - seen, set())
 
 
 class Comparison(unittest.TestCase):

@@ -2,24 +2,16 @@
 #include "golden/case.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <set>
 #include <sstream>
 #include <vector>
+
+#include "edits/apply.h"
 
 namespace tzc::rewriter::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read_whole(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  return content.str();
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -72,7 +64,8 @@ std::string describe_sites(const Package& package, const PortPlan& plan) {
     std::string line = std::string(name(site.kind)) + " " + relative(package, site.where.file) + ":" +
                        std::to_string(site.where.line) + " " + site.message_type + " " + name(site.level);
     if (site.topic) line += " '" + *site.topic + "'";
-    if (!site.code.empty()) line += " " + site.code + " " + site.reason;
+    if (!site.code.empty()) line += " " + site.code;
+    if (!site.reason.empty()) line += " " + site.reason;
     text += commented(line);
   }
   for (const Note& note : plan.report.notes)
@@ -95,59 +88,43 @@ std::string compile_commands(const std::string& dir, const std::map<std::string,
   return text + "]";
 }
 
+std::map<std::string, std::string> settings_of(const std::string& run_line) {
+  std::map<std::string, std::string> settings;
+  std::istringstream words(run_line);
+  for (std::string word; words >> word;)
+    settings[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
+  return settings;
+}
+
+std::string with_crlf(std::string text) {
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2))
+    text.replace(at, 1, "\r\n");
+  return text;
+}
+
 }  // namespace
 
 Case read_case(const std::string& path) {
-  Case one;
-  one.path = path;
-  std::string* file = &one.files["src/node.cpp"];
-  bool behind = false;
-  for (const std::string& line : lines_of(read_whole(path))) {
-    if (line == "//===") behind = true;
-    (behind ? one.expected : one.input) += line + "\n";
-    if (behind) continue;
-    if (line.rfind("//RUN:", 0) == 0) {
-      std::istringstream words(line.substr(6));
-      for (std::string word; words >> word;)
-        one.settings[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
-    }
-    if (line.rfind("//--- ", 0) == 0)
-      file = &one.files[line.substr(6)];
-    else
-      *file += line + "\n";
-  }
+  Case one{tzc::test::GoldenCase(path), {}, {}};
+  std::istringstream head(one.golden.head());
+  for (std::string line; std::getline(head, line);)
+    if (line.rfind("//RUN:", 0) == 0) one.settings = settings_of(line.substr(6));
+  one.files["src/node.cpp"] = one.golden.head();
+  for (const auto& [name, text] : one.golden.sections()) one.files[name] += text;
   if (one.settings.count("crlf"))
-    for (auto& item : one.files)
-      for (std::size_t at = item.second.find('\n'); at != std::string::npos;
-           at = item.second.find('\n', at + 2))
-        item.second.replace(at, 1, "\r\n");
+    for (auto& item : one.files) item.second = with_crlf(item.second);
   return one;
 }
 
-void write_expected(const Case& one, const std::string& found) {
-  std::ofstream(one.path, std::ios::binary) << one.input << found;
-}
-
 Package::Package(const std::map<std::string, std::string>& files) {
-  std::string pattern = (fs::temp_directory_path() / "tzc_golden_XXXXXX").string();
-  dir_ = fs::canonical(::mkdtemp(pattern.data())).string();
-  for (const auto& item : files) {
-    fs::create_directories(fs::path(dir_ + "/" + item.first).parent_path());
-    std::ofstream(dir_ + "/" + item.first, std::ios::binary) << item.second;
-  }
-  fs::create_directories(dir_ + "/build");
-  std::ofstream(dir_ + "/build/compile_commands.json") << compile_commands(dir_, files);
-}
-
-Package::~Package() {
-  std::error_code ignored;
-  fs::remove_all(dir_, ignored);
+  for (const auto& [name, content] : files) dir_.write(name, content);
+  dir_.write("build/compile_commands.json", compile_commands(dir(), files));
 }
 
 EngineOptions Package::options(const std::map<std::string, std::string>& settings) const {
   EngineOptions options;
-  options.package_dir = dir_;
-  options.build_dir = dir_ + "/build";
+  options.package_dir = dir();
+  options.build_dir = dir() + "/build";
   options.jobs = 1;
   const auto is = [&](const char* key, const char* value) {
     const auto found = settings.find(key);
@@ -167,10 +144,6 @@ EngineOptions Package::options(const std::map<std::string, std::string>& setting
   return options;
 }
 
-std::string Package::read(const std::string& file) const {
-  return read_whole(dir_ + "/" + file);
-}
-
 std::map<std::string, std::string> ported(const Package& package, const Case& one, const PortPlan& plan) {
   std::map<std::string, std::string> files = one.files;
   for (const auto& [file, edits] : by_file(plan.edits)) {
@@ -179,6 +152,15 @@ std::map<std::string, std::string> ported(const Package& package, const Case& on
     files[name] = content ? *content : to_string(content.error());
   }
   return files;
+}
+
+std::string outcome(const Expected<PortPlan>& plan) {
+  if (!plan) return "error";
+  for (const Level worst :
+       {Level::plain, Level::one_copy, Level::copied, Level::zero_copy, Level::shared, Level::not_needed})
+    for (const Site& site : plan->report.sites)
+      if (site.level == worst) return name(worst);
+  return "no_site";
 }
 
 std::vector<std::string> lasting_sites(const PortPlan& plan) {
@@ -191,7 +173,7 @@ std::vector<std::string> lasting_sites(const PortPlan& plan) {
 }
 
 std::string describe(const Package& package, const Case& one, const PortPlan& plan) {
-  std::string text = "//===\n" + describe_sites(package, plan);
+  std::string text = describe_sites(package, plan);
   for (const auto& [name, content] : ported(package, one, plan)) {
     if (content == one.files.at(name)) continue;
     text += commented("") + commented("+++ " + name) +

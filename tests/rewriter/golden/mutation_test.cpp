@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 
 #include "golden/case.h"
@@ -22,7 +21,7 @@ bool notices(const std::string& path, const std::string& without) {
   options.without_rules.insert({without, "completeness"});
   const Expected<PortPlan> plan = plan_port(options);
   EXPECT_TRUE(plan) << path << ": " << to_string(plan.error());
-  return plan && describe(package, one, *plan) != one.expected;
+  return plan && describe(package, one, *plan) != one.golden.expected();
 }
 
 std::string case_path(const std::string& name) {
@@ -40,10 +39,9 @@ std::string case_for(const RuleSet& rules, const std::string& rule) {
     if (rule == one->rule) written = one->to;
   for (const LibraryAdvertise* one : rules.advertisers)
     if (rule == one->rule) written = one->to;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(TZC_CASES)) {
-    if (entry.path().extension() != ".cpp") continue;
-    if (read_case(entry.path().string()).expected.find(written) == std::string::npos) continue;
-    if (notices(entry.path().string(), rule)) return entry.path().string();
+  for (const std::string& path : tzc::test::GoldenCase::all(TZC_CASES, ".cpp")) {
+    if (read_case(path).golden.expected().find(written) == std::string::npos) continue;
+    if (notices(path, rule)) return path;
   }
   return "";
 }
@@ -75,7 +73,8 @@ INSTANTIATE_TEST_SUITE_P(Mutation, Rule, ::testing::ValuesIn(rule_names()), test
 /// Without its rule a call is not collected: the second look must notice, whatever else the case compares.
 TEST(Mutation, a_call_that_is_not_collected_is_named) {
   for (const std::string rule : {"advertise", "subscribe"}) {
-    const Case one = read_case(case_path(rule == "advertise" ? "publish/local_resize" : "subscribe/forms"));
+    const Case one =
+        read_case(case_path(rule == "advertise" ? "zero_copy/local_resize" : "shared/subscribe_forms"));
     const Package package(one.files);
     EngineOptions options = package.options(one.settings);
     options.without_rules.insert(rule);
@@ -88,18 +87,18 @@ TEST(Mutation, a_call_that_is_not_collected_is_named) {
 }
 
 TEST(Mutation, nothing_is_noticed_when_nothing_is_taken_away) {
-  for (const char* name : {"publish/local_resize", "subscribe/forms", "refuse/kept_received"})
+  for (const char* name : {"zero_copy/local_resize", "shared/subscribe_forms", "one_copy/kept_received"})
     EXPECT_FALSE(notices(case_path(name), "no rule")) << name;
 }
 
 TEST(Mutation, verification_is_needed) {
-  EXPECT_TRUE(notices(case_path("refuse/library_takes_vector"), "verification"));
-  EXPECT_TRUE(notices(case_path("refuse/another_overload_pointer"), "verification"));
+  EXPECT_TRUE(notices(case_path("one_copy/library_takes_vector"), "verification"));
+  EXPECT_TRUE(notices(case_path("one_copy/another_overload_pointer"), "verification"));
 }
 
 TEST(Mutation, all_or_nothing_is_needed) {
-  EXPECT_TRUE(notices(case_path("refuse/two_units_one_header"), "all-or-nothing"));
-  EXPECT_TRUE(notices(case_path("refuse/kept_received"), "all-or-nothing"));
+  EXPECT_TRUE(notices(case_path("one_copy/two_units_one_header"), "all-or-nothing"));
+  EXPECT_TRUE(notices(case_path("one_copy/kept_received"), "all-or-nothing"));
 }
 
 }  // namespace

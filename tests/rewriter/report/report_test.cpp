@@ -8,8 +8,11 @@
 #include <regex>
 #include <sstream>
 
-#include "report/codes.h"
+#include "model/codes.h"
+#include "report/code_pages.h"
+#include "report/estimate.h"
 #include "sample.h"
+#include "support/golden_case.h"
 #include "support/temp_dir.h"
 
 namespace tzc::rewriter {
@@ -19,13 +22,8 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// The file golden/NAME; with TZC_REGENERATE in the environment it becomes `actual`.
 std::string golden(const std::string& name, const std::string& actual) {
-  const std::string path = std::string(GOLDEN_DIR) + "/" + name;
-  if (std::getenv("TZC_REGENERATE")) std::ofstream(path) << actual;
-  std::ostringstream content;
-  content << std::ifstream(path).rdbuf();
-  return content.str();
+  return tzc::test::golden_file(std::string(GOLDEN_DIR) + "/" + name, actual);
 }
 
 TEST(TextReport, golden) {
@@ -62,6 +60,17 @@ TEST(JsonReport, broken_utf8_in_the_source_is_replaced) {
   EXPECT_NO_THROW(json::parse(to_json({package})));
 }
 
+bool validates(const json& document, const std::string& schema) {
+  tzc::test::TempDir folder;
+  const std::string log = folder.write("log.sarif", document.dump());
+  const std::string program =
+      "import json, sys, jsonschema; jsonschema.validate(*(json.load(open(name)) for name in sys.argv[1:]))";
+  const std::string command =
+      "/usr/bin/python3 -c '" + program + "' '" + log + "' '" + schema + "' 2>/dev/null";
+  return std::system(command.c_str()) == 0;
+}
+const std::string in_use = SOURCE_DIR "/sarif_2_1_0_in_use.schema.json";
+
 class Sarif : public ::testing::Test {
  protected:
   json document = json::parse(to_sarif({test::sample()}, "1.2.3"));
@@ -83,29 +92,102 @@ TEST_F(Sarif, every_code_is_a_rule_with_help) {
   for (const json& rule : run["tool"]["driver"]["rules"])
     EXPECT_FALSE(rule["help"]["text"].get<std::string>().empty());
 }
-TEST_F(Sarif, paths_are_relative_uris_of_the_package) {
-  EXPECT_EQ(run["originalUriBaseIds"]["PACKAGE_demo"]["uri"], "file:///ws/src/demo/");
+TEST_F(Sarif, paths_are_relative_uris_of_the_repository) {
+  EXPECT_EQ(run["originalUriBaseIds"]["SRCROOT"]["uri"], "file:///ws/src/");
   PackageReport package = test::sample();
   package.report.sites[2].where.file = "/ws/src/demo/src/my relay%.cpp";
-  EXPECT_THAT(to_sarif({package}, "1"), HasSubstr("src/my%20relay%25.cpp"));
+  EXPECT_THAT(to_sarif({package}, "1"), HasSubstr("\"demo/src/my%20relay%25.cpp\""));
+  for (const json& result : run["results"])
+    for (const json& location : result["locations"])
+      EXPECT_EQ(location["physicalLocation"]["artifactLocation"]["uriBaseId"], "SRCROOT");
+}
+TEST_F(Sarif, each_repository_has_a_base_of_its_own) {
+  PackageReport other = test::sample();
+  other.source_root.clear();
+  const json bases = json::parse(to_sarif({test::sample(), other}, "1"))["runs"][0]["originalUriBaseIds"];
+  EXPECT_EQ(bases, (json{{"SRCROOT", {{"uri", "file:///ws/src/"}}},
+                         {"SRCROOT2", {{"uri", "file:///ws/src/demo/"}}}}));
+}
+TEST_F(Sarif, runs_over_other_packages_are_told_apart) {
+  EXPECT_EQ(run["automationDetails"]["id"], "tzc-rewrite/demo/");
+  PackageReport other = test::sample();
+  other.report.package = std::string(200, 'x');
+  const json both = json::parse(to_sarif({test::sample(), other}, "1"))["runs"][0]["automationDetails"]["id"];
+  other.report.package.back() = 'y';
+  EXPECT_NE(json::parse(to_sarif({test::sample(), other}, "1"))["runs"][0]["automationDetails"]["id"], both);
 }
 
-bool validates(const json& document, const std::string& schema) {
-  test::TempDir folder;
-  const std::string log = folder.write("log.sarif", document.dump());
-  const std::string program =
-      "import json, sys, jsonschema; jsonschema.validate(*(json.load(open(name)) for name in sys.argv[1:]))";
-  const std::string command =
-      "/usr/bin/python3 -c '" + program + "' '" + log + "' '" + schema + "' 2>/dev/null";
-  return std::system(command.c_str()) == 0;
+/// The text after the replacements of a fix, made by what SARIF says of them: from the last one to the first.
+std::string fixed(std::string text, const json& replacements) {
+  for (auto it = replacements.rbegin(); it != replacements.rend(); ++it) {
+    const auto offset = [&](int line, int column) {
+      std::size_t at = 0;
+      for (; line > 1; --line) at = text.find('\n', at) + 1;
+      return at + static_cast<std::size_t>(column - 1);  // the test's lines are ASCII where it matters
+    };
+    const json& region = (*it)["deletedRegion"];
+    const std::size_t begin = offset(region["startLine"], region["startColumn"]);
+    const std::size_t end = offset(region["endLine"], region["endColumn"]);
+    text.replace(begin, end - begin,
+                 it->contains("insertedContent") ? (*it)["insertedContent"]["text"] : json(""));
+  }
+  return text;
 }
-const std::string in_use = SOURCE_DIR "/sarif_2_1_0_in_use.schema.json";
+TEST_F(Sarif, the_fix_of_a_site_is_the_port_of_its_package) {
+  const PackageReport sample = test::sample();
+  int pending = 0;
+  for (const json& result : run["results"]) {
+    if (result["ruleId"] != "TZC5001") continue;
+    ++pending;
+    EXPECT_EQ(result["level"], "warning");
+    const json& changes = result["fixes"][0]["artifactChanges"];
+    ASSERT_EQ(changes.size(), sample.changes.size());
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      EXPECT_EQ(changes[i]["artifactLocation"]["uri"], "demo/" + sample.changes[i].path);
+      EXPECT_EQ(fixed(sample.changes[i].before, changes[i]["replacements"]), sample.changes[i].after);
+    }
+  }
+  EXPECT_EQ(pending, 2);
+}
+TEST_F(Sarif, a_fix_takes_every_form_of_change) {
+  const std::pair<const char*, const char*> forms[] = {{"a\nb\n", "b\n"},
+                                                       {"a\n", "a\nb\n"},
+                                                       {"a", "b"},
+                                                       {"a", "a\nb"},
+                                                       {"a\nb", "a"},
+                                                       {"", "a\n"},
+                                                       {"a\nb\nc\nd\n", "0\na\nB\nc\n"},
+                                                       {"a\r\nb\r\n", "a\r\nc\r\n"},
+                                                       {"a\n\xc3\xa9", "a\nx\n"}};
+  for (const auto& [before, after] : forms) {
+    PackageReport package = test::sample();
+    package.changes = {{"file", before, after}};
+    const json log = json::parse(to_sarif({package}, "1.2.3"));
+    EXPECT_TRUE(validates(log, in_use)) << before;
+    const json result = log["runs"][0]["results"].back();
+    const json replacements = result["fixes"][0]["artifactChanges"][0]["replacements"];
+    if (std::string(before).find('\xc3') != std::string::npos)
+      EXPECT_EQ(replacements[0]["deletedRegion"]["endColumn"], 2) << "one UTF-16 unit";
+    else
+      EXPECT_EQ(fixed(before, replacements), after);
+  }
+}
+TEST_F(Sarif, a_large_port_is_in_the_file_once) {
+  PackageReport package = test::sample();
+  package.changes[0].after = std::string(3u << 20, 'x') + "\n";
+  const json log = json::parse(to_sarif({package}, "1"));
+  int fixes = 0;
+  for (const json& result : log["runs"][0]["results"]) fixes += result.contains("fixes");
+  EXPECT_EQ(fixes, 1);
+}
 
 /// The standard's own schema is OASIS' and not ours to ship: TZC_SARIF_SCHEMA may name a copy of
 /// sarif-schema-2.1.0.json. Ours says less, and forbids all that it does not say.
 TEST_F(Sarif, validates_against_the_schema) {
   EXPECT_TRUE(validates(document, in_use));
-  if (const char* whole = std::getenv("TZC_SARIF_SCHEMA")) EXPECT_TRUE(validates(document, whole));
+  if (const char* whole = std::getenv("TZC_SARIF_SCHEMA")) {
+    EXPECT_TRUE(validates(document, whole));
+  }
 }
 TEST_F(Sarif, the_schema_finds_what_is_wrong) {
   json wrong = document;
@@ -119,13 +201,15 @@ TEST_F(Sarif, the_schema_finds_what_is_wrong) {
   EXPECT_FALSE(validates(wrong, in_use));
 }
 
+const RunInfo info{"1.2.3", "2026-01-02 03:04 UTC", "tzc-rewrite --report 'my port.html' <src>"};
+
 TEST(HtmlReport, golden_body) {
-  const std::string page = to_html({test::sample()});
+  const std::string page = to_html({test::sample()}, info);
   const std::string body = page.substr(page.find("<body>"));
   EXPECT_EQ(body, golden("report_body.html", body));
 }
 TEST(HtmlReport, needs_nothing_else) {
-  const std::string page = to_html({test::sample()});
+  const std::string page = to_html({test::sample()}, info);
   for (const char* reference : {"http://", "https://", "src=", "@import", "url("})
     EXPECT_THAT(page, Not(HasSubstr(reference)));
 }
@@ -133,18 +217,81 @@ TEST(HtmlReport, escapes_what_comes_from_the_source) {
   PackageReport package = test::sample();
   package.report.sites[0].topic = "<script>alert(1)</script>";
   package.changes[0].after = "<script>";
-  EXPECT_THAT(to_html({package}), Not(HasSubstr("<script>")));
+  const std::string page = to_html({package}, info);
+  EXPECT_THAT(page, Not(HasSubstr("<script>")));
+  EXPECT_THAT(page, HasSubstr("&lt;src&gt;"));
 }
 TEST(HtmlReport, every_element_is_closed) {
-  const std::string page = to_html({test::sample()});
+  const std::string page = to_html({test::sample(), test::sample()}, info);
   for (const char* name :
-       {"table", "tr", "td", "div", "details", "summary", "ol", "ul", "li", "p", "span", "code", "a"}) {
+       {"table",   "tr",      "td",    "th",     "div",    "section", "header", "nav",  "dl", "dt",
+        "dd",      "form",    "label", "select", "option", "script",  "h1",     "h2",   "h3", "h4",
+        "details", "summary", "ol",    "ul",     "li",     "p",       "span",   "code", "a"}) {
     const auto count = [&](const std::string& pattern) {
       const std::regex regex(pattern);
       return std::distance(std::sregex_iterator(page.begin(), page.end(), regex), std::sregex_iterator());
     };
     EXPECT_EQ(count(std::string("<") + name + "[ >]"), count(std::string("</") + name + ">")) << name;
   }
+}
+
+TEST(HtmlReport, says_where_it_comes_from) {
+  PackageReport package = test::sample();
+  package.commit = "0123456789ab with uncommitted changes";
+  const std::string page = to_html({package}, info);
+  for (const char* text :
+       {"1.2.3", "2026-01-02 03:04 UTC", "tzc-rewrite --report", "0123456789ab with uncommitted"})
+    EXPECT_THAT(page, HasSubstr(text));
+}
+TEST(HtmlReport, several_packages_have_a_table_of_contents_with_a_sum) {
+  PackageReport other = test::sample();
+  other.report.package = "other";
+  const std::string page = to_html({test::sample(), other}, info);
+  EXPECT_THAT(page, HasSubstr("<h1>TZC port of 2 packages</h1>"));
+  for (const char* name : {"demo", "other"}) {
+    EXPECT_THAT(page, HasSubstr(std::string("<a href=\"#") + name + "\">"));
+    EXPECT_THAT(page, HasSubstr(std::string("id=\"") + name + "\""));
+  }
+  // Of four sites each: one zero_copy, one one_copy; two are plain, of which one is suppressed.
+  EXPECT_THAT(page, HasSubstr("<td>together</td><td class=\"num\">4 of 8</td>"));
+  EXPECT_THAT(to_html({test::sample()}, info), Not(HasSubstr("together")));
+}
+TEST(HtmlReport, estimates_what_the_port_buys_and_what_is_left) {
+  PackageReport package = test::sample();
+  package.message_sizes["camera/image"] = 6220800;
+  const std::vector<SiteEstimate> all = estimates(package);
+  ASSERT_EQ(all.size(), 4u) << "publish sites with data";
+  EXPECT_EQ(all[0].before, 4u);
+  EXPECT_EQ(all[0].after, 0u);
+  EXPECT_EQ(all[0].size, 6220800u);
+  EXPECT_EQ(all[1].before, 1u) << "not pending: it is one_copy already";
+  EXPECT_EQ(sum_of(all).left, 2u);
+  const std::string page = to_html({package}, info);
+  EXPECT_THAT(page, HasSubstr("<td class=\"num\">6.2 MB</td>"));
+  EXPECT_THAT(page, HasSubstr("<td class=\"num\">24.9 MB</td><td class=\"num good\">0</td>"));
+}
+
+/// Judged by another reader of UTF-8 than the one that made it.
+bool is_utf8(const std::string& text) {
+  return !json(text).dump(-1, ' ', false, json::error_handler_t::ignore).empty() && [&] {
+    try {
+      return !json(text).dump().empty();
+    } catch (const json::type_error&) {
+      return false;
+    }
+  }();
+}
+TEST(HtmlReport, is_utf8_whatever_the_sources_are) {
+  PackageReport package = test::sample();
+  package.changes[1].before = "// caf\xe9 \xc3\x28 \xed\xa0\x80 \xf5\x80\x80\x80 \xc0\xaf end\n";
+  package.changes[1].after = std::string("// gr\xc3\xbc\xc3\x9f \xf0\x9f\x98\x80 \x01 nul: \0.\n", 25);
+  package.report.sites[0].reason = "\xff";
+  const std::string page = to_html({package}, info);
+  EXPECT_TRUE(is_utf8(page));
+  EXPECT_FALSE(is_utf8(package.changes[1].before));
+  EXPECT_THAT(page, HasSubstr("gr\xc3\xbc\xc3\x9f \xf0\x9f\x98\x80"));
+  EXPECT_THAT(page, HasSubstr("caf\xef\xbf\xbd"));
+  EXPECT_EQ(page.find('\0'), std::string::npos);
 }
 
 TEST(IsRefusal, plain_unless_somebody_wants_it_so) {
@@ -163,17 +310,17 @@ TEST(IsRefusal, plain_unless_somebody_wants_it_so) {
 TEST(ShownChain, one_step_that_repeats_the_reason_is_not_shown) {
   Site site = test::site(SiteKind::publish, "a.cpp", 1, "sensor_msgs/Image", Level::one_copy);
   site.reason = "r";
-  site.chain = {{site.where, "r"}};
-  EXPECT_TRUE(shown_chain(site).empty());
-  site.chain.push_back({site.where, "s"});
-  EXPECT_EQ(shown_chain(site).size(), 2u);
+  site.flow_path = {{site.where, "r"}};
+  EXPECT_TRUE(shown_flow_path(site).empty());
+  site.flow_path.push_back({site.where, "s"});
+  EXPECT_EQ(shown_flow_path(site).size(), 2u);
 }
 
 TEST(Codes, ascending_and_unique) {
   std::string last;
   for (const CodeInfo& info : all_codes()) {
     EXPECT_LT(last, info.code);
-    EXPECT_TRUE(std::regex_match(std::string(info.code), std::regex("TZC[1-4][0-9]{3}"))) << info.code;
+    EXPECT_TRUE(std::regex_match(std::string(info.code), std::regex("TZC[1-5][0-9]{3}"))) << info.code;
     last = info.code;
   }
 }
@@ -189,7 +336,7 @@ TEST(Codes, each_has_a_page_of_the_common_form) {
     const std::string title =
         "# " + std::string(info.code) + " " + std::string(info.slug) + ": " + std::string(info.title) + "\n";
     EXPECT_EQ(std::string(info.page.substr(0, title.size())), title);
-    for (const char* heading : {"## What was seen\n", "## Why it is so\n", "## What to do\n"})
+    for (const char* heading : {"## Cause\n", "## Why it matters\n", "## Fix\n"})
       EXPECT_THAT(std::string(info.page), HasSubstr(heading)) << info.code;
     EXPECT_EQ(info.page.find("## Before") == std::string_view::npos,
               info.page.find("## After") == std::string_view::npos)

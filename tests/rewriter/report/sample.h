@@ -34,8 +34,8 @@ inline PackageReport sample() {
   Site relay = site(SiteKind::publish, "src/relay.cpp", 12, "sensor_msgs/PointCloud2", Level::one_copy);
   relay.code = "TZC1004";
   relay.reason = "the message was received in `callback` and is published as it came";
-  relay.chain = {{{"/ws/src/demo/src/relay.cpp", 9, 15}, "received as `in`"},
-                 {{"/ws/src/demo/src/relay.cpp", 12, 3}, "published"}};
+  relay.flow_path = {{{"/ws/src/demo/src/relay.cpp", 9, 15}, "received as `in`"},
+                     {{"/ws/src/demo/src/relay.cpp", 12, 3}, "published"}};
   report.sites.push_back(relay);
 
   Site vendor = site(SiteKind::publish, "src/relay.cpp", 30, "sensor_msgs/Image", Level::plain);
@@ -61,6 +61,12 @@ inline PackageReport sample() {
        "find_package(catkin REQUIRED COMPONENTS roscpp tzc)\n"},
       {"src/camera.cpp", "#include <ros/ros.h>\n1\n2\n3\n4\n5\n6\n7\n8\n  ros::Publisher pub_;\nend\n",
        "#include <ros/ros.h>\n#include <tzc/ros.h>\n1\n2\n3\n4\n5\n6\n7\n8\n  tzc::Publisher pub_;\nend\n"}};
+  package.source_root = "/ws/src";
+  for (const unsigned i : {0u, 1u}) {
+    Site& site = report.sites[i];
+    site.pending = true;
+    package.pending.push_back({"TZC5001", site.where, "can be zero_copy and is not ported yet", site.id});
+  }
   return package;
 }
 

@@ -55,7 +55,7 @@ std::string bag(const std::string& compression, bool closed = true) {
 }
 
 std::string measured(const std::string& content) {
-  test::TempDir folder;
+  tzc::test::TempDir folder;
   const auto sizes = measure_bag(folder.write("x.bag", content));
   if (!sizes) return sizes.error().what;
   std::string text;

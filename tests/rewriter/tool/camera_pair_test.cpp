@@ -10,14 +10,16 @@
 #include <sstream>
 #include <utility>
 
+#include "model/codes.h"
+#include "proof/process.h"
 #include "support/temp_dir.h"
-#include "tool/process.h"
 
 namespace tzc::rewriter {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 class CameraPair : public ::testing::Test {
@@ -42,7 +44,7 @@ class CameraPair : public ::testing::Test {
 
   ProcessResult rewrite(std::vector<std::string> words) {
     words.insert(words.begin(), TZC_REWRITE);
-    words.insert(words.end(), {"--report", folder_ / "report.json", package()});
+    words.insert(words.end(), {"--verify=source", "--report", folder_ / "report.json", package()});
     return run_process(words);
   }
   json report() const { return json::parse(folder_.read("report.json")); }
@@ -92,7 +94,7 @@ class CameraPair : public ::testing::Test {
     return all;
   }
 
-  test::TempDir folder_;
+  tzc::test::TempDir folder_;
 };
 
 TEST_F(CameraPair, every_site_is_ported_as_far_as_possible) {
@@ -135,11 +137,43 @@ TEST_F(CameraPair, a_report_from_before_the_port_is_a_baseline_after_it) {
   EXPECT_EQ(check.status, 0) << check.output << check.errors;
 }
 
-TEST_F(CameraPair, a_file_that_does_not_parse_is_named_and_nothing_is_written) {
+/// The publisher is ported, the subscriber is not: code scanning hears of the latter alone.
+TEST_F(CameraPair, only_what_the_port_would_still_change_is_pending) {
+  const std::string viewer = "ws/src/camera_pair/src/viewer_node.cpp", original = folder_.read(viewer);
+  const auto pending_files = [&] {
+    rewrite({"--check", "--report", folder_ / "tzc.sarif"});
+    const json log = json::parse(folder_.read("tzc.sarif"));
+    std::set<std::string> names;
+    for (const json& result : log["runs"][0]["results"])
+      if (result["ruleId"] == codes::TZC5001)
+        names.insert(
+            fs::path(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"].get<std::string>())
+                .filename());
+    return names;
+  };
+  EXPECT_EQ(pending_files(), (std::set<std::string>{"camera_node.cpp", "viewer_node.cpp"}));
+  ASSERT_EQ(rewrite({"--apply"}).status, 0);
+  EXPECT_EQ(pending_files(), std::set<std::string>());
+  folder_.write(viewer, original);
+  EXPECT_EQ(pending_files(), std::set<std::string>{"viewer_node.cpp"});
+}
+
+TEST_F(CameraPair, a_file_that_does_not_parse_is_left_out_and_named) {
   const std::string broken =
       folder_.read("ws/src/camera_pair/src/viewer_node.cpp") + "\nint missing = undeclared;\n";
   folder_.write("ws/src/camera_pair/src/viewer_node.cpp", broken);
   const ProcessResult result = rewrite({"--apply"});
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(result.output, AllOf(HasSubstr("TZC3003"), HasSubstr("viewer_node.cpp"))) << result.errors;
+  EXPECT_EQ(folder_.read("ws/src/camera_pair/src/viewer_node.cpp"), broken);
+  EXPECT_THAT(folder_.read("ws/src/camera_pair/src/camera_node.h"), HasSubstr("tzc::Publisher publisher_"));
+}
+
+TEST_F(CameraPair, a_file_that_does_not_parse_stops_a_strict_run_and_nothing_is_written) {
+  const std::string broken =
+      folder_.read("ws/src/camera_pair/src/viewer_node.cpp") + "\nint missing = undeclared;\n";
+  folder_.write("ws/src/camera_pair/src/viewer_node.cpp", broken);
+  const ProcessResult result = rewrite({"--apply", "--strict"});
   EXPECT_EQ(result.status, 2);
   EXPECT_THAT(result.errors, HasSubstr("viewer_node.cpp:"));
   EXPECT_THAT(result.errors, HasSubstr("undeclared"));

@@ -2,13 +2,15 @@
 // tzc-rewrite with a planner that does as PACKAGE/plan.json says instead of analysing anything:
 //   {"edits": [{"file", "find", "replace"}], "sites": [{"id", "kind", "file", "line", "type", "topic",
 //   "level", "code"}],
-//    "error": "...", "touch": "file to change while analysing", "echo": true}
+//    "error": "...", "touch": "file to change while analysing", "echo": true, "progress": 3,
+//    "reads": [absolute paths]}
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "edits/apply.h"
 #include "edits/files.h"
 #include "report/output.h"
 #include "tool/run.h"
@@ -36,6 +38,7 @@ Site site_of(const json& entry, const std::string& package_dir) {
   site.level = named(entry.value("level", "zero_copy"), {Level::zero_copy, Level::one_copy, Level::plain,
                                                          Level::not_needed, Level::shared, Level::copied});
   site.code = entry.value("code", "");
+  site.pending = entry.value("pending", site.level != Level::plain && site.level != Level::not_needed);
   return site;
 }
 
@@ -44,7 +47,7 @@ void add_edit(const json& entry, const std::string& package_dir, PortPlan& plan)
   const std::string wanted = entry.at("find");
   const std::size_t at = read_file(file)->find(wanted);
   if (at != std::string::npos)
-    plan.edits.push_back({file, at, wanted.size(), entry.at("replace"), 0, "fake"});
+    plan.edits.push_back({file, at, wanted.size(), entry.at("replace"), ComponentId(), "fake"});
   plan.ported_targets_files.insert(file);
 }
 
@@ -58,6 +61,10 @@ void show(const EngineOptions& options) {
         fmt::print(stderr, "twin: {}\n", entry.path().string().substr(folder.size()));
 }
 
+std::string fake_digest(std::string_view text) {
+  return fmt::format("{:016x}-{}", content_hash(text), text.size());
+}
+
 Expected<PortPlan> fake_plan(const EngineOptions& options) {
   PortPlan plan;
   std::ifstream file(options.package_dir + "/plan.json");
@@ -65,10 +72,21 @@ Expected<PortPlan> fake_plan(const EngineOptions& options) {
   if (script.contains("error"))
     return Error{script["error"], options.package_dir + "/src/node.cpp:3", "repair it"};
   if (script.contains("echo")) show(options);
+  for (const std::string& file : script.value("reads", std::vector<std::string>()))
+    if (options.accesses) options.accesses->note(file);
+  const unsigned units = script.value("progress", 0u);
+  for (unsigned i = 1; options.progress && i <= units; ++i)
+    options.progress->step("parsing", i, units, "node.cpp");
   for (const json& entry : script.value("edits", json::array())) add_edit(entry, options.package_dir, plan);
   for (const json& entry : script.value("sites", json::array())) {
     const Site site = site_of(entry, options.package_dir);
     if (!options.wanted || options.wanted(site)) plan.report.sites.push_back(site);
+  }
+  for (const auto& [file, edits] : by_file(plan.edits)) {
+    Expected<std::string> text = apply_edits(*read_file(file), edits);
+    if (text) text = options.judges.written_text(file, *read_file(file), *text);
+    if (!text) return text.error();
+    plan.contents[file] = *text;
   }
   if (script.contains("touch"))
     std::ofstream(options.package_dir + "/" + script["touch"].get<std::string>(), std::ios::app)
@@ -80,5 +98,5 @@ Expected<PortPlan> fake_plan(const EngineOptions& options) {
 }  // namespace tzc::rewriter
 
 int main(int argc, char** argv) {
-  return tzc::rewriter::tool_main(argc, argv, {tzc::rewriter::fake_plan, {}});
+  return tzc::rewriter::tool_main(argc, argv, {tzc::rewriter::fake_plan, {}, tzc::rewriter::fake_digest});
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "tool/workspace.h"
 
@@ -42,17 +40,6 @@ TEST_F(OwnMessages, broken_ones_stop_the_run_with_their_place) {
 TEST_F(OwnMessages, broken_ones_of_another_package_do_not) {
   ws.folder().write("ws/src/other_msgs/msg/Pair.msg", "uint8[ bytes\n");
   EXPECT_EQ(ws.rewrite({}).status, 1);
-}
-
-TEST_F(OwnMessages, what_a_killed_run_left_is_removed_by_the_next) {
-  const pid_t child = fork();
-  if (child == 0) _exit(0);
-  waitpid(child, nullptr, 0);
-  const std::string left =
-      std::filesystem::temp_directory_path() / ("tzc-rewrite-" + std::to_string(child) + "-abcdef");
-  std::filesystem::create_directory(left);
-  ws.rewrite({});
-  EXPECT_FALSE(std::filesystem::exists(left));
 }
 
 }  // namespace

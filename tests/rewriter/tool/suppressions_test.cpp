@@ -11,7 +11,7 @@ namespace {
 /// A source with one site (code TZC1004) on the line that holds "SITE"; says what became of it, then the
 /// notes.
 std::string outcome(const std::string& source) {
-  test::TempDir folder;
+  tzc::test::TempDir folder;
   Report report;
   Site site;
   site.where.file = folder.write("a.cpp", source);

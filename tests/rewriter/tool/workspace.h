@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "proof/process.h"
 #include "support/temp_dir.h"
-#include "tool/process.h"
 
 namespace tzc::rewriter::test {
 
@@ -44,19 +46,22 @@ class Workspace {
   nlohmann::json& plan() { return plan_; }
 
   std::string package() const { return folder_ / "ws/src/demo"; }
-  const TempDir& folder() const { return folder_; }
+  const tzc::test::TempDir& folder() const { return folder_; }
   std::string file(const std::string& name) const { return folder_.read("ws/src/demo/" + name); }
 
   /// tzc-rewrite WORDS... PACKAGE
-  ProcessResult rewrite(std::vector<std::string> words) {
+  ProcessResult rewrite(std::vector<std::string> words, std::map<std::string, std::string> environment = {}) {
     words.push_back(package());
-    return run(std::move(words));
+    return run(std::move(words), std::move(environment));
   }
 
-  ProcessResult run(std::vector<std::string> words) {
+  /// The cache and what undoes a port lie in the folder, too.
+  ProcessResult run(std::vector<std::string> words, std::map<std::string, std::string> environment = {}) {
     folder_.write("ws/src/demo/plan.json", plan_.dump());
+    if (!names_verification(words)) words.insert(words.begin(), "--verify=source");
     words.insert(words.begin(), {FAKE_REWRITE, "--tzc-include", folder_ / "include"});
-    return run_process(words);
+    environment.insert({{"XDG_STATE_HOME", folder_ / "state"}, {"XDG_CACHE_HOME", folder_ / "xdg"}});
+    return run_process(Command{words, "", environment});
   }
 
   /// A shell command in the workspace; its exit status.
@@ -65,7 +70,13 @@ class Workspace {
   }
 
  private:
-  TempDir folder_;
+  /// What is not said otherwise runs without CMake: there is nothing to configure here.
+  static bool names_verification(const std::vector<std::string>& words) {
+    return std::any_of(words.begin(), words.end(),
+                       [](const std::string& word) { return word.rfind("--verify", 0) == 0; });
+  }
+
+  tzc::test::TempDir folder_;
   nlohmann::json plan_;
 };
 

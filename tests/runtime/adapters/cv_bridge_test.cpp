@@ -28,7 +28,7 @@ class CvBridge : public ::testing::Test {
   test::FakePublisher publisher_;
 };
 
-TEST_F(CvBridge, BuildsTheLibrarysMessage) {
+TEST_F(CvBridge, builds_the_librarys_message) {
   namespace enc = ::sensor_msgs::image_encodings;
   for (const auto& encoding :
        {enc::BGR8, enc::RGBA8, enc::MONO8, enc::MONO16, enc::TYPE_32FC1, enc::TYPE_64FC4}) {
@@ -40,14 +40,14 @@ TEST_F(CvBridge, BuildsTheLibrarysMessage) {
   }
 }
 
-TEST_F(CvBridge, TakesPartsOfImages) {
+TEST_F(CvBridge, takes_parts_of_images) {
   auto image = picture("bgr8");
   image.image = image.image(cv::Rect(5, 6, 20, 10));
   ASSERT_FALSE(image.image.isContinuous());
   expect_same(image, *cv_bridge::to_image_msg(image, publisher_));
 }
 
-TEST_F(CvBridge, TakesPointersAndFillsGivenMessages) {
+TEST_F(CvBridge, takes_pointers_and_fills_given_messages) {
   const auto image = boost::make_shared<const ::cv_bridge::CvImage>(picture("bgr8"));
   expect_same(*image, *cv_bridge::to_image_msg(image, publisher_));
   expect_same(*image, *cv_bridge::to_image_msg(image, publisher_.test_memory));
@@ -56,13 +56,13 @@ TEST_F(CvBridge, TakesPointersAndFillsGivenMessages) {
   expect_same(*image, message);
 }
 
-TEST_F(CvBridge, AnEmptyImageIsAnEmptyMessage) {
+TEST_F(CvBridge, an_empty_image_is_an_empty_message) {
   ::cv_bridge::CvImage image;
   image.encoding = "bgr8";
   EXPECT_TRUE(cv_bridge::to_image_msg(image, publisher_)->data.empty());
 }
 
-TEST_F(CvBridge, CopiesOnceLikeTheLibrary) {
+TEST_F(CvBridge, copies_once_like_the_library) {
   const auto image = picture("bgr8", 480, 640);
   const std::size_t size = 480 * 640 * 3;
   sensor_msgs::ImagePtr message;
@@ -78,7 +78,7 @@ TEST_F(CvBridge, CopiesOnceLikeTheLibrary) {
   EXPECT_EQ(1u, ours);
 }
 
-TEST_F(CvBridge, AReusedMessageGetsFreshMemoryAfterPublishing) {
+TEST_F(CvBridge, a_reused_message_gets_fresh_memory_after_publishing) {
   sensor_msgs::Image message;
   ASSERT_TRUE(message::allocate(message, publisher_.memory()));
   const auto first = picture("bgr8"), second = picture("bgr8");
@@ -91,7 +91,7 @@ TEST_F(CvBridge, AReusedMessageGetsFreshMemoryAfterPublishing) {
   expect_same(second, message);
 }
 
-TEST_F(CvBridge, DrawsIntoTheMessage) {
+TEST_F(CvBridge, draws_into_the_message) {
   const auto image = picture("bgr8");
   sensor_msgs::Image message;
   ASSERT_TRUE(message::allocate(message, publisher_.memory()));
@@ -106,7 +106,7 @@ TEST_F(CvBridge, DrawsIntoTheMessage) {
   EXPECT_EQ(message.data.data(), cv_bridge::mat(message).data);
 }
 
-TEST_F(CvBridge, RefusesAMatrixLargerThanItsData) {
+TEST_F(CvBridge, refuses_a_matrix_larger_than_its_data) {
   sensor_msgs::Image message;
   message.encoding = "bgr8";
   message.height = message.width = 10;

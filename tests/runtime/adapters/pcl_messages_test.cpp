@@ -57,7 +57,7 @@ void expect_same_and_no_more_copies(std::size_t size, std::size_t librarys_place
   }
 }
 
-TEST(Color, OfACloudOfPoints) {
+TEST(Color, of_a_cloud_of_points) {
   const Cloud cloud = colored_cloud(400, 300);
   expect_same_and_no_more_copies<sensor_msgs::Image>(400 * 300 * 3, 1, [&](auto& image) {
     using ::pcl::toROSMsg;
@@ -66,7 +66,7 @@ TEST(Color, OfACloudOfPoints) {
   });
 }
 
-TEST(Color, OfAMessage) {
+TEST(Color, of_a_message) {
   const ::sensor_msgs::PointCloud2 cloud = librarys_message(colored_cloud(400, 300));
   expect_same_and_no_more_copies<sensor_msgs::Image>(400 * 300 * 3, 2, [&](auto& image) {
     using ::pcl::toROSMsg;
@@ -83,7 +83,7 @@ TEST(Color, OfAMessage) {
   EXPECT_TRUE(clouds[0] == clouds[1]) << "without data";
 }
 
-TEST(Color, IsRefusedAsByTheLibrary) {
+TEST(Color, is_refused_as_by_the_library) {
   sensor_msgs::Image image;
   Cloud shapeless = colored_cloud(2, 2);
   shapeless.width = shapeless.height = 0;
@@ -128,28 +128,28 @@ Message with_header() {
   return message;
 }
 
-TEST(PclMsgs, PointIndices) {
+TEST(PclMsgs, point_indices) {
   auto indices = with_header< ::pcl::PointIndices>();
   for (int i = 0; i < 100000; ++i) indices.indices.push_back(i);
   expect_converted<pcl_msgs::PointIndices>(400000, indices);
   expect_moved<pcl_msgs::PointIndices>(400000, 0, indices);
 }
 
-TEST(PclMsgs, ModelCoefficients) {
+TEST(PclMsgs, model_coefficients) {
   auto model = with_header< ::pcl::ModelCoefficients>();
   model.values.assign(100000, 2.5f);
   expect_converted<pcl_msgs::ModelCoefficients>(400000, model);
   expect_moved<pcl_msgs::ModelCoefficients>(400000, 0, model);
 }
 
-TEST(PclMsgs, Vertices) {
+TEST(PclMsgs, vertices) {
   ::pcl::Vertices vertices;
   vertices.vertices.assign(100000, 7);
   expect_converted<pcl_msgs::Vertices>(400000, vertices);
   expect_moved<pcl_msgs::Vertices>(400000, 1, vertices);
 }
 
-TEST(PclMsgs, PolygonMesh) {
+TEST(PclMsgs, polygon_mesh) {
   auto mesh = with_header< ::pcl::PolygonMesh>();
   ::pcl::toPCLPointCloud2(colored_cloud(100, 100), mesh.cloud);
   expect_converted<pcl_msgs::PolygonMesh>(mesh.cloud.data.size(), mesh);

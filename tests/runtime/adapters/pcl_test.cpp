@@ -69,10 +69,10 @@ TEST(Advertise, header_seq_is_counted_as_by_roscpp) {
   EXPECT_FALSE(tzc::detail::advertise_options<Cloud>("points", 1).has_header);
   EXPECT_FALSE(tzc::detail::codec_for<Cloud>(stock).has_header);
   EXPECT_TRUE(tzc::detail::advertise_options<sensor_msgs::PointCloud2>("points", 1).has_header);
-  EXPECT_TRUE(tzc::detail::advertise_options< ::sensor_msgs::PointCloud2>("points", 1).has_header);
+  EXPECT_TRUE(tzc::detail::advertise_options<::sensor_msgs::PointCloud2>("points", 1).has_header);
 }
 
-TEST_F(Pcl, ToRosMsgBuildsTheLibrarysMessage) {
+TEST_F(Pcl, to_ros_msg_builds_the_librarys_message) {
   for (const Cloud& cloud : {cloud_of(10, 20), cloud_of(300, 1), Cloud()}) {
     sensor_msgs::PointCloud2 message;
     pcl::toROSMsg(cloud, message);
@@ -80,7 +80,7 @@ TEST_F(Pcl, ToRosMsgBuildsTheLibrarysMessage) {
   }
 }
 
-TEST_F(Pcl, ToRosMsgCopiesOnceLikeTheLibrary) {
+TEST_F(Pcl, to_ros_msg_copies_once_like_the_library) {
   const Cloud cloud = cloud_of(1000, 100);
   const std::size_t size = cloud.points.size() * sizeof(Point);
   auto& memory = *publisher_.test_memory;
@@ -97,7 +97,7 @@ TEST_F(Pcl, ToRosMsgCopiesOnceLikeTheLibrary) {
   EXPECT_EQ(1u, ours);
 }
 
-TEST_F(Pcl, FromPclConvertsLikeTheLibrary) {
+TEST_F(Pcl, from_pcl_converts_like_the_library) {
   const Cloud cloud = cloud_of(10, 20);
   ::pcl::PCLPointCloud2 blob;
   ::pcl::toPCLPointCloud2(cloud, blob);
@@ -110,7 +110,7 @@ TEST_F(Pcl, FromPclConvertsLikeTheLibrary) {
   EXPECT_EQ(data, moved.data.data()) << "moving copies nothing";
 }
 
-TEST_F(Pcl, FromPclConvertsImages) {
+TEST_F(Pcl, from_pcl_converts_images) {
   ::pcl::PCLImage image;
   image.header.frame_id = "camera";
   image.height = 2, image.width = 3, image.step = 9, image.encoding = "bgr8";
@@ -124,7 +124,7 @@ TEST_F(Pcl, FromPclConvertsImages) {
   EXPECT_EQ(stock, message::to_stock(moved));
 }
 
-TEST_F(Pcl, APublishedCloudIsSeenAsPointCloud2) {
+TEST_F(Pcl, a_published_cloud_is_seen_as_point_cloud2) {
   for (const Cloud& cloud : {cloud_of(10, 20), cloud_of(300, 1), Cloud()}) {
     auto result = encoded(cloud);
     EXPECT_EQ(cloud.points.size() * sizeof(Point), result.copied_bytes);
@@ -134,7 +134,7 @@ TEST_F(Pcl, APublishedCloudIsSeenAsPointCloud2) {
   }
 }
 
-TEST_F(Pcl, APublishedCloudIsWhatPclRosSerializes) {
+TEST_F(Pcl, a_published_cloud_is_what_pcl_ros_serializes) {
   const Cloud cloud = cloud_of(10, 20);
   auto result = encoded(cloud);
   const auto view = message::stock_view(cloud, result);
@@ -144,7 +144,7 @@ TEST_F(Pcl, APublishedCloudIsWhatPclRosSerializes) {
   EXPECT_EQ(wire(cloud), bytes);
 }
 
-TEST_F(Pcl, PclPointCloud2IsPublishedWithoutItsOwnType) {
+TEST_F(Pcl, pcl_point_cloud2_is_published_without_its_own_type) {
   const Cloud cloud = cloud_of(10, 20);
   ::pcl::PCLPointCloud2 blob;
   ::pcl::toPCLPointCloud2(cloud, blob);
@@ -153,7 +153,7 @@ TEST_F(Pcl, PclPointCloud2IsPublishedWithoutItsOwnType) {
   EXPECT_EQ(librarys_message(cloud), *message::stock_view(blob, result));
 }
 
-TEST_F(Pcl, ACallbackMayTakeThePointType) {
+TEST_F(Pcl, a_callback_may_take_the_point_type) {
   const Cloud cloud = cloud_of(10, 20);
   const auto result = encoded(cloud);
   const auto received =
@@ -172,7 +172,7 @@ TEST_F(Pcl, ACallbackMayTakeThePointType) {
   EXPECT_EQ(7, other->points[7].x);
 }
 
-TEST_F(Pcl, HostileCloudsAreRefusedOrHarmless) {
+TEST_F(Pcl, hostile_clouds_are_refused_or_harmless) {
   ::pcl::console::setVerbosityLevel(::pcl::console::L_ALWAYS);  // PCL complains about unknown fields
   const auto result = encoded(cloud_of(4, 5));
   const auto& control = result.control;

@@ -33,7 +33,7 @@ void modify(Clouds& clouds, Change change) {
   clouds.expect_equal();
 }
 
-TEST(FillImage, FillsLikeTheLibrary) {
+TEST(FillImage, fills_like_the_library) {
   const std::vector<std::uint8_t> pixels(20 * 10, 7);
   ::sensor_msgs::Image stock;
   sensor_msgs::Image ours;
@@ -44,7 +44,7 @@ TEST(FillImage, FillsLikeTheLibrary) {
   EXPECT_TRUE(ours.data.empty());
 }
 
-TEST(FillImage, TakesAnySizeThatTheLibraryTakes) {
+TEST(FillImage, takes_any_size_that_the_library_takes) {
   const std::vector<std::uint8_t> pixels(64, 7);
   struct Shape {
     std::uint32_t rows, columns, step;
@@ -66,7 +66,7 @@ TEST(FillImage, TakesAnySizeThatTheLibraryTakes) {
   EXPECT_TRUE(sensor_msgs::fillImage(empty, "mono8", 0, 0, 0, nullptr));
 }
 
-TEST(FillImage, CopiesOnceLikeTheLibrary) {
+TEST(FillImage, copies_once_like_the_library) {
   const std::vector<std::uint8_t> pixels(1 << 20, 7);
   test::FakePublisher publisher;
   sensor_msgs::Image ours;
@@ -77,7 +77,7 @@ TEST(FillImage, CopiesOnceLikeTheLibrary) {
   EXPECT_TRUE(in_segment(ours.data.data()));
 }
 
-TEST(PointCloud2Modifier, ModifiesLikeTheLibrary) {
+TEST(PointCloud2Modifier, modifies_like_the_library) {
   for (const std::uint32_t height : {0u, 1u, 2u, 5u}) {
     for (const std::uint32_t width : {0u, 1u, 4u}) {
       SCOPED_TRACE(std::to_string(height) + " x " + std::to_string(width));
@@ -108,7 +108,7 @@ void build(Cloud& cloud, std::size_t points) {
   for (float n = 0; x != x.end(); ++x, ++y, ++red, ++n) *x = n, *y = 2 * n, *red = 3;
 }
 
-TEST(PointCloud2Modifier, ACloudIsBuiltInOnePlaceLikeTheLibrarys) {
+TEST(PointCloud2Modifier, a_cloud_is_built_in_one_place_like_the_librarys) {
   const std::size_t points = 10000, size = points * 32;
   test::FakePublisher publisher;
   Clouds clouds;
@@ -127,7 +127,7 @@ TEST(PointCloud2Modifier, ACloudIsBuiltInOnePlaceLikeTheLibrarys) {
   EXPECT_EQ(1u, ours);
 }
 
-TEST(PointCloud2Modifier, RefusesUnknownNames) {
+TEST(PointCloud2Modifier, refuses_unknown_names) {
   sensor_msgs::PointCloud2 cloud;
   sensor_msgs::PointCloud2Modifier modifier(cloud);
   EXPECT_THROW(modifier.setPointCloud2FieldsByString(1, "hsv"), std::runtime_error);
@@ -145,7 +145,7 @@ class PointIterators : public ::testing::Test {
   Clouds clouds_;
 };
 
-TEST_F(PointIterators, WriteLikeTheLibrarys) {
+TEST_F(PointIterators, write_like_the_librarys) {
   const auto fill = [](auto x, auto red, auto blue) {
     for (float n = 1; x != x.end(); ++x, ++red, ++blue, ++n) {
       *x = n;
@@ -163,7 +163,7 @@ TEST_F(PointIterators, WriteLikeTheLibrarys) {
   clouds_.expect_equal();
 }
 
-TEST_F(PointIterators, ReadAndStepLikeTheLibrarys) {
+TEST_F(PointIterators, read_and_step_like_the_librarys) {
   std::uint8_t next = 0;
   for (std::uint8_t& byte : clouds_.ours.data) byte = ++next;
   const sensor_msgs::PointCloud2& cloud = clouds_.ours;
@@ -178,11 +178,11 @@ TEST_F(PointIterators, ReadAndStepLikeTheLibrarys) {
   EXPECT_EQ(*later, *as_stock);
 }
 
-TEST_F(PointIterators, RefuseUnknownFields) {
+TEST_F(PointIterators, refuse_unknown_fields) {
   EXPECT_THROW(sensor_msgs::PointCloud2Iterator<float>(clouds_.ours, "w"), std::runtime_error);
 }
 
-TEST_F(PointIterators, WritingAfterPublishingReachesNobody) {
+TEST_F(PointIterators, writing_after_publishing_reaches_nobody) {
   test::FakePublisher publisher;
   ASSERT_TRUE(message::allocate(clouds_.ours, publisher.memory()));
   message::Encoded encoded;

@@ -9,7 +9,7 @@ namespace channel {
 namespace test {
 namespace {
 
-TEST(Delivery, AControlPartAndItsBlocksArrive) {
+TEST(Delivery, a_control_part_and_its_blocks_arrive) {
   const auto out = publisher();
   Inbox in(out->address());
   ASSERT_TRUE(in.subscriber) << in.error;
@@ -27,7 +27,7 @@ TEST(Delivery, AControlPartAndItsBlocksArrive) {
   EXPECT_TRUE(in_segment(message->blocks()[0].data));
 }
 
-TEST(Delivery, MessagesComeInOrder) {
+TEST(Delivery, messages_come_in_order) {
   const auto out = publisher(2000);
   Inbox in(out->address());
   for (int i = 0; i < 1000; ++i) out->publish(text_record(std::to_string(i)));
@@ -35,7 +35,7 @@ TEST(Delivery, MessagesComeInOrder) {
   for (int i = 0; i < 1000; ++i) EXPECT_EQ(control_of(in.messages()[i]), std::to_string(i));
 }
 
-TEST(Delivery, EverySubscriberGetsEveryMessage) {
+TEST(Delivery, every_subscriber_gets_every_message) {
   const auto out = publisher(100);
   std::vector<std::unique_ptr<Inbox>> inboxes;
   for (int i = 0; i < 8; ++i) inboxes.push_back(std::make_unique<Inbox>(out->address()));
@@ -44,7 +44,7 @@ TEST(Delivery, EverySubscriberGetsEveryMessage) {
   for (const auto& in : inboxes) EXPECT_TRUE(in->wait_for(50));
 }
 
-TEST(Delivery, AnotherProcessSharesTheMemory) {
+TEST(Delivery, another_process_shares_the_memory) {
   const auto out = publisher();
   const std::string address = out->address();
   const pid_t child = in_child([&address] {
@@ -58,7 +58,7 @@ TEST(Delivery, AnotherProcessSharesTheMemory) {
   EXPECT_EQ(exit_status(child), 0);
 }
 
-TEST(Delivery, RecordsLargerThanASocketTravelAsFragments) {
+TEST(Delivery, records_larger_than_a_socket_travel_as_fragments) {
   const auto out = publisher();
   Inbox in(out->address());
   for (const std::size_t size : {std::size_t{0}, std::size_t{65'000}, std::size_t{70'000}, 6 * mb}) {
@@ -72,7 +72,7 @@ TEST(Delivery, RecordsLargerThanASocketTravelAsFragments) {
   }
 }
 
-TEST(Delivery, ALargeControlPartGoesIntoABlockWhenItMay) {
+TEST(Delivery, a_large_control_part_goes_into_a_block_when_it_may) {
   const auto out = publisher();
   Inbox in(out->address());
   const std::string text(300'000, 'c');
@@ -86,7 +86,7 @@ TEST(Delivery, ALargeControlPartGoesIntoABlockWhenItMay) {
   EXPECT_LT(in.subscriber->stats().bytes, 1000u);
 }
 
-TEST(Delivery, TheCallersOwnLoopPollsADescriptor) {
+TEST(Delivery, the_callers_own_loop_polls_a_descriptor) {
   const auto out = publisher();
   const auto in = idle_subscriber(out->address());
   ASSERT_GE(in->fd(), 0);
@@ -100,7 +100,7 @@ TEST(Delivery, TheCallersOwnLoopPollsADescriptor) {
   EXPECT_EQ(control_of(message), "ready");
 }
 
-TEST(Delivery, OneMessageGoesOutOnTwoPublishers) {
+TEST(Delivery, one_message_goes_out_on_two_publishers) {
   const auto first = publisher(), second = publisher();
   Inbox a(first->address()), b(second->address());
   const RecordPtr record = text_record("both", {filled(*first->memory(), mb, 6)});
@@ -109,7 +109,7 @@ TEST(Delivery, OneMessageGoesOutOnTwoPublishers) {
   EXPECT_TRUE(all_bytes_are(b.messages()[0]->blocks()[0], 6));
 }
 
-TEST(Delivery, ABlockSentTwiceIsHeldTwice) {
+TEST(Delivery, a_block_sent_twice_is_held_twice) {
   const auto out = publisher(10, mb);
   Inbox in(out->address());
   const RecordPtr record = text_record("again", {filled(*out->memory(), mb, 6)});
@@ -119,7 +119,7 @@ TEST(Delivery, ABlockSentTwiceIsHeldTwice) {
   EXPECT_EQ(in.messages()[0]->blocks()[0].size, in.messages()[1]->blocks()[0].size);
 }
 
-TEST(Delivery, NothingPrecedesOnConnectAndWhatItSends) {
+TEST(Delivery, nothing_precedes_on_connect_and_what_it_sends) {
   PublisherOptions options;
   options.queue_size = 0;
   options.on_connect = [](const ConnectionPtr& connection) { connection->send(text_record("first")); };
@@ -140,7 +140,7 @@ TEST(Delivery, NothingPrecedesOnConnectAndWhatItSends) {
   noise.join();
 }
 
-TEST(Delivery, ThreadsMayPublishConcurrently) {
+TEST(Delivery, threads_may_publish_concurrently) {
   const auto out = publisher(0, 64 * mb);
   Inbox in(out->address());
   std::vector<std::thread> threads;
@@ -159,7 +159,7 @@ TEST(Delivery, ThreadsMayPublishConcurrently) {
     ASSERT_TRUE(all_bytes_are(message->blocks()[0], static_cast<unsigned char>(message->control()[0])));
 }
 
-TEST(Delivery, HelloAndAuthorization) {
+TEST(Delivery, hello_and_authorization) {
   PublisherOptions options;
   options.authorize = [](const Credentials& who, const std::string& hello) {
     return who.uid == ::getuid() && hello == "friend";

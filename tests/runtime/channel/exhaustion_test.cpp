@@ -51,7 +51,7 @@ int publisher_without_descriptors() {
   EXPECT_IN_CHILD(!Publisher::create({}));
   EXPECT_IN_CHILD(!SegmentMemory::create(MemoryOptions{mb}));
   EXPECT_IN_CHILD(out->publish(text_record("no memory needed")) == 1);
-  // The subscriber can't be offered a segment now: the caller learns it and may send the message without
+  // The subscriber cannot be offered a segment now: the caller learns it and may send the message without
   // memory.
   const ConnectionPtr connection = out->connections()[0];
   EXPECT_IN_CHILD(!connection->send(text_record("x", {filled(*out->memory(), 1000, 1)})));
@@ -96,7 +96,7 @@ double cpu_seconds() {
 
 // The kernel counts the descriptors that a user (not root) has in flight against the limit on open ones. Each
 // of these records lies in a segment of its own, whose two descriptors are in flight to eight subscribers
-// that don't read. The user is nobody else's, or what others have in flight would count.
+// that don't read. No other process has this user, because the limit counts what all of its processes have in flight.
 int too_many_descriptors_in_flight() {
   const auto user = static_cast<uid_t>(20'000 + ::getpid() % 40'000);
   if (::setresuid(user, user, user) != 0 || ::prctl(PR_SET_DUMPABLE, 1) != 0) return skipped;
@@ -122,13 +122,13 @@ int too_many_descriptors_in_flight() {
   return 0;
 }
 
-int subscriber_that_can_not_map() {
+int subscriber_that_cannot_map() {
   const auto out = publisher(10, 64 * mb);
   Inbox in(out->address());
   limit(RLIMIT_AS, 1);  // no new mapping succeeds
   const BufferPtr small = out->memory()->allocate(1000);
   out->publish(text_record("x", {small}));
-  // Whichever side could not map it says so: the subscriber by leaving, the publisher by refusing to send.
+  // The side that could not map it says so: the subscriber by leaving, the publisher by refusing to send.
   const bool told = eventually(
       [&] { return !in.reason().empty() || !out->connections()[0]->last_failure().text().empty(); });
   limit(RLIMIT_AS, RLIM_INFINITY);
@@ -222,18 +222,18 @@ void run(int (*test)()) {
   EXPECT_EQ(status, 0);
 }
 
-TEST(Exhaustion, TooManyDescriptorsInAChild) {
+TEST(Exhaustion, too_many_descriptors_in_a_child) {
   run(publisher_without_descriptors);
 }
 #ifndef TZC_PORTABLE
-TEST(Exhaustion, TooManyDescriptorsInFlightInAChild) {
+TEST(Exhaustion, too_many_descriptors_in_flight_in_a_child) {
   run(too_many_descriptors_in_flight);
 }
 #endif
-TEST(Exhaustion, AcceptingWithoutDescriptorsInAChild) {
+TEST(Exhaustion, accepting_without_descriptors_in_a_child) {
   run(accepting_without_descriptors);
 }
-TEST(Exhaustion, MemoryLimitInAChild) {
+TEST(Exhaustion, memory_limit_in_a_child) {
   const pid_t child = in_child(memory_limit);
   const int status = exit_status(child);
   for (const char* mount : {"/sys/fs/cgroup/memory", "/sys/fs/cgroup"})
@@ -243,16 +243,16 @@ TEST(Exhaustion, MemoryLimitInAChild) {
   if (status == skipped) GTEST_SKIP() << "no control group of version 1 or 2 may be made here";
   EXPECT_EQ(status, 0);
 }
-TEST(Exhaustion, FileSizeLimitInAChild) {
+TEST(Exhaustion, file_size_limit_in_a_child) {
   run(file_size_limit);
 }
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-TEST(Exhaustion, NoAddressSpaceInAChild) {
-  run(subscriber_that_can_not_map);
+TEST(Exhaustion, no_address_space_in_a_child) {
+  run(subscriber_that_cannot_map);
 }
 #endif
 #ifdef TZC_PORTABLE
-TEST(Exhaustion, FullTmpfsInAChild) {
+TEST(Exhaustion, full_tmpfs_in_a_child) {
   run(full_tmpfs);
 }
 #endif

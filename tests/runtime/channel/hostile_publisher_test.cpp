@@ -58,7 +58,7 @@ class HostilePublisher : public ::testing::Test {
   std::unique_ptr<Inbox> in_;
 };
 
-TEST_F(HostilePublisher, OneThatNeverAnswersIsGivenUp) {
+TEST_F(HostilePublisher, one_that_never_answers_is_given_up) {
   SubscriberOptions options;
   options.address = listener_.address();
   options.own_thread = false;
@@ -69,13 +69,13 @@ TEST_F(HostilePublisher, OneThatNeverAnswersIsGivenUp) {
       << created.error().text();
 }
 
-TEST_F(HostilePublisher, PacketsOfNoKnownKindEndIt) {
+TEST_F(HostilePublisher, packets_of_no_known_kind_end_it) {
   subscribe();
   peer_->send("rubbish!", 8);
   expect_broken("unknown kind");
 }
 
-TEST_F(HostilePublisher, AnUnknownBlockEndsIt) {
+TEST_F(HostilePublisher, an_unknown_block_ends_it) {
   subscribe();
   std::uint8_t packet[sizeof(RecordPrefix) + sizeof(BodyHeader) + sizeof(segment::BlockRef)] = {};
   const RecordPrefix prefix{PacketKind::record, 1};
@@ -86,13 +86,13 @@ TEST_F(HostilePublisher, AnUnknownBlockEndsIt) {
   expect_broken("a block that does not exist");
 }
 
-TEST_F(HostilePublisher, ASegmentWithoutFilesEndsIt) {
+TEST_F(HostilePublisher, a_segment_without_files_ends_it) {
   subscribe();
   peer_->send(SegmentPacket{PacketKind::segment, 0, {1, 4096, 4096, 64}});
   expect_broken("without its files");
 }
 
-TEST_F(HostilePublisher, AFileThatIsNoSegmentEndsIt) {
+TEST_F(HostilePublisher, a_file_that_is_no_segment_ends_it) {
   subscribe();
   auto file = posix::create_memory_file("junk", 8192, posix::Sharing::peers_write);
   posix::seal(*file, posix::Sharing::peers_write);
@@ -101,7 +101,7 @@ TEST_F(HostilePublisher, AFileThatIsNoSegmentEndsIt) {
   expect_broken("refuse a received segment");
 }
 
-TEST_F(HostilePublisher, AFileShorterThanAnnouncedEndsIt) {
+TEST_F(HostilePublisher, a_file_shorter_than_announced_ends_it) {
   subscribe();
   auto file = posix::create_memory_file("short", 4096, posix::Sharing::peers_write);
   posix::seal(*file, posix::Sharing::peers_write);
@@ -111,14 +111,14 @@ TEST_F(HostilePublisher, AFileShorterThanAnnouncedEndsIt) {
 }
 
 #ifndef TZC_PORTABLE
-TEST_F(HostilePublisher, ARingThatClaimsMoreThanItHoldsEndsIt) {
+TEST_F(HostilePublisher, a_ring_that_claims_more_than_it_holds_ends_it) {
   subscribe(reads_ring);
   ring().publisher.written = ring_start + ring_slots + 1;
   wake_reader(ring());
   expect_broken("wrong size");
 }
 
-TEST_F(HostilePublisher, ASlotThatClaimsMoreThanItHoldsEndsIt) {
+TEST_F(HostilePublisher, a_slot_that_claims_more_than_it_holds_ends_it) {
   subscribe(reads_ring);
   ring().slots[ring_start % ring_slots].size = slot_bytes + 1;
   ring().publisher.written = ring_start + 1;
@@ -126,36 +126,37 @@ TEST_F(HostilePublisher, ASlotThatClaimsMoreThanItHoldsEndsIt) {
   expect_broken("wrong size");
 }
 
-TEST_F(HostilePublisher, WhatComesThroughTheRingIsCheckedAsAPacket) {
+TEST_F(HostilePublisher, what_comes_through_the_ring_is_checked_as_a_packet) {
   subscribe(reads_ring);
   const SegmentPacket offer{PacketKind::segment, 0, {1, 4096, 4096, 64}};
   RingWriter(&ring()).write(&offer, sizeof offer, "", 0);
   expect_broken("without its files");
 }
 
-TEST_F(HostilePublisher, PacketsThatNeverComeHoldNobodyUp) {
+TEST_F(HostilePublisher, packets_that_never_come_hold_nobody_up) {
   subscribe(reads_ring);
   ring().publisher.packets = ring_start + 1;
   wake_reader(ring());
   in_.reset();  // waits for the reader thread
 }
 
-TEST_F(HostilePublisher, AFileThatItCouldStillTruncateEndsIt) {
+TEST_F(HostilePublisher, a_file_that_it_could_still_truncate_ends_it) {
   subscribe();
-  auto file = posix::create_memory_file("open", 8192, posix::Sharing::peers_write);
-  peer_->send(SegmentPacket{PacketKind::segment, 0, {1, 8192, 8192, 64}},
+  const std::size_t size = 2 * posix::page_size();
+  auto file = posix::create_memory_file("open", size, posix::Sharing::peers_write);
+  peer_->send(SegmentPacket{PacketKind::segment, 0, {1, size, size, 64}},
               {file->descriptor.get(), file->descriptor.get()});
   expect_broken("not sealed");
 }
 #endif
 
-TEST_F(HostilePublisher, HugeAnnouncementsCostNothing) {
+TEST_F(HostilePublisher, huge_announcements_cost_nothing) {
   subscribe();
   peer_->send(FragmentPrefix{PacketKind::fragment, 1, 0, std::uint64_t{1} << 60});
   expect_broken("too large");
 }
 
-TEST_F(HostilePublisher, FragmentsThatDoNotFitEndIt) {
+TEST_F(HostilePublisher, fragments_that_do_not_fit_end_it) {
   subscribe();
   struct {
     FragmentPrefix prefix;
@@ -165,7 +166,7 @@ TEST_F(HostilePublisher, FragmentsThatDoNotFitEndIt) {
   expect_broken("don't fit together");
 }
 
-TEST_F(HostilePublisher, RepeatedSequenceNumbersEndIt) {
+TEST_F(HostilePublisher, repeated_sequence_numbers_end_it) {
   subscribe();
   struct {
     RecordPrefix prefix;
@@ -177,7 +178,7 @@ TEST_F(HostilePublisher, RepeatedSequenceNumbersEndIt) {
   EXPECT_EQ(in_->messages().size(), 1u);
 }
 
-TEST_F(HostilePublisher, DescriptorsThatBelongToNothingAreClosed) {
+TEST_F(HostilePublisher, descriptors_that_belong_to_nothing_are_closed) {
   subscribe();
   const auto count = [] {
     int open = 0;

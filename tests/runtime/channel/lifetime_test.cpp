@@ -33,7 +33,7 @@ void expect_held_until_released(Publisher& out, MessagePtr held) {
   EXPECT_TRUE(eventually([&] { return has_room(out, mb); }));
 }
 
-TEST(Lifetime, AHeldMessageOutlivesItsSubscriber) {
+TEST(Lifetime, a_held_message_outlives_its_subscriber) {
   const auto out = publisher(10, mb, Policy::best_effort());
   MessagePtr held;
   {
@@ -70,7 +70,7 @@ class BusyServiceThread {
 };
 
 // The write fails before the goodbye is read. Ending the socket then would free what the process still holds.
-TEST(Lifetime, AHeldMessageOutlivesAWriteThatFails) {
+TEST(Lifetime, a_held_message_outlives_a_write_that_fails) {
   const auto out = publisher(10, mb, Policy::best_effort());
   MessagePtr held;
   {
@@ -85,7 +85,7 @@ TEST(Lifetime, AHeldMessageOutlivesAWriteThatFails) {
   expect_held_until_released(*out, std::move(held));
 }
 
-TEST(Lifetime, AHeldMessageOutlivesItsPublisher) {
+TEST(Lifetime, a_held_message_outlives_its_publisher) {
   auto out = publisher();
   Inbox in(out->address());
   out->publish(text_record("x", {filled(*out->memory(), mb, 8)}));
@@ -95,7 +95,7 @@ TEST(Lifetime, AHeldMessageOutlivesItsPublisher) {
   EXPECT_TRUE(all_bytes_are(in.messages()[0]->blocks()[0], 8));
 }
 
-TEST(Lifetime, MemoryThatOutlivesItsPublisherDoesNotReuseHeldBlocks) {
+TEST(Lifetime, memory_that_outlives_its_publisher_does_not_reuse_held_blocks) {
   auto out = publisher(10, mb, Policy::best_effort());
   const auto memory = out->memory();
   Inbox in(out->address());
@@ -108,7 +108,7 @@ TEST(Lifetime, MemoryThatOutlivesItsPublisherDoesNotReuseHeldBlocks) {
   EXPECT_TRUE(eventually([&] { return static_cast<bool>(memory->allocate(mb)); }));
 }
 
-TEST(Lifetime, UnreadMessagesOfAClosedPublisherStillArrive) {
+TEST(Lifetime, unread_messages_of_a_closed_publisher_still_arrive) {
   auto out = publisher(100);
   const auto in = idle_subscriber(out->address());
   for (int i = 0; i < 100; ++i)
@@ -122,7 +122,7 @@ TEST(Lifetime, UnreadMessagesOfAClosedPublisherStillArrive) {
   EXPECT_EQ(count, 100);
 }
 
-TEST(Lifetime, AKilledSubscriberFreesItsBlocksAtOnce) {
+TEST(Lifetime, a_killed_subscriber_frees_its_blocks_at_once) {
   const auto out = publisher(10, mb);
   const std::string address = out->address();
   int ready[2];
@@ -146,7 +146,7 @@ TEST(Lifetime, AKilledSubscriberFreesItsBlocksAtOnce) {
   ::close(ready[0]);
 }
 
-TEST(Lifetime, AKilledPublisherLeavesWhatWasTaken) {
+TEST(Lifetime, a_killed_publisher_leaves_what_was_taken) {
   int address_pipe[2];
   ASSERT_EQ(::pipe(address_pipe), 0);
   const pid_t child = in_child([&] {
@@ -170,7 +170,7 @@ TEST(Lifetime, AKilledPublisherLeavesWhatWasTaken) {
   ::close(address_pipe[0]);
 }
 
-TEST(Lifetime, NothingIsLeftOpen) {
+TEST(Lifetime, nothing_is_left_open) {
   {
     Inbox warm_up(publisher()->address());
   }  // starts the service
@@ -186,7 +186,7 @@ TEST(Lifetime, NothingIsLeftOpen) {
       << open_descriptors() << " vs " << before;
 }
 
-TEST(Lifetime, CallbacksComeOnceAndNeverAfterTheEnd) {
+TEST(Lifetime, callbacks_come_once_and_never_after_the_end) {
   std::atomic<int> connected{0}, disconnected{0};
   PublisherOptions options;
   options.on_connect = [&](const ConnectionPtr&) { ++connected; };
@@ -205,7 +205,7 @@ TEST(Lifetime, CallbacksComeOnceAndNeverAfterTheEnd) {
   EXPECT_EQ(disconnected, at_the_end);
 }
 
-TEST(Lifetime, ASubscriberMayGoInsideItsCallback) {
+TEST(Lifetime, a_subscriber_may_go_inside_its_callback) {
   struct Shared {
     std::mutex mutex;
     std::shared_ptr<Subscriber> subscriber;
@@ -228,7 +228,7 @@ TEST(Lifetime, ASubscriberMayGoInsideItsCallback) {
   EXPECT_TRUE(eventually([&] { return shared->calls == 1 && out->connections().empty(); }));
 }
 
-TEST(Lifetime, APublisherMayGoInsideItsCallbacks) {
+TEST(Lifetime, a_publisher_may_go_inside_its_callbacks) {
   for (const bool on_connect : {true, false}) {
     std::shared_ptr<Publisher> out;
     std::atomic<bool> called{false};
@@ -246,7 +246,7 @@ TEST(Lifetime, APublisherMayGoInsideItsCallbacks) {
   }
 }
 
-TEST(Lifetime, CloseEndsOneSubscription) {
+TEST(Lifetime, close_ends_one_subscription) {
   const auto out = publisher();
   Inbox a(out->address()), b(out->address());
   ASSERT_TRUE(eventually([&] { return out->connections().size() == 2; }));
@@ -260,7 +260,7 @@ TEST(Lifetime, CloseEndsOneSubscription) {
   EXPECT_EQ(out->publish(text_record("for b")), 1u);
 }
 
-TEST(Lifetime, AForkedChildReadsAndLeavesNoTrace) {
+TEST(Lifetime, a_forked_child_reads_and_leaves_no_trace) {
   const auto out = publisher(10, mb, Policy::best_effort());
   auto in = std::make_unique<Inbox>(out->address());
   out->publish(text_record("x", {filled(*out->memory(), mb, 8)}));
@@ -282,7 +282,7 @@ TEST(Lifetime, AForkedChildReadsAndLeavesNoTrace) {
   EXPECT_TRUE(has_room(*out, mb));
 }
 
-TEST(Lifetime, AForkedChildCanStartItsOwn) {
+TEST(Lifetime, a_forked_child_can_start_its_own) {
   const auto out = publisher();
   Inbox in(out->address());
   const std::string parents_address = out->address();

@@ -9,14 +9,14 @@ namespace channel {
 namespace test {
 namespace {
 
-TEST(Record, SealsItsBuffers) {
+TEST(Record, seals_its_buffers) {
   const auto memory = memory_of(mb);
   const BufferPtr buffer = memory->allocate(10);
   EXPECT_TRUE(text_record("x", {buffer}));
   EXPECT_TRUE(buffer->sealed());
 }
 
-TEST(Record, KeepsItsBuffersAlive) {
+TEST(Record, keeps_its_buffers_alive) {
   const auto memory = memory_of(mb);
   RecordPtr record = text_record("x", {memory->allocate(mb)});
   EXPECT_FALSE(memory->allocate(mb));
@@ -24,14 +24,33 @@ TEST(Record, KeepsItsBuffersAlive) {
   EXPECT_TRUE(memory->allocate(mb));
 }
 
-TEST(Record, RefusesMissingAndTooManyBuffers) {
+TEST(Record, refuses_missing_and_too_many_buffers) {
   EXPECT_FALSE(text_record("x", {nullptr}));
   const auto memory = memory_of(mb);
   EXPECT_FALSE(text_record("x", std::vector<BufferPtr>(5000, memory->allocate(1))));
   EXPECT_TRUE(text_record("x", std::vector<BufferPtr>(4096, memory->allocate(1))));
 }
 
-TEST(Record, ParsesWhatItEncodes) {
+TEST(Record, says_why_it_cannot_be_made) {
+  EXPECT_TRUE(can_carry(std::size_t{1} << 30, 4096));
+  const Status many = can_carry(0, 4097);
+  ASSERT_FALSE(many);
+  EXPECT_NE(many.error().text().find("4097 separate arrays"), std::string::npos) << many.error().text();
+  const Status large = can_carry((std::size_t{1} << 30) + 1, 0);
+  ASSERT_FALSE(large);
+  EXPECT_NE(large.error().text().find("1 GiB"), std::string::npos) << large.error().text();
+}
+
+TEST(Record, one_that_cannot_be_made_is_counted) {
+  const auto out = publisher();
+  const auto in = idle_subscriber(out->address());
+  EXPECT_EQ(out->publish(text_record("x", std::vector<BufferPtr>(4097, out->memory()->allocate(1)))), 0u);
+  EXPECT_EQ(out->publish(text_record("y")), 1u);
+  EXPECT_EQ(out->stats().published, 2u);
+  EXPECT_EQ(out->stats().not_records, 1u);
+}
+
+TEST(Record, parses_what_it_encodes) {
   const auto memory = memory_of(mb);
   const RecordPtr record = text_record("control", {memory->allocate(100), memory->allocate(200)});
   ParsedBody parsed;
@@ -42,7 +61,7 @@ TEST(Record, ParsesWhatItEncodes) {
             "control");
 }
 
-TEST(Record, ATruncatedBodyIsMalformed) {
+TEST(Record, a_truncated_body_is_malformed) {
   const auto memory = memory_of(mb);
   const RecordPtr record = text_record("control", {memory->allocate(100)});
   ParsedBody parsed;

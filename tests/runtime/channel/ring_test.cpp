@@ -32,7 +32,7 @@ struct Ends {
   std::atomic<bool> ended{false};
 };
 
-TEST(Ring, CarriesPacketsInOrderRoundAndRound) {
+TEST(Ring, carries_packets_in_order_round_and_round) {
   Ends ends;
   for (std::uint32_t number = 1; number <= 10 * ring_slots; number += 3) {
     for (std::uint32_t i = 0; i < 3; ++i) ASSERT_TRUE(ends.write(number + i));
@@ -44,7 +44,7 @@ TEST(Ring, CarriesPacketsInOrderRoundAndRound) {
   }
 }
 
-TEST(Ring, LeavesToTheSocketWhatItHasNoRoomFor) {
+TEST(Ring, leaves_to_the_socket_what_it_has_no_room_for) {
   Ends ends;
   const std::vector<std::uint8_t> bytes(slot_bytes, 7);
   EXPECT_FALSE(ends.writer.write("?", 1, bytes.data(), bytes.size()));
@@ -56,7 +56,7 @@ TEST(Ring, LeavesToTheSocketWhatItHasNoRoomFor) {
   EXPECT_TRUE(ends.write(9));
 }
 
-TEST(Ring, IsNotUsedWhilePacketsWaitInTheSocket) {
+TEST(Ring, is_not_used_while_packets_wait_in_the_socket) {
   Ends ends;
   ends.writer.sent_packets(2);
   EXPECT_FALSE(ends.write(1));
@@ -69,7 +69,7 @@ TEST(Ring, IsNotUsedWhilePacketsWaitInTheSocket) {
   EXPECT_TRUE(ends.write(1));
 }
 
-TEST(Ring, IsEmptiedBeforeTheSocketIsRead) {
+TEST(Ring, is_emptied_before_the_socket_is_read) {
   Ends ends;
   ends.write(1);
   ends.write(2);
@@ -82,14 +82,14 @@ TEST(Ring, IsEmptiedBeforeTheSocketIsRead) {
   EXPECT_EQ(ends.look(), Source::socket);
 }
 
-TEST(Ring, WithoutOneEverythingIsInTheSocket) {
+TEST(Ring, without_one_everything_is_in_the_socket) {
   RingWriter writer(nullptr);
   RingReader reader(nullptr);
   EXPECT_FALSE(writer.write("x", 1, "y", 1));
   EXPECT_EQ(reader.await(std::atomic<bool>(false), true), Source::socket);
 }
 
-TEST(Ring, ForgedCountsAndSizesAreNoticed) {
+TEST(Ring, forged_counts_and_sizes_are_noticed) {
   Ends ends;
   std::uint8_t packet[slot_bytes];
   ends.ring.publisher.written = ring_start + ring_slots + 1;
@@ -103,7 +103,7 @@ TEST(Ring, ForgedCountsAndSizesAreNoticed) {
 
 #ifndef TZC_PORTABLE
 
-TEST(Ring, ItsEndWakesASleeper) {
+TEST(Ring, its_end_wakes_a_sleeper) {
   Ends ends;
   std::thread sleeper([&] { EXPECT_EQ(ends.reader.await(ends.ended, true), Source::socket); });
   EXPECT_TRUE(eventually([&] { return ends.ring.subscriber.sleeping == 1; }));
@@ -113,7 +113,7 @@ TEST(Ring, ItsEndWakesASleeper) {
 }
 
 // Every wake-up counts: one that is missed would stop the reader for good.
-TEST(Ring, NobodySleepsThroughAPacket) {
+TEST(Ring, nobody_sleeps_through_a_packet) {
   Ends ends;
   constexpr std::uint32_t last = 200'000;
   std::mutex mutex;
@@ -146,7 +146,7 @@ TEST(Ring, NobodySleepsThroughAPacket) {
   EXPECT_EQ(wrong, 0u);
 }
 
-TEST(TwoWays, RecordsOfAllSizesKeepTheirOrder) {
+TEST(TwoWays, records_of_all_sizes_keep_their_order) {
   const auto out = publisher(0, 64 * mb);
   Inbox in(out->address());
   ASSERT_TRUE(in.subscriber) << in.error;
@@ -188,7 +188,7 @@ class ByHand : public ::testing::Test {
   posix::Mapping mapping_;
 };
 
-TEST_F(ByHand, AUsualRecordDoesNotCrossTheSocket) {
+TEST_F(ByHand, a_usual_record_does_not_cross_the_socket) {
   out_->publish(text_record("hello"));
   EXPECT_EQ(written(), 1u);
   EXPECT_EQ(packets(), 0u);
@@ -196,7 +196,7 @@ TEST_F(ByHand, AUsualRecordDoesNotCrossTheSocket) {
   EXPECT_EQ(out_->connections().front()->stats().bytes, first_slot().size);
 }
 
-TEST_F(ByHand, TheSocketIsUsedUntilItsPacketsAreRead) {
+TEST_F(ByHand, the_socket_is_used_until_its_packets_are_read) {
   out_->publish(text_record("block", {filled(*out_->memory(), 1000, 1)}));  // its segment's files come first
   EXPECT_EQ(packets(), 2u);
   out_->publish(text_record("next"));
@@ -208,7 +208,7 @@ TEST_F(ByHand, TheSocketIsUsedUntilItsPacketsAreRead) {
   EXPECT_EQ(written(), 1u);
 }
 
-TEST_F(ByHand, AFullRingOverflowsIntoTheSocketAndTheQueueHolds) {
+TEST_F(ByHand, a_full_ring_overflows_into_the_socket_and_the_queue_holds) {
   for (int i = 0; i < 200; ++i) out_->publish(text_record(std::to_string(i)));
   EXPECT_EQ(written(), ring_slots);
   const ConnectionStats stats = out_->connections().front()->stats();
@@ -216,7 +216,7 @@ TEST_F(ByHand, AFullRingOverflowsIntoTheSocketAndTheQueueHolds) {
   EXPECT_EQ(stats.dropped, 180u);
 }
 
-TEST_F(ByHand, ForgedWordsHurtOnlyTheForger) {
+TEST_F(ByHand, forged_words_hurt_only_the_forger) {
   for (std::uint32_t i = 0; i < 100; ++i) {
     ring().subscriber.read = i * 0x01234567u;
     ring().subscriber.packets_read = ring_start + i % 3;
@@ -231,7 +231,7 @@ TEST_F(ByHand, ForgedWordsHurtOnlyTheForger) {
   EXPECT_TRUE(in.wait_for(1));
 }
 
-TEST_F(ByHand, WhoSleepsIsWoken) {
+TEST_F(ByHand, who_sleeps_is_woken) {
   std::atomic<bool> woken{false};
   RingReader reader(&ring());
   std::thread sleeper([&] {
@@ -245,7 +245,7 @@ TEST_F(ByHand, WhoSleepsIsWoken) {
   sleeper.join();
 }
 
-TEST_F(ByHand, WhoSleepsIsWokenWhenTheConnectionCloses) {
+TEST_F(ByHand, who_sleeps_is_woken_when_the_connection_closes) {
   RingReader reader(&ring());
   const std::atomic<bool> ended{false};
   std::thread sleeper([&] { EXPECT_EQ(reader.await(ended, true), Source::socket); });

@@ -7,7 +7,7 @@ namespace channel {
 namespace test {
 namespace {
 
-TEST(Segments, TooManyLiveSegmentsAreRefusedNotFatal) {
+TEST(Segments, too_many_live_segments_are_refused_not_fatal) {
   const auto out = publisher();
   Inbox in(out->address());
   std::vector<std::shared_ptr<SegmentMemory>> memories;
@@ -21,7 +21,7 @@ TEST(Segments, TooManyLiveSegmentsAreRefusedNotFatal) {
   EXPECT_EQ(out->publish(text_record("without memory")), 1u);
 }
 
-TEST(Segments, SegmentsOfADeadMemoryAreLetGo) {
+TEST(Segments, segments_of_a_dead_memory_are_let_go) {
   const auto out = publisher();
   Inbox in(out->address());
   for (int i = 0; i < 600; ++i) {  // more than a connection may have at a time
@@ -35,7 +35,7 @@ TEST(Segments, SegmentsOfADeadMemoryAreLetGo) {
 
 // The memory is gone and the subscriber holds nothing of it, but the publisher still has a block of it; the
 // other block's memory is new to the subscriber.
-TEST(Segments, ARecordMayUseABlockOfAMemoryThatIsGone) {
+TEST(Segments, a_record_may_use_a_block_of_a_memory_that_is_gone) {
   const auto out = publisher();
   Inbox in(out->address());
   auto gone = memory_of(mb);

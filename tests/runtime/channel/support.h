@@ -60,8 +60,8 @@ inline BufferPtr filled(MemorySource& memory, std::size_t bytes, unsigned char v
   return buffer;
 }
 
-inline RecordPtr text_record(const std::string& text, std::vector<BufferPtr> buffers = {}) {
-  return make_record(7, text.data(), text.size(), std::move(buffers));
+inline RecordPtr text_record(const std::string& text, const std::vector<BufferPtr>& buffers = {}) {
+  return make_record(7, text.data(), text.size(), buffers);
 }
 
 inline std::string control_of(const MessagePtr& message) {

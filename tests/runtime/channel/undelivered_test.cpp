@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "support.h"
+#include "sync_point/sync_point.h"
 
 namespace tzc {
 namespace channel {
@@ -30,14 +31,15 @@ class Keeper {
   std::size_t publish(const std::string& text, std::size_t bytes = 0) {
     std::vector<BufferPtr> buffers;
     if (bytes > 0) buffers.push_back(filled(*out->memory(), bytes, static_cast<unsigned char>(text[0])));
-    return out->publish(text_record(text, std::move(buffers)));
+    return out->publish(text_record(text, buffers));
   }
   void forget() { undelivered_.clear(); }
+  bool has_ended() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return has_ended_;
+  }
   std::vector<RecordPtr> undelivered() {
-    EXPECT_TRUE(eventually([&] {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      return has_ended_;
-    }));
+    EXPECT_TRUE(eventually([&] { return has_ended(); }));
     return undelivered_;
   }
   std::vector<std::string> undelivered_texts() {
@@ -60,7 +62,7 @@ class Keeper {
 
 using Texts = std::vector<std::string>;
 
-TEST(Undelivered, WhatWasNotTakenComesBackInOrder) {
+TEST(Undelivered, what_was_not_taken_comes_back_in_order) {
   Keeper keeper(10);
   auto in = idle_subscriber(keeper.out->address());
   for (const char* text : {"a", "b", "c", "d"}) keeper.publish(text, 5000);
@@ -69,7 +71,34 @@ TEST(Undelivered, WhatWasNotTakenComesBackInOrder) {
   EXPECT_EQ(keeper.undelivered_texts(), (Texts{"b", "c", "d"}));
 }
 
-TEST(Undelivered, ItsBlocksAreIntactUnderPressure) {
+/// Stops the allocator after it has seen that a block has no handles, until the record has come back; but not for
+/// longer than a moment, because the allocator may rightly keep others waiting meanwhile.
+struct Stop {
+  static inline std::atomic<bool> reached{false}, may_go{false};
+  static void at(const char* name) {
+    if (std::strcmp(name, "allocate: no handles") != 0 || reached.exchange(true)) return;
+    eventually([] { return may_go.load(); }, 300);
+  }
+};
+
+TEST(Undelivered, a_block_that_comes_back_is_not_allocated_again) {
+  Keeper keeper(10, mb);
+  auto in = idle_subscriber(keeper.out->address());
+  keeper.publish("k", mb);
+  sync_point_hook = Stop::at;
+  BufferPtr again;
+  std::thread allocator([&] { again = keeper.out->memory()->allocate(mb); });
+  ASSERT_TRUE(eventually([] { return Stop::reached.load(); }));
+  in.reset();
+  eventually([&] { return keeper.has_ended(); }, 200);
+  Stop::may_go = true;
+  allocator.join();
+  sync_point_hook = nullptr;
+  ASSERT_EQ(keeper.undelivered().size(), 1u);
+  EXPECT_FALSE(again) << "the block has a handle, and was handed out again";
+}
+
+TEST(Undelivered, its_blocks_are_intact_under_pressure) {
   Keeper keeper(10, mb, Policy::best_effort());
   auto in = idle_subscriber(keeper.out->address());
   keeper.publish("k", mb / 2);
@@ -83,7 +112,7 @@ TEST(Undelivered, ItsBlocksAreIntactUnderPressure) {
   EXPECT_TRUE(all_bytes_are(parts.blocks[0], 'k'));
 }
 
-TEST(Undelivered, MemoryIsFreeOnceItIsForgotten) {
+TEST(Undelivered, memory_is_free_once_it_is_forgotten) {
   Keeper keeper(10, mb);
   auto in = idle_subscriber(keeper.out->address());
   keeper.publish("k", mb);
@@ -94,7 +123,7 @@ TEST(Undelivered, MemoryIsFreeOnceItIsForgotten) {
   EXPECT_TRUE(keeper.out->memory()->allocate(mb));
 }
 
-TEST(Undelivered, WhatTheQueueRevokedIsGone) {
+TEST(Undelivered, what_the_queue_revoked_is_gone) {
   Keeper keeper(2);
   auto in = idle_subscriber(keeper.out->address());
   for (const char* text : {"a", "b", "c", "d"}) keeper.publish(text);
@@ -102,7 +131,7 @@ TEST(Undelivered, WhatTheQueueRevokedIsGone) {
   EXPECT_EQ(keeper.undelivered_texts(), (Texts{"c", "d"}));
 }
 
-TEST(Undelivered, ALargeControlPartComesBackToo) {
+TEST(Undelivered, a_large_control_part_comes_back_too) {
   Keeper keeper(10);
   auto in = idle_subscriber(keeper.out->address());
   const std::string large(300000, 'x');
@@ -113,7 +142,7 @@ TEST(Undelivered, ALargeControlPartComesBackToo) {
 }
 
 // However the end falls among the records, nothing is lost and nothing arrives twice.
-TEST(Undelivered, EachRecordIsEitherTakenOrBack) {
+TEST(Undelivered, each_record_is_either_taken_or_back) {
   for (int round = 0; round < 100; ++round) {
     Keeper keeper(1000);
     auto in = idle_subscriber(keeper.out->address());

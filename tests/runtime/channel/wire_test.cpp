@@ -14,7 +14,7 @@ namespace {
 
 using Word = std::atomic<std::uint64_t>;
 
-TEST(Wire, VersionTwo) {
+TEST(Wire, version_two) {
   EXPECT_EQ(wire_version, 2u);
   EXPECT_EQ(sizeof(Hello), 20u);
   EXPECT_EQ(sizeof(Welcome), 20u);
@@ -23,38 +23,38 @@ TEST(Wire, VersionTwo) {
   EXPECT_EQ(sizeof(RetireSegment), 16u);
   EXPECT_EQ(sizeof(RecordPrefix), 8u);
   EXPECT_EQ(sizeof(FragmentPrefix), 24u);
-  EXPECT_EQ(sizeof(Goodbye), 4u);
+  EXPECT_EQ(sizeof(Unsubscribe), 4u);
   EXPECT_EQ(sizeof(BodyHeader), 24u);
   EXPECT_EQ(sizeof(ConnectionPage), 4032u);
 }
 
-TEST(Verdict, ExactlyOneSideWinsARecord) {
+TEST(DeliveryCursors, exactly_one_side_wins_a_record) {
   std::uint32_t taken = 0;
-  Word word{pack(Verdict{5, 5})};
-  EXPECT_TRUE(win_take(word, 6));
-  EXPECT_FALSE(win_revoke(word, 6, taken));
+  Word word{pack(DeliveryCursors{5, 5})};
+  EXPECT_TRUE(try_take(word, 6));
+  EXPECT_FALSE(try_revoke(word, 6, taken));
   EXPECT_EQ(taken, 6u);
-  EXPECT_TRUE(win_revoke(word, 7, taken));
-  EXPECT_FALSE(win_take(word, 7));
-  EXPECT_TRUE(win_take(word, 8));
+  EXPECT_TRUE(try_revoke(word, 7, taken));
+  EXPECT_FALSE(try_take(word, 7));
+  EXPECT_TRUE(try_take(word, 8));
 }
 
-TEST(Verdict, RevokingSeveralTellsWhichAreStillThePublishers) {
+TEST(DeliveryCursors, revoking_several_tells_which_are_still_the_publishers) {
   std::uint32_t taken = 0;
-  Word word{pack(Verdict{5, 5})};
-  win_take(word, 6);
-  EXPECT_TRUE(win_revoke(word, 9, taken));
+  Word word{pack(DeliveryCursors{5, 5})};
+  try_take(word, 6);
+  EXPECT_TRUE(try_revoke(word, 9, taken));
   EXPECT_EQ(taken, 6u);
-  for (std::uint32_t sequence = 7; sequence <= 9; ++sequence) EXPECT_FALSE(win_take(word, sequence));
+  for (std::uint32_t sequence = 7; sequence <= 9; ++sequence) EXPECT_FALSE(try_take(word, sequence));
 }
 
-TEST(Verdict, SequenceNumbersWrapAround) {
+TEST(DeliveryCursors, sequence_numbers_wrap_around) {
   std::uint32_t taken = 0;
-  Word word{pack(Verdict{0xfffffffe, 0xfffffffe})};
-  for (const std::uint32_t sequence : {0xffffffffu, 0u, 1u}) EXPECT_TRUE(win_take(word, sequence));
-  EXPECT_TRUE(win_revoke(word, 3, taken));
-  EXPECT_FALSE(win_take(word, 2));
-  EXPECT_TRUE(win_take(word, 4));
+  Word word{pack(DeliveryCursors{0xfffffffe, 0xfffffffe})};
+  for (const std::uint32_t sequence : {0xffffffffu, 0u, 1u}) EXPECT_TRUE(try_take(word, sequence));
+  EXPECT_TRUE(try_revoke(word, 3, taken));
+  EXPECT_FALSE(try_take(word, 2));
+  EXPECT_TRUE(try_take(word, 4));
 }
 
 }  // namespace

@@ -238,7 +238,7 @@ class ArrayProperty : public ::testing::Test {};
 using Elements = ::testing::Types<std::uint8_t, float, std::int64_t, Padded>;
 TYPED_TEST_SUITE(ArrayProperty, Elements);
 
-TYPED_TEST(ArrayProperty, BehavesAsAVector) {
+TYPED_TEST(ArrayProperty, behaves_as_a_vector) {
   for (unsigned seed = 0; seed < 150; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Pair<TypeParam>(std::make_shared<test::TestMemory>(4 << 20), seed).run(200);

@@ -38,11 +38,11 @@ class ArrayInMemory : public ::testing::Test {
   std::shared_ptr<test::TestMemory> memory_ = std::make_shared<test::TestMemory>();
 };
 
-TEST_F(ArrayInMemory, VectorWordsAreWhatWeThinkTheyAre) {
+TEST_F(ArrayInMemory, vector_words_are_what_we_think_they_are) {
   EXPECT_TRUE(detail::vector_words_are_as_expected()) << "everything still works, but views are deep copies";
 }
 
-TEST_F(ArrayInMemory, GrowsOnTheHeapUntilBound) {
+TEST_F(ArrayInMemory, grows_on_the_heap_until_bound) {
   Bytes array(10);
   EXPECT_FALSE(in_segment(address(array)));
   array.bind(memory_);
@@ -52,7 +52,7 @@ TEST_F(ArrayInMemory, GrowsOnTheHeapUntilBound) {
   EXPECT_EQ(array.buffer(), find_buffer(address(array), array.size()));
 }
 
-TEST_F(ArrayInMemory, FallsBackToTheHeapWhenExhausted) {
+TEST_F(ArrayInMemory, falls_back_to_the_heap_when_exhausted) {
   Bytes array = bound(10);
   memory_->exhausted = true;
   array.resize(5000);
@@ -64,7 +64,7 @@ TEST_F(ArrayInMemory, FallsBackToTheHeapWhenExhausted) {
   EXPECT_EQ(9, array[9]);
 }
 
-TEST_F(ArrayInMemory, WritesAfterPublishGetFreshMemory) {
+TEST_F(ArrayInMemory, writes_after_publish_get_fresh_memory) {
   Bytes array = bound(100);
   publish(array);
   const BufferPtr published = array.buffer();
@@ -75,7 +75,7 @@ TEST_F(ArrayInMemory, WritesAfterPublishGetFreshMemory) {
   EXPECT_EQ(4, array[4]);
 }
 
-TEST_F(ArrayInMemory, ReadingAfterPublishCopiesNothing) {
+TEST_F(ArrayInMemory, reading_after_publish_copies_nothing) {
   Bytes array = bound(100);
   publish(array);
   const auto* const before = address(array);
@@ -89,7 +89,7 @@ TEST_F(ArrayInMemory, ReadingAfterPublishCopiesNothing) {
   EXPECT_EQ(allocations, memory_->allocations);
 }
 
-TEST_F(ArrayInMemory, OverwritingAfterPublishCopiesNothing) {
+TEST_F(ArrayInMemory, overwriting_after_publish_copies_nothing) {
   Bytes array = bound(100);
   publish(array);
   array.clear();
@@ -104,7 +104,7 @@ TEST_F(ArrayInMemory, OverwritingAfterPublishCopiesNothing) {
   EXPECT_EQ(allocations + 2, memory_->allocations);
 }
 
-TEST_F(ArrayInMemory, CopiesShareOnlyWhatIsPublished) {
+TEST_F(ArrayInMemory, copies_share_only_what_is_published) {
   Bytes array = bound(100);
   const Bytes deep(array);
   EXPECT_FALSE(in_segment(address(deep)));
@@ -116,7 +116,7 @@ TEST_F(ArrayInMemory, CopiesShareOnlyWhatIsPublished) {
   EXPECT_EQ(0, deep[0]);
 }
 
-TEST_F(ArrayInMemory, MovesCarryTheBinding) {
+TEST_F(ArrayInMemory, moves_carry_the_binding) {
   Bytes array = bound(100);
   const auto* const before = address(array);
   Bytes moved(std::move(array));
@@ -131,7 +131,7 @@ TEST_F(ArrayInMemory, MovesCarryTheBinding) {
   EXPECT_TRUE(in_segment(address(target))) << "assignment keeps the target's binding";
 }
 
-TEST_F(ArrayInMemory, SwapsWithVectorsWithoutCopying) {
+TEST_F(ArrayInMemory, swaps_with_vectors_without_copying) {
   Vector vector(1000, 3);
   const auto* const memory = vector.data();
   Bytes array(10);
@@ -145,7 +145,7 @@ TEST_F(ArrayInMemory, SwapsWithVectorsWithoutCopying) {
   EXPECT_EQ(memory, address(array));
 }
 
-TEST_F(ArrayInMemory, TakesAVectorIntoItsOwnBufferWhenThatHasRoom) {
+TEST_F(ArrayInMemory, takes_a_vector_into_its_own_buffer_when_that_has_room) {
   Bytes array = bound(100);
   const auto* const memory = address(array);
   array = Vector(60, 3);
@@ -153,7 +153,7 @@ TEST_F(ArrayInMemory, TakesAVectorIntoItsOwnBufferWhenThatHasRoom) {
   EXPECT_EQ(Vector(60, 3), Vector(array));
 }
 
-TEST_F(ArrayInMemory, SwapsWithVectorsFromSharedMemory) {
+TEST_F(ArrayInMemory, swaps_with_vectors_from_shared_memory) {
   Bytes array = bound(5);
   publish(array);
   Vector vector{9};
@@ -162,7 +162,7 @@ TEST_F(ArrayInMemory, SwapsWithVectorsFromSharedMemory) {
   EXPECT_EQ(Vector{9}, Vector(array));
 }
 
-TEST_F(ArrayInMemory, FreshElementsAreZeroEvenInReusedMemory) {
+TEST_F(ArrayInMemory, fresh_elements_are_zero_even_in_reused_memory) {
   for (int round = 0; round < 50; ++round) {
     Bytes array;
     array.bind(memory_);
@@ -172,7 +172,7 @@ TEST_F(ArrayInMemory, FreshElementsAreZeroEvenInReusedMemory) {
   }
 }
 
-TEST(Array, ThrowsWhereVectorDoes) {
+TEST(Array, throws_where_vector_does) {
   Array<double> array(3);
   EXPECT_THROW(array.at(3), std::out_of_range);
   EXPECT_THROW(array.reserve(array.max_size() + 1), std::length_error);
@@ -181,7 +181,7 @@ TEST(Array, ThrowsWhereVectorDoes) {
   EXPECT_EQ(3u, array.size());
 }
 
-TEST(Array, TakesInputIterators) {
+TEST(Array, takes_input_iterators) {
   std::istringstream first("1 2 3"), second("8 9"), third("4 5");
   using Input = std::istream_iterator<int>;
   Array<int> array(Input(first), Input{});
@@ -191,13 +191,13 @@ TEST(Array, TakesInputIterators) {
   EXPECT_EQ((std::vector<int>{4, 5}), std::vector<int>(array));
 }
 
-TEST(Array, Compares) {
+TEST(Array, compares) {
   const Array<int> a{1, 2}, b{1, 3}, c{1, 2, 0};
   EXPECT_TRUE(a < b && b > c && a <= a && c >= a && a != c && a == a);
   EXPECT_TRUE(a == (std::vector<int>{1, 2}) && (std::vector<int>{1, 3}) != a);
 }
 
-TEST(Array, BracesMeanWhatTheyMeanForVectors) {
+TEST(Array, braces_mean_what_they_mean_for_vectors) {
   Array<int> array{3, 1};
   EXPECT_EQ(2u, array.size());
   array.resize(4, {});

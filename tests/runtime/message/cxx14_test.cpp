@@ -26,7 +26,7 @@ static_assert(
 
 namespace {
 
-TEST(Cxx14, MessagesCompileAndWork) {
+TEST(Cxx14, messages_compile_and_work) {
   sensor_msgs::PointCloud cloud;
   cloud.points.resize(3);
   const auto memory = SegmentMemory::create();

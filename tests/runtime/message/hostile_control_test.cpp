@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Control parts that nobody in their right mind would send: refused, or read inside of the blocks; never more
+// Control parts that no honest peer sends: refused, or read inside of the blocks; never more
 // memory than a constant times the input. Run under AddressSanitizer this also shows that nothing is read
 // elsewhere.
 #include "counting_new.h"
@@ -95,11 +95,11 @@ class HostileControl : public ::testing::Test {
   }
 };
 
-TEST_F(HostileControl, UntouchedIsAccepted) {
+TEST_F(HostileControl, untouched_is_accepted) {
   for_all([](const Case& c) { EXPECT_TRUE(c.survives(c.received, c.received.control)); });
 }
 
-TEST_F(HostileControl, CutAnywhereIsRefused) {
+TEST_F(HostileControl, cut_anywhere_is_refused) {
   for_all([](const Case& c) {
     for (std::size_t size = 0; size < c.received.control.size(); ++size) {
       const Bytes cut(c.received.control.begin(), c.received.control.begin() + size);
@@ -108,7 +108,7 @@ TEST_F(HostileControl, CutAnywhereIsRefused) {
   });
 }
 
-TEST_F(HostileControl, BytesTooManyAreRefused) {
+TEST_F(HostileControl, bytes_too_many_are_refused) {
   for_all([](const Case& c) {
     Bytes longer = c.received.control;
     longer.push_back(0);
@@ -116,7 +116,7 @@ TEST_F(HostileControl, BytesTooManyAreRefused) {
   });
 }
 
-TEST_F(HostileControl, AnyByteChangedStaysInsideTheBlocks) {
+TEST_F(HostileControl, any_byte_changed_stays_inside_the_blocks) {
   for_all([](const Case& c) {
     for (std::size_t at = 0; at < c.received.control.size(); ++at) {
       for (const int mask : {0x01, 0x40, 0x80, 0xff}) {
@@ -128,7 +128,7 @@ TEST_F(HostileControl, AnyByteChangedStaysInsideTheBlocks) {
   });
 }
 
-TEST_F(HostileControl, MissingBlocksAreRefused) {
+TEST_F(HostileControl, missing_blocks_are_refused) {
   for_all([](const Case& c) {
     Encoded nothing;
     Received bare(nothing);
@@ -137,7 +137,7 @@ TEST_F(HostileControl, MissingBlocksAreRefused) {
   });
 }
 
-TEST_F(HostileControl, NoiseIsHarmless) {
+TEST_F(HostileControl, noise_is_harmless) {
   std::mt19937 random(1);
   for_all([&](const Case& c) {
     for (int round = 0; round < 300; ++round) {

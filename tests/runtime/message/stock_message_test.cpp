@@ -17,7 +17,7 @@ class StockMessage : public ::testing::Test {
 };
 TYPED_TEST_SUITE(StockMessage, test::MessageTypes);
 
-TYPED_TEST(StockMessage, ViewAndCopyEqualTheOriginal) {
+TYPED_TEST(StockMessage, view_and_copy_equal_the_original) {
   for (unsigned seed = 0; seed < this->seeds; ++seed) {
     const auto original = test::random_message<TypeParam>(seed);
     Encoded encoded;
@@ -31,7 +31,7 @@ TYPED_TEST(StockMessage, ViewAndCopyEqualTheOriginal) {
   }
 }
 
-TYPED_TEST(StockMessage, ArraysAreCopiedOnceIntoOneBuffer) {
+TYPED_TEST(StockMessage, arrays_are_copied_once_into_one_buffer) {
   for (unsigned seed = 0; seed < this->seeds; ++seed) {
     const auto original = test::random_message<TypeParam>(seed);
     Encoded encoded;
@@ -42,7 +42,7 @@ TYPED_TEST(StockMessage, ArraysAreCopiedOnceIntoOneBuffer) {
   }
 }
 
-TYPED_TEST(StockMessage, ViewsBorrowAndCopiesDoNot) {
+TYPED_TEST(StockMessage, views_borrow_and_copies_do_not) {
   const auto original = test::random_message<TypeParam>(1);
   Encoded encoded;
   ASSERT_TRUE(encode(original, this->memory_, encoded));
@@ -54,7 +54,7 @@ TYPED_TEST(StockMessage, ViewsBorrowAndCopiesDoNot) {
   test::visit_arrays(TypeParam(*view), [](const void* data, std::size_t) { EXPECT_FALSE(in_segment(data)); });
 }
 
-TYPED_TEST(StockMessage, PublishingAViewCopiesNothing) {
+TYPED_TEST(StockMessage, publishing_a_view_copies_nothing) {
   const auto original = test::random_message<TypeParam>(2);
   Encoded encoded, again;
   ASSERT_TRUE(encode(original, this->memory_, encoded));
@@ -65,14 +65,14 @@ TYPED_TEST(StockMessage, PublishingAViewCopiesNothing) {
   EXPECT_EQ(encoded.control, again.control);
 }
 
-TYPED_TEST(StockMessage, ExhaustedMemoryIsReported) {
+TYPED_TEST(StockMessage, exhausted_memory_is_reported) {
   const auto original = test::random_message<TypeParam>(3);
   this->memory_.exhausted = true;
   Encoded encoded;
   EXPECT_EQ(test::data_size(original) == 0, encode(original, this->memory_, encoded));
 }
 
-TYPED_TEST(StockMessage, ControlPartIsTheWireWithoutArrays) {
+TYPED_TEST(StockMessage, control_part_is_the_wire_without_arrays) {
   const auto original = test::random_message<TypeParam>(4);
   std::size_t arrays = 0;
   test::visit_arrays(original, [&](const void*, std::size_t) { ++arrays; });

@@ -57,7 +57,7 @@ class Twin : public ::testing::Test {
   std::shared_ptr<test::TestMemory> memory_ = std::make_shared<test::TestMemory>();
 };
 
-TEST_F(Twin, SpeaksTheStockWireFormat) {
+TEST_F(Twin, speaks_the_stock_wire_format) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const auto cloud = stock_cloud(seed);
     const PointCloud twin(cloud);
@@ -67,13 +67,13 @@ TEST_F(Twin, SpeaksTheStockWireFormat) {
   }
 }
 
-TEST_F(Twin, RefusesAWireLengthThatTheStreamDoesNotHave) {
+TEST_F(Twin, refuses_a_wire_length_that_the_stream_does_not_have) {
   auto bytes = wire(image(4));
   bytes[bytes.size() - 8 + 3] = 0x7f;  // the array's count
   EXPECT_THROW(from_wire<Image>(bytes), ros::serialization::StreamOverrunException);
 }
 
-TEST_F(Twin, HasThePartialFormOfItsStockType) {
+TEST_F(Twin, has_the_partial_form_of_its_stock_type) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const auto cloud = stock_cloud(seed);
     Encoded of_stock, of_twin;
@@ -84,7 +84,7 @@ TEST_F(Twin, HasThePartialFormOfItsStockType) {
   }
 }
 
-TEST_F(Twin, AllocatePutsAllArraysIntoOneBuffer) {
+TEST_F(Twin, allocate_puts_all_arrays_into_one_buffer) {
   const auto cloud = stock_cloud();
   PointCloud twin(cloud);
   ASSERT_TRUE(allocate(twin, memory_));
@@ -98,7 +98,7 @@ TEST_F(Twin, AllocatePutsAllArraysIntoOneBuffer) {
   EXPECT_EQ(array_addresses(twin), array_addresses(*stock_view(twin, encoded)));
 }
 
-TEST_F(Twin, AllocateBeforeTheSizesAreKnown) {
+TEST_F(Twin, allocate_before_the_sizes_are_known) {
   Image message;
   ASSERT_TRUE(allocate(message, memory_));
   EXPECT_EQ(0, memory_->allocations);
@@ -107,7 +107,7 @@ TEST_F(Twin, AllocateBeforeTheSizesAreKnown) {
   EXPECT_EQ(0u, encoded(message).copied_bytes);
 }
 
-TEST_F(Twin, AllocateAgainMovesNothing) {
+TEST_F(Twin, allocate_again_moves_nothing) {
   Image message = image(1000);
   ASSERT_TRUE(allocate(message, memory_));
   const auto before = array_addresses(message);
@@ -116,7 +116,7 @@ TEST_F(Twin, AllocateAgainMovesNothing) {
   EXPECT_EQ(1, memory_->allocations);
 }
 
-TEST_F(Twin, AllocateHonoursAReservedCapacity) {
+TEST_F(Twin, allocate_honours_a_reserved_capacity) {
   Image message;
   message.data.reserve(1000);
   ASSERT_TRUE(allocate(message, memory_));
@@ -125,7 +125,7 @@ TEST_F(Twin, AllocateHonoursAReservedCapacity) {
   EXPECT_TRUE(in_segment(message.data.data()));
 }
 
-TEST_F(Twin, WithoutMemoryTheMessageStaysAsItIs) {
+TEST_F(Twin, without_memory_the_message_stays_as_it_is) {
   Image message = image(1000);
   memory_->exhausted = true;
   EXPECT_FALSE(allocate(message, memory_));
@@ -134,7 +134,7 @@ TEST_F(Twin, WithoutMemoryTheMessageStaysAsItIs) {
   EXPECT_EQ(1000u, encoded(message).copied_bytes) << "publishing tries again";
 }
 
-TEST_F(Twin, AllocateAfterPublishTakesRoomButCopiesOnlyWhenWritten) {
+TEST_F(Twin, allocate_after_publish_takes_room_but_copies_only_when_written) {
   Image message = image(1000);
   ASSERT_TRUE(allocate(message, memory_));
   const Encoded published = encoded(message);
@@ -149,7 +149,7 @@ TEST_F(Twin, AllocateAfterPublishTakesRoomButCopiesOnlyWhenWritten) {
   EXPECT_EQ(1, read.data[1]);
 }
 
-TEST_F(Twin, AllocateTakesRoomForWhatIsRebuiltByPushBack) {
+TEST_F(Twin, allocate_takes_room_for_what_is_rebuilt_by_push_back) {
   Image message;
   ASSERT_TRUE(allocate(message, memory_));
   const auto build = [&] {
@@ -166,13 +166,13 @@ TEST_F(Twin, AllocateTakesRoomForWhatIsRebuiltByPushBack) {
   EXPECT_NE(first.buffers, second.buffers);
 }
 
-TEST_F(Twin, WithoutAMemoryNothingIsAllocated) {
+TEST_F(Twin, without_a_memory_nothing_is_allocated) {
   Image message = image(10);
   EXPECT_FALSE(allocate(message, std::shared_ptr<MemorySource>()));
   EXPECT_EQ(image(10), message);
 }
 
-TEST_F(Twin, NoWriteAfterPublishReachesASubscriber) {
+TEST_F(Twin, no_write_after_publish_reaches_a_subscriber) {
   Image message = image(1000);
   ASSERT_TRUE(allocate(message, memory_));
   Encoded published = encoded(message);
@@ -185,7 +185,7 @@ TEST_F(Twin, NoWriteAfterPublishReachesASubscriber) {
   EXPECT_EQ(before, *view);
 }
 
-TEST_F(Twin, PublishedTwiceAndToTwoMemoriesIsCopiedNever) {
+TEST_F(Twin, published_twice_and_to_two_memories_is_copied_never) {
   Image message = image(1000);
   ASSERT_TRUE(allocate(message, memory_));
   const Encoded first = encoded(message), second = encoded(message);
@@ -197,7 +197,7 @@ TEST_F(Twin, PublishedTwiceAndToTwoMemoriesIsCopiedNever) {
   EXPECT_EQ(0, other.allocations);
 }
 
-TEST_F(Twin, AnArraySharedTooOftenInOneMessageIsRefused) {
+TEST_F(Twin, an_array_shared_too_often_in_one_message_is_refused) {
   PointCloud cloud;
   cloud.channels.resize(1);
   cloud.channels[0].values.resize(1000);
@@ -213,7 +213,7 @@ TEST_F(Twin, AnArraySharedTooOftenInOneMessageIsRefused) {
   EXPECT_FALSE(encode(cloud, *memory_, encoded)) << "receivers would not believe it";
 }
 
-TEST_F(Twin, ControlPartIsLaidOutAsDocumented) {
+TEST_F(Twin, control_part_is_laid_out_as_documented) {
   Image message = image(300);
   message.header.seq = 0x01020304;
   message.header.frame_id = "f";

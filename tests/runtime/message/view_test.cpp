@@ -34,7 +34,7 @@ class View : public ::testing::Test {
   std::shared_ptr<test::TestMemory> memory_ = std::make_shared<test::TestMemory>();
 };
 
-TEST_F(View, ViewsOutliveMessageAndEncoded) {
+TEST_F(View, views_outlive_message_and_encoded) {
   boost::shared_ptr<const stock::Image> view;
   {
     Image message = image(1000);
@@ -45,7 +45,7 @@ TEST_F(View, ViewsOutliveMessageAndEncoded) {
   EXPECT_EQ(to_stock(image(1000)), *view);
 }
 
-TEST_F(View, TheHoldEndsWithTheLastViewPointer) {
+TEST_F(View, the_hold_ends_with_the_last_view_pointer) {
   const Encoded result = encoded(image(100));
   const auto hold = std::make_shared<int>();
   auto view =
@@ -57,7 +57,7 @@ TEST_F(View, TheHoldEndsWithTheLastViewPointer) {
   EXPECT_EQ(100u, second->data.size());
 }
 
-TEST_F(View, AViewThatBorrowsNothingHoldsNothing) {
+TEST_F(View, a_view_that_borrows_nothing_holds_nothing) {
   const Encoded result = encoded(Image());
   const auto hold = std::make_shared<int>();
   const auto view = make_view<stock::Image>(result.control.data(), result.control.size(), {}, hold);
@@ -65,14 +65,14 @@ TEST_F(View, AViewThatBorrowsNothingHoldsNothing) {
   EXPECT_EQ(1, hold.use_count());
 }
 
-TEST_F(View, TheHoldEndsWhenTheViewIsRefused) {
+TEST_F(View, the_hold_ends_when_the_view_is_refused) {
   const Encoded result = encoded(image(100));
   const auto hold = std::make_shared<int>();
   EXPECT_FALSE(make_view<stock::Image>(result.control.data(), 3, test::blocks_of(result), hold));
   EXPECT_EQ(1, hold.use_count());
 }
 
-TEST_F(View, AViewThatDiesInAForkedChildLetsNothingGo) {
+TEST_F(View, a_view_that_dies_in_a_forked_child_lets_nothing_go) {
   const Encoded result = encoded(image(100));
   int released = 0;
   std::shared_ptr<const void> hold(&released, [](const int* p) { ++*const_cast<int*>(p); });
@@ -91,7 +91,7 @@ TEST_F(View, AViewThatDiesInAForkedChildLetsNothingGo) {
   EXPECT_EQ(1, released);
 }
 
-TEST_F(View, OneMessageIsPublishedAndCopiedByManyThreads) {
+TEST_F(View, one_message_is_published_and_copied_by_many_threads) {
   Image message = image(100000);
   ASSERT_TRUE(allocate(message, memory_));
   const Image& shared = message;

@@ -12,13 +12,13 @@ namespace tzc {
 namespace posix {
 namespace {
 
-TEST(Futex, DoesNotSleepOnAnotherValue) {
+TEST(Futex, does_not_sleep_on_another_value) {
   std::atomic<std::uint32_t> word{5};
   sleep_while(word, 4);
 }
 
-TEST(Futex, WakesAnotherProcess) {
-  if (!has_shared_futex()) return;  // nobody uses it then
+TEST(Futex, wakes_another_process) {
+  if (!has_shared_futex()) return;  // it is not used then
   void* memory = ::mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   ASSERT_NE(memory, MAP_FAILED);
   auto& word = *new (memory) std::atomic<std::uint32_t>{0};

@@ -3,7 +3,11 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/time.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "posix/mapping.h"
@@ -20,7 +24,7 @@ MemoryFile create(Sharing sharing) {
   return std::move(*file);
 }
 
-TEST(MemoryFile, WhatTheCreatorWritesThePeerReads) {
+TEST(MemoryFile, what_the_creator_writes_the_peer_reads) {
   MemoryFile file = create(Sharing::peers_read);
   auto mine = Mapping::map(file.descriptor.get(), size, Access::read_write);
   ASSERT_TRUE(seal(file, Sharing::peers_read));
@@ -31,7 +35,7 @@ TEST(MemoryFile, WhatTheCreatorWritesThePeerReads) {
   EXPECT_EQ(theirs->data()[5000], 42);
 }
 
-TEST(MemoryFile, APeerCanNotMapDataForWriting) {
+TEST(MemoryFile, a_peer_cannot_map_data_for_writing) {
   MemoryFile file = create(Sharing::peers_read);
   auto mine = Mapping::map(file.descriptor.get(), size, Access::read_write);
   ASSERT_TRUE(seal(file, Sharing::peers_read));
@@ -41,7 +45,7 @@ TEST(MemoryFile, APeerCanNotMapDataForWriting) {
   EXPECT_EQ(::write(file.shared_fd(), "x", 1), -1);
 }
 
-TEST(MemoryFile, APeerCanNotChangeItsSize) {
+TEST(MemoryFile, a_peer_cannot_change_its_size) {
   MemoryFile file = create(Sharing::peers_read);
   auto mine = Mapping::map(file.descriptor.get(), size, Access::read_write);
   ASSERT_TRUE(seal(file, Sharing::peers_read));
@@ -49,7 +53,7 @@ TEST(MemoryFile, APeerCanNotChangeItsSize) {
   EXPECT_NE(::ftruncate(file.shared_fd(), 2 * size), 0);
 }
 
-TEST(MemoryFile, AReceivedFileMustHaveTheAnnouncedSize) {
+TEST(MemoryFile, a_received_file_must_have_the_announced_size) {
   MemoryFile file = create(Sharing::peers_read);
   ASSERT_TRUE(seal(file, Sharing::peers_read));
   EXPECT_TRUE(check_received(file.shared_fd(), size, Sharing::peers_read));
@@ -57,7 +61,7 @@ TEST(MemoryFile, AReceivedFileMustHaveTheAnnouncedSize) {
 }
 
 #ifndef TZC_PORTABLE
-TEST(MemoryFile, AReceivedFileThatCanShrinkIsRefused) {
+TEST(MemoryFile, a_received_file_that_can_shrink_is_refused) {
   MemoryFile file = create(Sharing::peers_read);
   EXPECT_FALSE(check_received(file.shared_fd(), size, Sharing::peers_read));
   const FileDescriptor plain(::open("/proc/self/exe", O_RDONLY));
@@ -65,7 +69,49 @@ TEST(MemoryFile, AReceivedFileThatCanShrinkIsRefused) {
 }
 #endif
 
-TEST(MemoryFile, PopulateKeepsContents) {
+#ifndef TZC_PORTABLE
+// A huge page that is not there when it is touched is a SIGBUS, whatever is sealed.
+TEST(MemoryFile, a_received_file_of_huge_pages_is_refused) {
+  constexpr std::size_t huge = 2 << 20;
+  const FileDescriptor file(::memfd_create("huge", MFD_CLOEXEC | MFD_ALLOW_SEALING | MFD_HUGETLB));
+  ASSERT_TRUE(file) << "this kernel has no huge pages: nothing to refuse";
+  ASSERT_EQ(::ftruncate(file.get(), huge), 0);
+  ASSERT_EQ(::fcntl(file.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL), 0);
+  const Status checked = check_received(file.get(), huge, Sharing::peers_read);
+  ASSERT_FALSE(checked);
+  EXPECT_NE(checked.error().text().find("huge pages"), std::string::npos) << checked.error().text();
+}
+
+// Or vm.memfd_noexec = 2 would refuse it.
+TEST(MemoryFile, cannot_be_executed) {
+  const MemoryFile file = create(Sharing::peers_read);
+  struct stat status{};
+  ASSERT_EQ(::fstat(file.shared_fd(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0111, 0u);
+}
+#endif
+
+// A signal every millisecond, while it takes longer than that to reserve everything.
+TEST(MemoryFile, a_reserve_is_not_kept_from_its_end_by_signals) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    constexpr std::size_t large = 256 << 20;
+    struct sigaction action{};
+    action.sa_handler = [](int) {};
+    ::sigaction(SIGALRM, &action, nullptr);
+    MemoryFile file = *create_memory_file("large", large, Sharing::peers_read);
+    const itimerval often{{0, 1000}, {0, 1000}};
+    ::setitimer(ITIMER_REAL, &often, nullptr);
+    ::_exit(reserve(file, 0, large) ? 0 : 1);
+  }
+  int status = -1;
+  for (int i = 0; i < 1000 && ::waitpid(child, &status, WNOHANG) == 0; ++i) ::usleep(10'000);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_EQ(status, 0);
+}
+
+TEST(MemoryFile, populate_keeps_contents) {
   MemoryFile file = create(Sharing::peers_read);
   auto mine = Mapping::map(file.descriptor.get(), size, Access::read_write);
   ASSERT_TRUE(reserve(file, 0, size));
@@ -74,12 +120,25 @@ TEST(MemoryFile, PopulateKeepsContents) {
   EXPECT_EQ(mine->data()[4096], 7);
 }
 
-TEST(MemoryFile, AReserveThatFailsSaysWhy) {
+TEST(MemoryFile, a_reserve_that_fails_says_why) {
   MemoryFile file = create(Sharing::peers_read);
   ASSERT_TRUE(seal(file, Sharing::peers_read));
   const Status beyond = reserve(file, 0, std::size_t{1} << 60);
   ASSERT_FALSE(beyond);
   EXPECT_NE(beyond.error().text().find("reserve"), std::string::npos);
+}
+
+// Step by step, all that the machine has would be gone before the refusal, and some process with it.
+TEST(MemoryFile, a_reserve_beyond_the_machines_memory_takes_nothing) {
+  constexpr std::size_t too_much = std::size_t{1} << 50;
+  const auto file = create_memory_file("too large", too_much, Sharing::peers_read);
+  ASSERT_TRUE(file) << file.error().text();
+  const Status refused = reserve(*file, 0, too_much);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().text().find("less memory"), std::string::npos) << refused.error().text();
+  struct stat status{};
+  ASSERT_EQ(::fstat(file->descriptor.get(), &status), 0);
+  EXPECT_EQ(status.st_blocks, 0);
 }
 
 }  // namespace

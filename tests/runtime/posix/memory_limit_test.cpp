@@ -4,42 +4,48 @@
 #include "posix/memory_limit.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
+
+#include "support/temp_dir.h"
 
 namespace tzc {
 namespace posix {
 namespace {
 
-namespace fs = std::filesystem;
-
 class MemoryLimit : public ::testing::Test {
  protected:
-  MemoryLimit() : root_(fs::temp_directory_path() / ("tzc-memory-limit-" + std::to_string(::getpid()))) {}
-  ~MemoryLimit() override { fs::remove_all(root_); }
-
-  void write(const std::string& path, const std::string& text) {
-    fs::create_directories((root_ / path).parent_path());
-    std::ofstream(root_ / path) << text << "\n";
-  }
+  void write(const std::string& path, const std::string& text) { folder_.write(path, text + "\n"); }
   void second_version(const std::string& group) {
     write("proc/self/mountinfo",
           "1 1 0:1 / / rw - ext4 /dev/x rw\n2 1 0:2 / /cg rw,nosuid - cgroup2 cgroup2 rw,nsdelegate");
     write("proc/self/cgroup", "0::" + group);
   }
-  std::size_t headroom() const { return memory_headroom(root_.string()); }
+  std::size_t headroom() const { return memory_headroom(folder_.path()); }
 
-  const fs::path root_;
+  const test::TempDir folder_;
 };
 
-TEST_F(MemoryLimit, NoControlGroups) {
+TEST_F(MemoryLimit, no_control_groups) {
   EXPECT_EQ(headroom(), SIZE_MAX);
 }
 
-TEST_F(MemoryLimit, SecondVersionCountsCacheAsFree) {
+TEST_F(MemoryLimit, the_machine_has_what_is_available_and_its_swap) {
+  write("proc/meminfo",
+        "MemTotal:  9000 kB\nMemFree: 1 kB\nMemAvailable:  3 kB\nSwapTotal: 5 kB\nSwapFree: 2 kB\n"
+        "HugePages_Total:       0\nHugepagesize:       2048 kB");
+  EXPECT_EQ(headroom(), 5u * 1024);
+}
+
+TEST_F(MemoryLimit, the_machine_and_the_group_both_limit) {
+  second_version("/");
+  write("cg/memory.max", "10000");
+  write("cg/memory.current", "0");
+  write("proc/meminfo", "MemAvailable:  3 kB");
+  EXPECT_EQ(headroom(), 3u * 1024);
+}
+
+TEST_F(MemoryLimit, second_version_counts_cache_as_free) {
   second_version("/robot");
   write("cg/robot/memory.max", "1000");
   write("cg/robot/memory.current", "700");
@@ -47,14 +53,14 @@ TEST_F(MemoryLimit, SecondVersionCountsCacheAsFree) {
   EXPECT_EQ(headroom(), 450u);
 }
 
-TEST_F(MemoryLimit, SecondVersionWithoutALimit) {
+TEST_F(MemoryLimit, second_version_without_a_limit) {
   second_version("/robot");
   write("cg/robot/memory.max", "max");
   write("cg/robot/memory.current", "700");
   EXPECT_EQ(headroom(), SIZE_MAX);
 }
 
-TEST_F(MemoryLimit, TheTightestAncestorCounts) {
+TEST_F(MemoryLimit, the_tightest_ancestor_counts) {
   second_version("/outer/inner");
   write("cg/outer/inner/memory.max", "5000");
   write("cg/outer/inner/memory.current", "100");
@@ -63,14 +69,14 @@ TEST_F(MemoryLimit, TheTightestAncestorCounts) {
   EXPECT_EQ(headroom(), 10u);
 }
 
-TEST_F(MemoryLimit, NothingLeft) {
+TEST_F(MemoryLimit, nothing_left) {
   second_version("/");
   write("cg/memory.max", "1000");
   write("cg/memory.current", "1200");
   EXPECT_EQ(headroom(), 0u);
 }
 
-TEST_F(MemoryLimit, FirstVersionInAContainer) {
+TEST_F(MemoryLimit, first_version_in_a_container) {
   write("proc/self/mountinfo", "3 1 0:3 /docker/a /cg/memory rw - cgroup cgroup rw,memory");
   write("proc/self/cgroup", "5:cpu,cpuacct:/docker/a\n4:memory:/docker/a/node");
   write("cg/memory/node/memory.limit_in_bytes", "2000");

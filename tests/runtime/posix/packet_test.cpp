@@ -46,7 +46,7 @@ int open_descriptors() {
   return count;
 }
 
-TEST_F(PacketTest, KeepsBoundaries) {
+TEST_F(PacketTest, keeps_boundaries) {
   send("one");
   send("two");
   ASSERT_EQ(receive(), ReceiveResult::packet);
@@ -56,19 +56,19 @@ TEST_F(PacketTest, KeepsBoundaries) {
   EXPECT_EQ(receive(), ReceiveResult::nothing);
 }
 
-TEST_F(PacketTest, AFullSocketIsReportedAndNeverBlocks) {
+TEST_F(PacketTest, a_full_socket_is_reported_and_never_blocks) {
   const std::string large(32 << 10, 'x');
   while (send(large) == SendResult::sent) {
   }
   EXPECT_EQ(send(large), SendResult::full);
 }
 
-TEST_F(PacketTest, AClosedPeerIsGone) {
+TEST_F(PacketTest, a_closed_peer_is_gone) {
   right_.reset();
   EXPECT_EQ(send("x"), SendResult::gone);
 }
 
-TEST_F(PacketTest, WhatWasSentBeforeTheEndIsStillRead) {
+TEST_F(PacketTest, what_was_sent_before_the_end_is_still_read) {
   send("last words");
   left_.reset();
   ASSERT_EQ(receive(), ReceiveResult::packet);
@@ -76,7 +76,7 @@ TEST_F(PacketTest, WhatWasSentBeforeTheEndIsStillRead) {
   EXPECT_EQ(receive(), ReceiveResult::closed);
 }
 
-TEST_F(PacketTest, APeerThatLeavesOurWordsUnreadIsStillHeard) {
+TEST_F(PacketTest, a_peer_that_leaves_our_words_unread_is_still_heard) {
   const iovec part{const_cast<char*>("unread"), 6};
   send_packet(right_.get(), &part, 1);
   send("last words");
@@ -86,13 +86,13 @@ TEST_F(PacketTest, APeerThatLeavesOurWordsUnreadIsStillHeard) {
   EXPECT_EQ(receive(), ReceiveResult::closed);
 }
 
-TEST_F(PacketTest, SaysWhenAPacketDidNotFit) {
+TEST_F(PacketTest, says_when_a_packet_did_not_fit) {
   send(std::string(100, 'x'));
   ASSERT_EQ(receive(false, 10), ReceiveResult::packet);
   EXPECT_TRUE(packet_.truncated);
 }
 
-TEST_F(PacketTest, PassesDescriptorsThatSurviveTheSender) {
+TEST_F(PacketTest, passes_descriptors_that_survive_the_sender) {
   int ends[2];
   ASSERT_EQ(::pipe(ends), 0);
   send("take these", {ends[0]});
@@ -105,7 +105,7 @@ TEST_F(PacketTest, PassesDescriptorsThatSurviveTheSender) {
   ::close(ends[1]);
 }
 
-TEST_F(PacketTest, DescriptorsNobodyAskedForNeverArrive) {
+TEST_F(PacketTest, descriptors_nobody_asked_for_never_arrive) {
   const int before = open_descriptors();
   send("two gifts", {0, 1});
   ASSERT_EQ(receive(false), ReceiveResult::packet);
@@ -114,7 +114,7 @@ TEST_F(PacketTest, DescriptorsNobodyAskedForNeverArrive) {
   EXPECT_EQ(open_descriptors(), before);
 }
 
-TEST_F(PacketTest, MoreDescriptorsThanAllowedAreClosed) {
+TEST_F(PacketTest, more_descriptors_than_allowed_are_closed) {
   const int before = open_descriptors();
   alignas(cmsghdr) char control[CMSG_SPACE(sizeof(int) * 8)] = {};
   iovec part{const_cast<char*>("x"), 1};

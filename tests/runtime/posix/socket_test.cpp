@@ -20,18 +20,18 @@ std::string temporary_path() {
   return "/tmp/tzc-test-" + nonce();
 }
 
-TEST(Address, RefusesWhatTheSystemCanNotTake) {
+TEST(Address, refuses_what_the_system_cannot_take) {
   EXPECT_FALSE(parse_address(""));
   EXPECT_FALSE(parse_address("@"));
   EXPECT_FALSE(parse_address(std::string(108, 'x')));
   EXPECT_TRUE(parse_address(std::string(107, 'x')));
 }
 
-TEST(Address, GeneratedOnesDiffer) {
+TEST(Address, generated_ones_differ) {
   EXPECT_NE(generate_address(), generate_address());
 }
 
-TEST(Socket, ConnectsAndKnowsThePeer) {
+TEST(Socket, connects_and_knows_the_peer) {
   auto listener = Listener::listen(generate_address());
   ASSERT_TRUE(listener) << listener.error().text();
   auto client = connect_to(listener->address(), milliseconds(100));
@@ -43,20 +43,20 @@ TEST(Socket, ConnectsAndKnowsThePeer) {
   EXPECT_EQ(accept_connection(listener->fd(), server), AcceptResult::nothing);
 }
 
-TEST(Socket, AnAddressIsTakenOnce) {
+TEST(Socket, an_address_is_taken_once) {
   auto listener = Listener::listen(generate_address());
   const auto second = Listener::listen(listener->address());
   ASSERT_FALSE(second);
   EXPECT_NE(second.error().text().find("another process"), std::string::npos) << second.error().text();
 }
 
-TEST(Socket, NobodyListensIsAnErrorWithAHint) {
+TEST(Socket, no_listener_is_an_error_with_a_hint) {
   const auto client = connect_to(generate_address(), milliseconds(100));
   ASSERT_FALSE(client);
-  EXPECT_NE(client.error().text().find("nobody listens"), std::string::npos) << client.error().text();
+  EXPECT_NE(client.error().text().find("no process listens"), std::string::npos) << client.error().text();
 }
 
-TEST(Socket, ASocketFileGoesWithItsListener) {
+TEST(Socket, a_socket_file_goes_with_its_listener) {
   const std::string path = temporary_path();
   {
     ASSERT_TRUE(Listener::listen(path));
@@ -64,7 +64,7 @@ TEST(Socket, ASocketFileGoesWithItsListener) {
   EXPECT_NE(::access(path.c_str(), F_OK), 0);
 }
 
-TEST(Socket, AKilledProcesssSocketFileIsReplaced) {
+TEST(Socket, a_killed_processs_socket_file_is_replaced) {
   const std::string path = temporary_path();
   const pid_t child = ::fork();
   if (child == 0) {
@@ -77,7 +77,7 @@ TEST(Socket, AKilledProcesssSocketFileIsReplaced) {
 }
 
 #ifdef TZC_PORTABLE
-TEST(Socket, LeftoversOfTheKilledAreSwept) {
+TEST(Socket, leftovers_of_the_killed_are_swept) {
   const std::string path = generate_address();
   const pid_t child = ::fork();
   if (child == 0) {
@@ -91,7 +91,7 @@ TEST(Socket, LeftoversOfTheKilledAreSwept) {
 }
 #endif
 
-TEST(Socket, ConnectingToAFullBacklogEndsInTime) {
+TEST(Socket, connecting_to_a_full_backlog_ends_in_time) {
   auto listener = Listener::listen(generate_address());
   std::vector<FileDescriptor> waiting;
   for (int i = 0; i < 200; ++i) {

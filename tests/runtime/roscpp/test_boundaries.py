@@ -37,7 +37,7 @@ class OtherUser(TopicCase):
         self.assert_got(listener, range(50), shared=False)
 
     def test_it_is_decided_so_and_not_tried_again(self):
-        """Whichever side sees it; nobody is warned."""
+        """Either side may see it; no warning."""
         config = os.path.join(self.scratch, "rosconsole.config")
         with open(config, "w", encoding="ascii") as text:
             text.write("log4j.logger.ros=INFO\nlog4j.logger.ros.tzc=DEBUG\n")

@@ -75,13 +75,22 @@ class Switches(Configuration):
 
 
 class Memory(Configuration):
+    def assert_warned(self, talker, *words):
+        """Once, not for each message."""
+        warnings = [line for line in talker.log().splitlines() if "WARN" in line and "TZC" in line]
+        self.assertEqual(len(warnings), 1, talker.log())
+        for word in (self.name("image"), "no shared memory for a message of 100", "~tzc/memory_size", *words):
+            self.assertIn(word, warnings[0])
+
     def test_a_memory_size_wins_over_the_code(self):
         """Too small for a single message: they travel whole."""
         def check(**how):
             listener = self.listen()
-            counters = self.talk(count=20, memory=4000000, bytes=100000, **how)
-            self.assertGreaterEqual(counters["exhausted"], 20)
+            talker = self.start_talker(count=20, memory=4000000, bytes=100000, **how)
+            self.assertEqual(talker.wait(60), 0, talker.tail())
+            self.assertGreaterEqual(self.counters(talker)["exhausted"], 20)
             self.assert_got(listener, range(20), shared=False)
+            self.assert_warned(talker, "sent serialized", "now 50000")
         self.in_both_ways("memory_size", "50000", check)
 
     def test_more_memory_than_an_integer_parameter_can_say(self):
@@ -97,13 +106,15 @@ class Memory(Configuration):
     def test_without_memory_messages_are_dropped(self):
         def check(**how):
             listener = self.listen()
-            counters = self.talk(count=20, memory=50000, bytes=100000, **how)
-            self.assertEqual(counters["dropped"], 20)
+            talker = self.start_talker(count=20, memory=50000, bytes=100000, **how)
+            self.assertEqual(talker.wait(60), 0, talker.tail())
+            self.assertEqual(self.counters(talker)["dropped"], 20)
             self.assert_got(listener, [])
+            self.assert_warned(talker, "dropped", "~tzc/on_exhausted")
         self.in_both_ways("on_exhausted", "drop", check)
 
     def stops(self, kept, **arguments):
-        """Does memory for a third of the messages end with that third, when somebody keeps the first ones? (It must not,
+        """Does memory for a third of the messages end with that third, when a subscriber keeps the first ones? (It must not,
         or hardly, on a machine where the other subscriber stands still for a moment.)"""
         keeper = self.node("keeper", "keeper", {"keep": kept, "outlive": os.getpid()})
         self.wait_for_subscribers(self.name("image"), 1)
@@ -126,12 +137,13 @@ class Memory(Configuration):
         self.assertFalse(self.stops(1, policy="worst_effort", **{"tzc/policy": "medium_effort"}))
 
     def test_attempts(self):
-        self.in_both_ways("attempts", "1", lambda **how: self.assertTrue(self.stops(3, **how)))
-        self.in_both_ways("attempts", "50", lambda **how: self.assertFalse(self.stops(3, **how)))
+        """Kept messages cost no other message its memory, however few of them one allocate looks at."""
+        for attempts in ("1", "50"):
+            self.in_both_ways("policy_attempts", attempts, lambda **how: self.assertFalse(self.stops(3, **how)))
 
     def resident(self, **arguments):
-        """Bytes of its shared memory that a talker of tiny messages has touched."""
-        talker = self.start_talker(count=0, bytes=1000, memory=32000000, **arguments)
+        """Bytes of its shared memory that a talker of small messages has touched."""
+        talker = self.start_talker(count=0, bytes=5000, memory=32000000, **arguments)
         listener = self.listen()
         self.ros.wait_until(lambda: any(m["shared"] for m in listener.messages()), 20, "a shared message")
         with open(f"/proc/{talker.pid}/smaps") as smaps:
@@ -147,6 +159,27 @@ class Memory(Configuration):
             self.in_both_ways("prefault", value, lambda **how: self.assertLess(self.resident(**how), 8000000))
 
 
+class Mistakes(Configuration):
+    def test_what_cannot_be_understood_is_said_once(self):
+        """And the node goes on without it."""
+        listener = self.listen()
+        talker = self.start_talker(count=20, **{"tzc/memorysize": 1000, "tzc/policy": "besteffort", "tzc/tries": 5})
+        self.assertEqual(talker.wait(60), 0, talker.tail())
+        self.assert_got(listener, range(20), shared=True)
+        warnings = [line for line in talker.log().splitlines() if "WARN" in line and "TZC" in line]
+        self.assertEqual(len(warnings), 3, talker.log())
+        for words in (("~tzc/memorysize", "not a parameter", "did you mean ~tzc/memory_size?"),
+                      ("~tzc/policy cannot be 'besteffort'", "best_effort, medium_effort or worst_effort"),
+                      ("~tzc/tries is now called ~tzc/upgrade_attempts",)):
+            self.assertTrue(any(all(word in line for word in words) for line in warnings), words)
+
+    def test_a_size_with_a_suffix(self):
+        listener = self.listen()
+        counters = self.talk(count=20, bytes=100000, memory=50000, **{"tzc/memory_size": "4M"})
+        self.assertEqual(counters["exhausted"], 0)
+        self.assert_got(listener, range(20), shared=True)
+
+
 class Others(Configuration):
     def test_tries(self):
         def check(env=None, **parameters):
@@ -157,7 +190,7 @@ class Others(Configuration):
                 self.ros.wait_until(lambda: "stays on TCPROS after 2 tries" in talker.log(), 20, "the warning")
                 self.assertEqual(proxy.calls("lookupNode"), 2)
                 talker.stop()
-        self.in_both_ways("tries", "2", check)
+        self.in_both_ways("upgrade_attempts", "2", check)
 
     def test_statistics(self):
         path = os.path.join(self.scratch, "statistics")
@@ -174,7 +207,7 @@ class Others(Configuration):
                 self.assertEqual((line["messages"], line["shared"], line["copied_bytes"]), (20, 20, 0))
 
     def test_what_cannot_be_is_said_and_ignored(self):
-        values = {"policy": "no_effort", "attempts": "-1", "memory_size": "much", "prefault": "some", "on_exhausted": "1"}
+        values = {"policy": "no_effort", "policy_attempts": "-1", "memory_size": "much", "prefault": "some", "on_exhausted": "1"}
         listener = self.listen()
         talker = self.start_talker(count=20, **{f"tzc/{name}": value for name, value in values.items()})
         self.assertEqual(talker.wait(60), 0, talker.tail())

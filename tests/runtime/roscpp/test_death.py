@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Nodes that die, stop or are killed under load, and memory that is full: nobody else suffers."""
+"""Nodes that die, stop or are killed under load, and memory that is full: no other node suffers."""
 import signal
 import time
 
@@ -103,7 +103,7 @@ class Full(TopicCase):
         return listeners, self.talk(count=60, subscribers=2, env=env, memory=400000, bytes=self.BYTES, queue=100)
 
     def test_every_policy_delivers_serialized_and_in_order(self):
-        """No policy takes memory from somebody who holds it; what finds no room travels whole."""
+        """No policy takes memory from a subscriber that holds it; a message that finds no memory travels whole."""
         for policy in ("best_effort", "medium_effort", "worst_effort"):
             with self.subTest(policy):
                 listeners, counters = self.with_full_memory(policy, "deliver")

@@ -18,7 +18,7 @@ class Publisher(TopicCase):
 
 class Overloads(TopicCase):
     def test_every_overload_of_subscribe(self):
-        """As many images, as right, and in shared memory wherever the callback can't write to them."""
+        """As many images, as right, and in shared memory wherever the callback cannot write to them."""
         lister = self.node("overloads", "lister", {"list": "true"})
         self.assertEqual(lister.wait(20), 0, lister.tail())
         overloads = {line["overload"]: line["shared"] for line in Listener(lister).lines()}
@@ -26,8 +26,8 @@ class Overloads(TopicCase):
         listener = Listener(self.node("overloads", "overloads", {}))
         for topic in overloads:
             self.wait_for_subscribers(self.name(topic), 1)
-        shapeless = "shape_shifter"  # which nobody can share
-        self.talk(topics=" ".join(set(overloads) - {shapeless}), count=20, bytes=2000)
+        shapeless = "shape_shifter"  # which cannot be shared
+        self.talk(topics=" ".join(set(overloads) - {shapeless}), count=20, bytes=5000)
         self.talk(topics=shapeless, count=20, bytes=2000, shared=0)
         for topic, shared in overloads.items():
             with self.subTest(topic):
@@ -63,7 +63,7 @@ class Filters(TopicCase):
 
 
 class Pictures(TopicCase):
-    """A type with a hand-written serializer, whose partial form nobody else could read."""
+    """A type with a hand-written serializer, whose partial form no other node could read."""
 
     def show(self, **parameters):
         talker = self.node("picture", "talker", parameters)

@@ -13,7 +13,7 @@ class ManyUpgrades(TopicCase):
     SLOWEST = float(os.environ.get("TZC_SLOWEST", 0.8))  # of 2 kHz, on a machine that has nothing else to do
 
     def hop(self, talker_parameters, **parameters):
-        talker = self.start_talker("twin", count=0, rate=2000, bytes=2000, subscribers=0, settle=0, memory=200000000,
+        talker = self.start_talker("twin", count=0, rate=2000, bytes=5000, subscribers=0, settle=0, memory=200000000,
                                    **dict({"queue": 10000}, **talker_parameters))
         hopper = self.node("hopper", "hopper", parameters)
         self.assertEqual(hopper.wait(110 + self.PATIENCE), 0, hopper.tail())
@@ -37,7 +37,7 @@ class ManyUpgrades(TopicCase):
         self.assertGreater(before, self.HOPS / 2, "the upgrades met no traffic on TCPROS")
 
     def test_up_and_down_again(self):
-        """The subscriber runs out of descriptors, so that it can't take the next segment; the process lives on."""
+        """The subscriber runs out of descriptors, so that it cannot take the next segment; the process lives on."""
         hops = self.hop({"fresh": 20}, hops=self.HOPS, shared=50, returned=50, patience=self.PATIENCE)
         self.assert_complete(hops)
         self.assertEqual([hop for hop in hops if hop["shared"] < 50 or hop["returned"] < 50], [], "not both ways")

@@ -160,14 +160,14 @@ class PortedToTools(ToolCase):
 
     def test_rostopic_echo_hz_bw(self):
         shared = self.listen()
-        talker = self.start_talker(first=100, count=150, rate=30, bytes=2000, subscribers=4, shared=1)
+        talker = self.start_talker(first=100, count=150, rate=30, bytes=5000, subscribers=4, shared=1)
         echo = self.tool(["rostopic", "echo", self.name("image")])  # asks for the topic's type
         hz = self.tool(["rostopic", "hz", self.name("image")])
         bandwidth = self.tool(["rostopic", "bw", "-w", "1000", self.name("image")])
         self.assertEqual(talker.wait(40), 0, talker.tail())
-        stamps = self.assert_echo(echo, range(100, 250), 1, 2000)
+        stamps = self.assert_echo(echo, range(100, 250), 1, 5000)
         self.assert_hz(hz, stamps)
-        self.assert_bw(bandwidth, stamps, 2000)
+        self.assert_bw(bandwidth, stamps, 5000)
         self.assert_got(shared, range(100, 250), shared=True)
 
     def test_rosbag_record(self):

@@ -38,7 +38,7 @@ class Many(TopicCase):
 class Unreliable(TopicCase):
     def test_who_asks_for_udpros_gets_it(self):
         unreliable, shared = self.listen("unreliable", queue=200), self.listen(queue=200)
-        talker = self.start_talker(count=50, rate=50, bytes=1000, subscribers=2, shared=1, queue=200, linger=3)
+        talker = self.start_talker(count=50, rate=50, bytes=5000, subscribers=2, shared=1, queue=200, linger=3)
         self.ros.wait_until(lambda: self.transports(self.name("talker")) == {"UDPROS", "TZC"}, 20, "both transports")
         self.assertEqual(talker.wait(30), 0, talker.tail())
         self.assert_got(unreliable, range(50), shared=False)

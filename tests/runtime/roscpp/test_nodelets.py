@@ -68,6 +68,22 @@ class Nodelets(TopicCase):
         self.assertTrue(all(m["right"] for m in plain.messages()))
         self.assertTrue(not any(m["shared"] for m in plain.messages()))
 
+    def test_a_writer_beside_the_talker_spoils_nothing(self):
+        """A lone callback that may write gets a copy of its own, also in the publisher's process."""
+        for mode, how in (("twin", "mutable"), ("twin", "filter"), ("stock", "mutable")):
+            with self.subTest(mode=mode, how=how):
+                manager, outside = self.manage(), self.listen()
+                self.load("Writer", "writer", mode=how)
+                self.wait_for_subscribers(self.name("image"), 2)
+                self.load("Talker", "talker", mode=mode)
+                self.wait_for_shared(outside, 30)
+                self.wait_for(manager, 30, topic=self.name("writer"))
+                self.assertTrue(manager.process.alive(), manager.process.tail())
+                for seen in (outside.messages(), manager.messages(self.name("writer"))):
+                    self.assert_followed([m["number"] for m in seen], 30)
+                    self.assertTrue(all(m["right"] for m in seen), "some bytes are wrong")
+                self.ros.stop_since(self.before)
+
     def test_loaded_unloaded_loaded_again(self):
         manager = self.manage()
         outside = self.listen()

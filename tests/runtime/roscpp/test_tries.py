@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What goes wrong on the way to shared memory is tried again: nobody stays on TCPROS by accident."""
+"""A failed upgrade is retried: no subscriber stays on TCPROS by accident."""
 import os
 import sys
 
@@ -84,7 +84,7 @@ class SlowMaster(Tries):
     def test_the_last_try_is_followed_by_one_warning(self):
         """It says what, where, why and what to do. Who subscribes later is not concerned."""
         listener = self.listen()
-        talker = self.start_talker_under(3, MasterProxy.unknown, env={"TZC_TRIES": "3"})
+        talker = self.start_talker_under(3, MasterProxy.unknown, env={"TZC_UPGRADE_ATTEMPTS": "3"})
         self.ros.wait_until(lambda: "stays on TCPROS" in talker.log(), 20, "the warning")
         newcomer = self.listen()
         self.assert_comes_to_shared_memory(newcomer, talker)

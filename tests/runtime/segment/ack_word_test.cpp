@@ -15,7 +15,7 @@ AckCounts counts(const Word& word) {
   return unpack(word.load());
 }
 
-TEST(AckWord, MarkTakeRelease) {
+TEST(AckWord, mark_take_release) {
   Word word{0};
   EXPECT_TRUE(mark_in_flight(word, 7));
   EXPECT_FALSE(is_idle(word, 7));
@@ -25,7 +25,7 @@ TEST(AckWord, MarkTakeRelease) {
   EXPECT_TRUE(is_idle(word, 7));
 }
 
-TEST(AckWord, ABlockSentTwiceCountsTwice) {
+TEST(AckWord, a_block_sent_twice_counts_twice) {
   Word word{0};
   mark_in_flight(word, 7);
   mark_in_flight(word, 7);
@@ -37,7 +37,7 @@ TEST(AckWord, ABlockSentTwiceCountsTwice) {
   EXPECT_TRUE(is_idle(word, 7));
 }
 
-TEST(AckWord, OtherGenerationsAreNeverTouched) {
+TEST(AckWord, other_generations_are_never_touched) {
   Word word{0};
   mark_in_flight(word, 7);
   EXPECT_FALSE(take(word, 8));
@@ -47,7 +47,7 @@ TEST(AckWord, OtherGenerationsAreNeverTouched) {
   EXPECT_EQ(counts(word).in_flight, 1u);
 }
 
-TEST(AckWord, ANewGenerationForgetsTheOldCounts) {
+TEST(AckWord, a_new_generation_forgets_the_old_counts) {
   Word word{pack({7, 3, 2})};
   mark_in_flight(word, 8);
   EXPECT_EQ(counts(word).generation, 8u);
@@ -55,7 +55,7 @@ TEST(AckWord, ANewGenerationForgetsTheOldCounts) {
   EXPECT_EQ(counts(word).taken, 0u);
 }
 
-TEST(AckWord, CountersNeverWrapIntoEachOther) {
+TEST(AckWord, counters_never_wrap_into_each_other) {
   Word full{pack({7, max_ack_count, max_ack_count})};
   EXPECT_FALSE(mark_in_flight(full, 7));
   EXPECT_FALSE(take(full, 7));
@@ -67,7 +67,7 @@ TEST(AckWord, CountersNeverWrapIntoEachOther) {
   EXPECT_EQ(empty.load(), pack({7, 0, 0}));
 }
 
-TEST(AckWord, GenerationsWrapAroundPastZero) {
+TEST(AckWord, generations_wrap_around_past_zero) {
   EXPECT_EQ(next_generation(1), 2u);
   EXPECT_EQ(next_generation(0xffffffff), 1u);
   Word word{pack({0xffffffff, 1, 0})};
@@ -76,7 +76,7 @@ TEST(AckWord, GenerationsWrapAroundPastZero) {
   EXPECT_FALSE(take(word, 0xffffffff));
 }
 
-TEST(AckWord, APeerThatKeepsChangingTheWordDoesNotKeepUsHere) {
+TEST(AckWord, a_peer_that_keeps_changing_the_word_does_not_keep_us_here) {
   Word word{pack({7, 1, 0})};
   std::atomic<bool> stop{false};
   std::thread hostile([&] {

@@ -17,7 +17,7 @@ struct Range {
   std::uint64_t offset, bytes;
 };
 
-TEST(Extents, ReturnsTheLowestFit) {
+TEST(Extents, returns_the_lowest_fit) {
   Extents extents(64, 1000);
   EXPECT_EQ(extents.allocate(100), 64u);
   EXPECT_EQ(extents.allocate(100), 164u);
@@ -26,7 +26,7 @@ TEST(Extents, ReturnsTheLowestFit) {
   EXPECT_EQ(extents.allocate(50), 64u);
 }
 
-TEST(Extents, JoinsNeighboursWhateverTheOrder) {
+TEST(Extents, joins_neighbours_whatever_the_order) {
   std::vector<int> order{0, 1, 2, 3};
   do {
     Extents extents(0, 400);
@@ -37,14 +37,14 @@ TEST(Extents, JoinsNeighboursWhateverTheOrder) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST(Extents, StaysBelowTheLimit) {
+TEST(Extents, stays_below_the_limit) {
   Extents extents(0, 1000);
   EXPECT_EQ(extents.allocate(300, 299), Extents::none);
   EXPECT_EQ(extents.allocate(300, 300), 0u);
   EXPECT_EQ(extents.allocate(1, 300), Extents::none);
 }
 
-TEST(Extents, OneSizeLosesNothing) {
+TEST(Extents, one_size_loses_nothing) {
   std::mt19937 random(1);
   const std::uint64_t size = 4096 + 64, blocks = 100;
   Extents extents(0, size * blocks);
@@ -67,7 +67,7 @@ std::uint64_t bound(std::uint64_t most_in_use, std::uint64_t n) {
                                     (1 + std::log2(static_cast<double>(n))));
 }
 
-TEST(Extents, RandomTrafficStaysWithinTheBound) {
+TEST(Extents, random_traffic_stays_within_the_bound) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     std::mt19937 random(seed);
     const std::uint64_t unit = 64, n = 1 << (1 + seed % 12), most = unit * n * 16;
@@ -93,7 +93,7 @@ TEST(Extents, RandomTrafficStaysWithinTheBound) {
 
 // Robson's adversary (1971): in round i keep one word of each 2^i range, at the offset that keeps most ranges
 // occupied, free the rest, and ask for ranges of 2^i. It forces any allocator to waste about half of log2 n.
-TEST(Extents, RobsonsAdversaryStaysWithinTheBound) {
+TEST(Extents, robsons_adversary_stays_within_the_bound) {
   const std::uint64_t most = 1 << 12, rounds = 8, n = 1 << rounds;
   Extents extents(0, bound(most, n));
   std::vector<Range> live;
@@ -130,7 +130,7 @@ TEST(Extents, RobsonsAdversaryStaysWithinTheBound) {
   }
 }
 
-TEST(SizeClass, WastesLessThanASixteenthPlusACacheLine) {
+TEST(SizeClass, wastes_less_than_a_sixteenth_plus_a_cache_line) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 100'000; ++i) {
     const std::size_t bytes = random() >> (random() % 60);

@@ -20,20 +20,32 @@ class shared_ptr {
   T* get() const { return p_.get(); }
   void reset() { p_.reset(); }
   template <class U>
-  void reset(U* p) { p_.reset(p); }
+  void reset(U* p) {
+    p_.reset(p);
+  }
   explicit operator bool() const { return p_ != nullptr; }
   bool operator!() const { return !p_; }
   std::shared_ptr<T> p_;
 };
 template <class T, class... A>
-shared_ptr<T> make_shared(A&&... a) { return shared_ptr<T>(new T(std::forward<A>(a)...)); }
+shared_ptr<T> make_shared(A&&... a) {
+  return shared_ptr<T>(new T(std::forward<A>(a)...));
+}
 template <class T, class U>
-shared_ptr<T> const_pointer_cast(const shared_ptr<U>& p) { return shared_ptr<T>(const_cast<T*>(p.get())); }
+shared_ptr<T> const_pointer_cast(const shared_ptr<U>& p) {
+  return shared_ptr<T>(const_cast<T*>(p.get()));
+}
 template <class F>
 using function = std::function<F>;
 template <class F, class... A>
-auto bind(F&& f, A&&... a) { return std::bind(std::forward<F>(f), std::forward<A>(a)...); }
+auto bind(F&& f, A&&... a) {
+  return std::bind(std::forward<F>(f), std::forward<A>(a)...);
+}
 template <class T, unsigned long N>
-struct array { T elems[N]; T& operator[](unsigned long i) { return elems[i]; } const T& operator[](unsigned long i) const { return elems[i]; } };
+struct array {
+  T elems[N];
+  T& operator[](unsigned long i) { return elems[i]; }
+  const T& operator[](unsigned long i) const { return elems[i]; }
+};
 }  // namespace boost
 using namespace std::placeholders;

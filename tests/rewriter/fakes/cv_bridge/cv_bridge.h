@@ -10,10 +10,38 @@ struct Mat {
   Mat clone() const { return {}; }
   void copyTo(Mat) const {}
   Mat operator()(int) const { return {}; }
+  Mat& setTo(int) { return *this; }
+  template <class T>
+  T& at(int, int) {
+    return *reinterpret_cast<T*>(data);
+  }
+  template <class T>
+  const T& at(int, int) const {
+    return *reinterpret_cast<const T*>(data);
+  }
+  unsigned char* ptr(int = 0) { return data; }
+  const unsigned char* ptr(int = 0) const { return data; }
+  bool empty() const { return !data; }
   unsigned char* data = nullptr;
   int rows = 0, cols = 0;
 };
-inline void flip(const Mat&, Mat, int) {}
+struct _InputArray {
+  _InputArray(const Mat& mat) : obj(&mat) {}
+  const void* obj;
+};
+struct _OutputArray : _InputArray {
+  _OutputArray(Mat& mat) : _InputArray(mat) {}
+  _OutputArray(const Mat& mat) : _InputArray(mat) {}
+};
+struct _InputOutputArray : _OutputArray {
+  _InputOutputArray(Mat& mat) : _OutputArray(mat) {}
+  _InputOutputArray(const Mat& mat) : _OutputArray(mat) {}
+};
+typedef const _InputArray& InputArray;
+typedef const _OutputArray& OutputArray;
+typedef const _InputOutputArray& InputOutputArray;
+inline void flip(InputArray, OutputArray, int) {}
+inline void circle(InputOutputArray, int) {}
 }  // namespace cv
 namespace cv_bridge {
 class CvImage {
@@ -29,6 +57,10 @@ class CvImage {
 };
 typedef boost::shared_ptr<CvImage> CvImagePtr;
 typedef boost::shared_ptr<CvImage const> CvImageConstPtr;
-inline CvImageConstPtr toCvShare(const sensor_msgs::ImageConstPtr&, const std::string& = "") { return {}; }
-inline CvImagePtr toCvCopy(const sensor_msgs::ImageConstPtr&, const std::string& = "") { return {}; }
+inline CvImageConstPtr toCvShare(const sensor_msgs::ImageConstPtr&, const std::string& = "") {
+  return {};
+}
+inline CvImagePtr toCvCopy(const sensor_msgs::ImageConstPtr&, const std::string& = "") {
+  return {};
+}
 }  // namespace cv_bridge

@@ -31,16 +31,25 @@ class ImageTransport {
   explicit ImageTransport(const ros::NodeHandle&) {}
   Publisher advertise(const std::string&, uint32_t, bool = false) { return {}; }
   Publisher advertise(const std::string&, uint32_t, const SubscriberStatusCallback&,
-                      const SubscriberStatusCallback& = {}) { return {}; }
+                      const SubscriberStatusCallback& = {}) {
+    return {};
+  }
   CameraPublisher advertiseCamera(const std::string&, uint32_t, bool = false) { return {}; }
   template <class T>
   Subscriber subscribe(const std::string&, uint32_t, void (T::*)(const sensor_msgs::ImageConstPtr&), T*,
-                       const TransportHints& = TransportHints()) { return {}; }
+                       const TransportHints& = TransportHints()) {
+    return {};
+  }
   Subscriber subscribe(const std::string&, uint32_t, void (*)(const sensor_msgs::ImageConstPtr&),
-                       const TransportHints& = TransportHints()) { return {}; }
+                       const TransportHints& = TransportHints()) {
+    return {};
+  }
   template <class T>
   CameraSubscriber subscribeCamera(const std::string&, uint32_t,
-                                   void (T::*)(const sensor_msgs::ImageConstPtr&, const sensor_msgs::CameraInfoConstPtr&),
-                                   T*, const TransportHints& = TransportHints()) { return {}; }
+                                   void (T::*)(const sensor_msgs::ImageConstPtr&,
+                                               const sensor_msgs::CameraInfoConstPtr&),
+                                   T*, const TransportHints& = TransportHints()) {
+    return {};
+  }
 };
 }  // namespace image_transport

@@ -7,11 +7,20 @@
 namespace other {
 inline void rotate(sensor_msgs::Image&) {}
 inline void inspect(const sensor_msgs::Image&) {}
-inline sensor_msgs::Image grab() { return {}; }
-inline sensor_msgs::ImagePtr grab_shared() { return {}; }
+inline sensor_msgs::Image grab() {
+  return {};
+}
+inline sensor_msgs::ImagePtr grab_shared() {
+  return {};
+}
 inline void watch(const ros::Publisher&) {}
-inline ros::Publisher connect() { return {}; }
+inline ros::Publisher connect() {
+  return {};
+}
 inline void decode(std::vector<uint8_t>&) {}
+inline int gamma(int value, int) {
+  return value;
+}
 inline void read(unsigned char*, std::size_t) {}
 template <class M>
 void log(const M&) {}

@@ -3,7 +3,9 @@
 #include <boost/core.h>
 #include <vector>
 namespace pcl {
-struct PointXYZ { float x, y, z; };
+struct PointXYZ {
+  float x, y, z;
+};
 template <class T>
 struct PointCloud {
   typedef boost::shared_ptr<PointCloud<T>> Ptr;

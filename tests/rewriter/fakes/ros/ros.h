@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <map>
 #include <std_msgs/Header.h>
+#include <map>
 namespace ros {
 class SingleSubscriberPublisher {
  public:
@@ -48,30 +48,50 @@ class NodeHandle {
  public:
   explicit NodeHandle(const std::string& = "") {}
   template <class M>
-  Publisher advertise(const std::string&, uint32_t, bool = false) { return {}; }
+  Publisher advertise(const std::string&, uint32_t, bool = false) {
+    return {};
+  }
   template <class M>
   Publisher advertise(const std::string&, uint32_t, const SubscriberStatusCallback&,
-                      const SubscriberStatusCallback& = {}, const VoidConstPtr& = {}, bool = false) { return {}; }
+                      const SubscriberStatusCallback& = {}, const VoidConstPtr& = {}, bool = false) {
+    return {};
+  }
   Publisher advertise(AdvertiseOptions&) { return {}; }
   template <class M, class T>
-  Subscriber subscribe(const std::string&, uint32_t, void (T::*)(M), T*, const TransportHints& = {}) { return {}; }
+  Subscriber subscribe(const std::string&, uint32_t, void (T::*)(M), T*, const TransportHints& = {}) {
+    return {};
+  }
   template <class M, class T>
   Subscriber subscribe(const std::string&, uint32_t, void (T::*)(const boost::shared_ptr<M const>&), T*,
-                       const TransportHints& = {}) { return {}; }
+                       const TransportHints& = {}) {
+    return {};
+  }
   template <class M>
-  Subscriber subscribe(const std::string&, uint32_t, void (*)(M), const TransportHints& = {}) { return {}; }
+  Subscriber subscribe(const std::string&, uint32_t, void (*)(M), const TransportHints& = {}) {
+    return {};
+  }
   template <class M>
-  Subscriber subscribe(const std::string&, uint32_t, const boost::function<void(const boost::shared_ptr<M const>&)>&,
-                       const VoidConstPtr& = {}, const TransportHints& = {}) { return {}; }
+  Subscriber subscribe(const std::string&, uint32_t,
+                       const boost::function<void(const boost::shared_ptr<M const>&)>&,
+                       const VoidConstPtr& = {}, const TransportHints& = {}) {
+    return {};
+  }
   template <class M, class C>
-  Subscriber subscribe(const std::string&, uint32_t, const boost::function<void(C)>&, const VoidConstPtr& = {},
-                       const TransportHints& = {}) { return {}; }
+  Subscriber subscribe(const std::string&, uint32_t, const boost::function<void(C)>&,
+                       const VoidConstPtr& = {}, const TransportHints& = {}) {
+    return {};
+  }
   Subscriber subscribe(SubscribeOptions&) { return {}; }
   template <class T>
-  Timer createTimer(Duration, void (T::*)(const TimerEvent&), T*) { return {}; }
+  Timer createTimer(Duration, void (T::*)(const TimerEvent&), T*) {
+    return {};
+  }
 };
 inline void init(int, char**, const char*) {}
 inline void spin() {}
-inline bool ok() { return true; }
+inline void spinOnce() {}
+inline bool ok() {
+  return true;
+}
 }  // namespace ros
 #define ROS_INFO(...) ((void)0)

@@ -4,6 +4,8 @@
 namespace ros {
 namespace topic {
 template <class M>
-boost::shared_ptr<M const> waitForMessage(const std::string&, ros::NodeHandle&) { return {}; }
+boost::shared_ptr<M const> waitForMessage(const std::string&, ros::NodeHandle&) {
+  return {};
+}
 }  // namespace topic
 }  // namespace ros

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <std_msgs/Header.h>
 #include <sensor_msgs/PointField.h>
+#include <std_msgs/Header.h>
 namespace sensor_msgs {
 template <class A>
 struct PointCloud2_ {

@@ -1,27 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <boost/core.h>
 #include <cstdint>
 #include <iostream>
 #include <string>
 #include <vector>
-#include <boost/core.h>
 namespace ros {
-struct Time { double sec = 0; static Time now() { return {}; } double toSec() const { return sec; } };
-struct Duration { double sec = 0; explicit Duration(double s = 0) : sec(s) {} };
+struct Time {
+  double sec = 0;
+  static Time now() { return {}; }
+  double toSec() const { return sec; }
+};
+struct Duration {
+  double sec = 0;
+  explicit Duration(double s = 0) : sec(s) {}
+};
 }  // namespace ros
-#define FAKE_MESSAGE(package, name)                                              \
-  namespace package {                                                            \
-  typedef name##_<std::allocator<void>> name;                                    \
-  typedef boost::shared_ptr<name> name##Ptr;                                     \
-  typedef boost::shared_ptr<name const> name##ConstPtr;                          \
-  template <class A>                                                             \
-  std::ostream& operator<<(std::ostream& s, const name##_<A>&) { return s; }     \
+#define FAKE_MESSAGE(package, name)                              \
+  namespace package {                                            \
+  typedef name##_<std::allocator<void>> name;                    \
+  typedef boost::shared_ptr<name> name##Ptr;                     \
+  typedef boost::shared_ptr<name const> name##ConstPtr;          \
+  template <class A>                                             \
+  std::ostream& operator<<(std::ostream& s, const name##_<A>&) { \
+    return s;                                                    \
+  }                                                              \
   }
-#define FAKE_MEMBERS(name)                                       \
-  typedef boost::shared_ptr<name> Ptr;                           \
+#define FAKE_MEMBERS(name)             \
+  typedef boost::shared_ptr<name> Ptr; \
   typedef boost::shared_ptr<name const> ConstPtr;
 namespace std_msgs {
 template <class A>
-struct Header_ { uint32_t seq = 0; ros::Time stamp; std::string frame_id; FAKE_MEMBERS(Header_) };
+struct Header_ {
+  uint32_t seq = 0;
+  ros::Time stamp;
+  std::string frame_id;
+  FAKE_MEMBERS(Header_)
+};
 }  // namespace std_msgs
 FAKE_MESSAGE(std_msgs, Header)

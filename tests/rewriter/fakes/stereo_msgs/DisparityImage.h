@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <std_msgs/Header.h>
 #include <sensor_msgs/Image.h>
+#include <std_msgs/Header.h>
 namespace stereo_msgs {
 template <class A>
 struct DisparityImage_ {

@@ -13,19 +13,28 @@ class Array {
   typedef const T* const_iterator;
   Array() = default;
   explicit Array(std::size_t n) : v_(n) {}
-  Array& operator=(const std::vector<T>& v) { v_ = v; return *this; }
+  Array& operator=(const std::vector<T>& v) {
+    v_ = v;
+    return *this;
+  }
   void resize(std::size_t n) { v_.resize(n); }
   void resize(std::size_t n, const T& value) { v_.resize(n, value); }
   void resize(std::size_t n, uninitialized_t) { v_.resize(n); }
   void reserve(std::size_t n) { v_.reserve(n); }
   void assign(std::size_t n, const T& value) { v_.assign(n, value); }
   template <class I, class = decltype(*std::declval<I>())>
-  void assign(I b, I e) { v_.assign(b, e); }
+  void assign(I b, I e) {
+    v_.assign(b, e);
+  }
   template <class I>
-  void insert(const T* at, I b, I e) { v_.insert(v_.begin() + (at - v_.data()), b, e); }
+  void insert(const T* at, I b, I e) {
+    v_.insert(v_.begin() + (at - v_.data()), b, e);
+  }
   void push_back(const T& value) { v_.push_back(value); }
   template <class... A>
-  void emplace_back(A&&... a) { v_.emplace_back(std::forward<A>(a)...); }
+  void emplace_back(A&&... a) {
+    v_.emplace_back(std::forward<A>(a)...);
+  }
   void clear() { v_.clear(); }
   void swap(std::vector<T>& v) { v_.swap(v); }
   bool empty() const { return v_.empty(); }
@@ -41,6 +50,7 @@ class Array {
   T& at(std::size_t i) { return v_.at(i); }
   T& front() { return v_.front(); }
   T& back() { return v_.back(); }
+
  private:
   std::vector<T> v_;
 };

@@ -5,7 +5,9 @@
 namespace tzc {
 namespace cv_bridge {
 template <class P>
-sensor_msgs::ImagePtr to_image_msg(const ::cv_bridge::CvImage&, const P&) { return {}; }
+sensor_msgs::ImagePtr to_image_msg(const ::cv_bridge::CvImage&, const P&) {
+  return {};
+}
 inline void to_image_msg(const ::cv_bridge::CvImage&, sensor_msgs::Image&) {}
 }  // namespace cv_bridge
 }  // namespace tzc

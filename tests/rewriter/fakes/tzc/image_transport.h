@@ -12,18 +12,28 @@ class CameraPublisher {
   template <class I, class C>
   void publish(const I&, const C&) const {}
   template <class M>
-  bool allocate(M&) const { static_assert(sizeof(typename M::Stock) > 0, "a twin"); return true; }
+  bool allocate(M&) const {
+    static_assert(sizeof(typename M::Stock) > 0, "a twin");
+    return true;
+  }
   uint32_t getNumSubscribers() const { return 1; }
 };
 template <class... A>
-Publisher advertise(::image_transport::ImageTransport it, A&&... a) { it.advertise(std::forward<A>(a)...); return {}; }
+Publisher advertise(::image_transport::ImageTransport it, A&&... a) {
+  it.advertise(std::forward<A>(a)...);
+  return {};
+}
 template <class... A>
 CameraPublisher advertiseCamera(::image_transport::ImageTransport it, A&&... a) {
   it.advertiseCamera(std::forward<A>(a)...);
   return {};
 }
-inline Publisher attach_publisher(const ::image_transport::Publisher&) { return {}; }
-inline CameraPublisher attach_publisher(const ::image_transport::CameraPublisher&) { return {}; }
+inline Publisher attach_publisher(const ::image_transport::Publisher&) {
+  return {};
+}
+inline CameraPublisher attach_publisher(const ::image_transport::CameraPublisher&) {
+  return {};
+}
 template <class... A>
 ::image_transport::Subscriber subscribe(::image_transport::ImageTransport it, A&&... a) {
   return it.subscribe(std::forward<A>(a)...);

@@ -9,30 +9,49 @@ class Publisher {
   template <class M>
   void publish(const M&) const {}
   template <class M>
-  bool allocate(M&) const { static_assert(sizeof(typename M::Stock) > 0, "a twin"); return true; }
+  bool allocate(M&) const {
+    static_assert(sizeof(typename M::Stock) > 0, "a twin");
+    return true;
+  }
   uint32_t getNumSubscribers() const { return 1; }
   std::string getTopic() const { return ""; }
   void shutdown() {}
   operator void*() const { return nullptr; }
 };
 template <class Map>
-const typename Map::mapped_type& find_publisher(const Map& map, const typename Map::key_type&) { return map.begin()->second; }
+const typename Map::mapped_type& find_publisher(const Map& map, const typename Map::key_type&) {
+  return map.begin()->second;
+}
 template <class M>
-Publisher advertise(const ros::NodeHandle&, const std::string&, uint32_t, std::size_t, bool = false) { return {}; }
+Publisher advertise(const ros::NodeHandle&, const std::string&, uint32_t, std::size_t, bool = false) {
+  return {};
+}
 template <class M>
 Publisher advertise(const ros::NodeHandle&, const std::string&, uint32_t, std::size_t,
                     const ros::SubscriberStatusCallback&, const ros::SubscriberStatusCallback& = {},
-                    const ros::VoidConstPtr& = {}, bool = false) { return {}; }
+                    const ros::VoidConstPtr& = {}, bool = false) {
+  return {};
+}
 template <class M>
-Publisher advertise(const ros::NodeHandle&, ros::AdvertiseOptions&, std::size_t) { return {}; }
+Publisher advertise(const ros::NodeHandle&, ros::AdvertiseOptions&, std::size_t) {
+  return {};
+}
 template <class M>
-Publisher attach_publisher(const ros::Publisher&, std::size_t) { return {}; }
+Publisher attach_publisher(const ros::Publisher&, std::size_t) {
+  return {};
+}
 template <class... A>
-ros::Subscriber subscribe(ros::NodeHandle nh, A&&... a) { return nh.subscribe(std::forward<A>(a)...); }
+ros::Subscriber subscribe(ros::NodeHandle nh, A&&... a) {
+  return nh.subscribe(std::forward<A>(a)...);
+}
 template <class M, class... A>
-ros::Subscriber subscribe(ros::NodeHandle nh, A&&... a) { return nh.subscribe<M>(std::forward<A>(a)...); }
+ros::Subscriber subscribe(ros::NodeHandle nh, A&&... a) {
+  return nh.subscribe<M>(std::forward<A>(a)...);
+}
 template <class M>
-ros::Subscriber subscribe(ros::NodeHandle nh, ros::SubscribeOptions& options) { return nh.subscribe(options); }
+ros::Subscriber subscribe(ros::NodeHandle nh, ros::SubscribeOptions& options) {
+  return nh.subscribe(options);
+}
 template <class M, class C, class... A>
 ros::Subscriber subscribe(ros::NodeHandle nh, const std::string& topic, uint32_t queue, A&&... a) {
   return nh.subscribe<M, C>(topic, queue, std::forward<A>(a)...);

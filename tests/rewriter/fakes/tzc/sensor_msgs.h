@@ -6,7 +6,9 @@
 #include <tzc/sensor_msgs/PointCloud2.h>
 namespace tzc {
 namespace sensor_msgs {
-inline bool fillImage(Image&, const std::string&, uint32_t, uint32_t, uint32_t, const void*) { return true; }
+inline bool fillImage(Image&, const std::string&, uint32_t, uint32_t, uint32_t, const void*) {
+  return true;
+}
 inline void clearImage(Image&) {}
 class PointCloud2Modifier {
  public:

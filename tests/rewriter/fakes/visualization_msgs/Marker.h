@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <std_msgs/Header.h>
 #include <geometry_msgs/Point.h>
+#include <std_msgs/Header.h>
 namespace visualization_msgs {
 template <class A>
 struct Marker_ {

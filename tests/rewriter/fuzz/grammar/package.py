@@ -3,7 +3,7 @@
 import os
 import random
 
-from . import builders, libraries, messages, publishers, subscribers
+from . import aliases, builders, libraries, messages, publishers, subscribers
 from .program import Program
 
 KINDS = [None, libraries.SENSORS, libraries.VISION, None, libraries.CLOUDS, None, libraries.SENSORS, libraries.VISION,
@@ -11,7 +11,9 @@ KINDS = [None, libraries.SENSORS, libraries.VISION, None, libraries.CLOUDS, None
          libraries.CLOUDS]
 
 
-def make_program(seed, index):
+def make_program(seed, index, adversarial=False):
+    if adversarial:
+        return aliases.make(Program(random.Random(f"adversarial/{seed}/{index}"), index))
     program = Program(random.Random(f"{seed}/{index}"), index)
     library = KINDS[index % len(KINDS)]
     for _ in range(program.rng.choice([1, 1, 2, 3])):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What generated programs use besides ROS. To tzc-rewrite it is a library of somebody else's.
+// What generated programs use besides ROS. To tzc-rewrite it is a foreign library.
 //
 //   talker   : runs the programs; each publish is followed by sent()
 //   listener : runs their subscribers, in a process of its own, and writes down what they receive

@@ -19,7 +19,7 @@ inline std::string folder() {
 class Log {
  public:
   explicit Log(const std::string& name) : file_(std::fopen((folder() + "/" + name).c_str(), "w")) {
-    if (!file_) throw std::runtime_error("can't write " + folder() + "/" + name);
+    if (!file_) throw std::runtime_error("cannot write " + folder() + "/" + name);
   }
   ~Log() { std::fclose(file_); }
   Log(const Log&) = delete;

@@ -2,8 +2,9 @@
 /// Nodelets on the topic "image". What they print (image_line.h) also tells the address of the message object
 /// and who prints: intraprocess subscribers get the very object that was published.
 ///
-/// Private parameters: mode (twin, stock_pointer, plain) and rate of the Talker; ported (bool) of the
-/// Listener.
+/// Private parameters: mode (twin, stock, stock_pointer, plain) and rate of the Talker; ported (bool) of the
+/// Listener; mode (mutable, filter) of the Writer, which writes to what it gets.
+#include <message_filters/subscriber.h>
 #include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
@@ -11,6 +12,7 @@
 #include <tzc/sensor_msgs/Image.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <memory>
 #include <sstream>
 #include <string>
 
@@ -48,6 +50,7 @@ class Talker : public nodelet::Nodelet {
     }
     const auto image = boost::make_shared<sensor_msgs::Image>();
     fill_image(*image, number_++, 50000);
+    if (mode_ == "stock") return shared_.publish(*image);
     print_image(*image, origin("published", image.get()));
     if (mode_ == "plain")
       plain_.publish(image);
@@ -74,7 +77,28 @@ class Listener : public nodelet::Nodelet {
   ros::Subscriber subscriber_;
 };
 
+/// A callback that may write, and does: its message must be its own.
+class Writer : public nodelet::Nodelet {
+  void onInit() override {
+    const std::string mode = getPrivateNodeHandle().param<std::string>("mode", "mutable");
+    if (mode == "mutable") subscriber_ = getNodeHandle().subscribe("image", 100, &Writer::spoil, this);
+    if (mode == "filter") {
+      filter_.reset(new message_filters::Subscriber<sensor_msgs::Image>(getNodeHandle(), "image", 100));
+      filter_->registerCallback(&Writer::spoil, this);
+    }
+  }
+  void spoil(const sensor_msgs::ImagePtr& image) {
+    print_image(*image, origin(getName(), image.get()));
+    image->data.assign(image->data.size(), 0);
+    image->data.resize(2 * image->data.size());
+  }
+
+  ros::Subscriber subscriber_;
+  std::unique_ptr<message_filters::Subscriber<sensor_msgs::Image>> filter_;
+};
+
 }  // namespace tzc_test
 
 PLUGINLIB_EXPORT_CLASS(tzc_test::Talker, nodelet::Nodelet)
 PLUGINLIB_EXPORT_CLASS(tzc_test::Listener, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(tzc_test::Writer, nodelet::Nodelet)

@@ -5,7 +5,7 @@
 /// header.seq was another, and whether all bytes were right.
 ///
 /// Private parameters: hops, shared (messages to see in shared memory before leaving), returned (messages to
-/// see over TCPROS after that: the process runs out of descriptors, so that the next segment can't be taken),
+/// see over TCPROS after that: the process runs out of descriptors, so that the next segment cannot be taken),
 /// patience (seconds), queue.
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -31,7 +31,7 @@ void limit_descriptors(rlim_t most) {
   setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-/// The process can't open anything once it is filled.
+/// The process cannot open anything once it is filled.
 class Hoard {
  public:
   /// Once more if another thread has closed something since.

@@ -2,8 +2,10 @@
 /// Prints a line for each image it gets (image_line.h).
 ///
 /// Private parameters: mode (pointer, reference, value, mutable, event, direct, filter, late_attach,
-/// unreliable, plain, keep: pointers, all of which it keeps), topics (several, separated by blanks), queue,
-/// spinner (spin, multi, async, own: a callback queue of its own).
+/// unreliable, plain, keep: pointers, all of which it keeps, draw and plain_draw: they write to what they get through a
+/// cast and publish it again as `drawn`), handler (the number of the message after which a handler of SIGSEGV is
+/// installed), times (so many callbacks), topics (several, separated by blanks), queue, spinner (spin, multi, async,
+/// own: a callback queue of its own).
 #include <message_filters/simple_filter.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -11,6 +13,7 @@
 #include <tzc/message_filters.h>
 #include <tzc/ros.h>
 
+#include <csignal>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -19,6 +22,10 @@
 #include "image_line.h"
 
 namespace {
+
+extern "C" void exit_with_9(int) {
+  std::_Exit(9);
+}
 
 using tzc_test::print_image;
 
@@ -50,6 +57,34 @@ void on_event(const ros::MessageEvent<sensor_msgs::Image>& event) {
   spoil(*event.getMessage());
 }
 
+/// A subscriber that draws on what it gets, as one that writes to toCvShare(...)->image.
+class Draws {
+ public:
+  Draws(ros::NodeHandle& node, int handler_after)
+      : handler_after_(handler_after), drawn_(node.advertise<sensor_msgs::Image>("drawn", 100)) {}
+
+  void operator()(const sensor_msgs::ImageConstPtr& received) const {
+    print_image(*received);
+    auto& image = const_cast<sensor_msgs::Image&>(*received);
+    const int number = std::atoi(image.header.frame_id.c_str());
+    tzc_test::fill_pattern(image.data.data(), image.data.size(), static_cast<std::uint32_t>(number) + 1000);
+    image.header.frame_id = std::to_string(number + 1000);
+    drawn_.publish(received);
+    if (number == handler_after_) std::signal(SIGSEGV, exit_with_9);
+  }
+
+ private:
+  const int handler_after_;
+  const ros::Publisher drawn_;
+};
+
+ros::Subscriber draw(ros::NodeHandle& node, const std::string& mode, const std::string& topic, int queue) {
+  const int handler_after = ros::NodeHandle("~").param("handler", -1);
+  const boost::function<void(const sensor_msgs::ImageConstPtr&)> draws = Draws(node, handler_after);
+  return mode == "draw" ? tzc::subscribe<sensor_msgs::Image>(node, topic, queue, draws)
+                        : node.subscribe<sensor_msgs::Image>(topic, queue, draws);
+}
+
 ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& mode, const std::string& topic,
                           int queue) {
   if (mode == "pointer") return tzc::subscribe(node, topic, queue, on_pointer);
@@ -61,6 +96,7 @@ ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& mode, const 
   if (mode == "direct") return tzc::subscribe_direct(node, topic, queue, on_pointer);
   if (mode == "unreliable")
     return tzc::subscribe(node, topic, queue, on_pointer, ros::TransportHints().unreliable());
+  if (mode == "draw" || mode == "plain_draw") return draw(node, mode, topic, queue);
   const ros::Subscriber subscriber = node.subscribe(topic, queue, on_pointer);
   if (mode == "late_attach") tzc::attach<sensor_msgs::Image>(node, topic);
   return subscriber;
@@ -111,7 +147,8 @@ int main(int argc, char** argv) {
     filter.reset(new tzc::message_filters::Subscriber<sensor_msgs::Image>(node, "image", queue));
     filter->registerCallback(on_mutable);
   } else {
-    subscribers.push_back(subscribe(node, mode, "image", queue));
+    for (int times = options.param("times", 1); times > 0; --times)
+      subscribers.push_back(subscribe(node, mode, "image", queue));
   }
   spin(spinner, own);
 }

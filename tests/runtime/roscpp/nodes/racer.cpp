@@ -3,7 +3,7 @@
 /// JSON ("event"), a subscriber also its images.
 ///
 /// Private parameters: pid (of the other side), queue (by_reference), race, one of
-///   by_reference  a publisher: a message goes by reference, since nobody takes pointers, while a subscriber
+///   by_reference  a publisher: a message goes by reference, since no subscriber takes pointers, while a subscriber
 ///                 moves over
 ///   late_header   a publisher: the subscriber is offered shared memory before its TCPROS header is written
 ///   slow_reader   a subscriber: the last TCPROS message is read and not handed over yet when the first
@@ -13,7 +13,7 @@
 ///   silent        a publisher: the subscriber (pid) is stopped when it is called with the offer, and goes on
 ///                 when the call is given up
 ///   two_at_once   a direct subscriber: a message of another publisher comes while the callback for the first
-///   one runs slow_move     a publisher: whoever moves the subscriber is held for longer than the subscriber
+///   one runs slow_move     a publisher: the thread that moves the subscriber is held for longer than the subscriber
 ///   waits late_attach   a subscriber: it attaches when it is connected, the publisher (pid) is stopped when
 ///   it is
 ///                 asked for an offer, and goes on when the call is given up
@@ -31,9 +31,9 @@
 
 #include "gate.h"
 #include "image_line.h"
-#include "posix/step.h"
 #include "slow_queue.h"
 #include "stop.h"
+#include "sync_point/sync_point.h"
 
 namespace {
 
@@ -90,7 +90,7 @@ void hold_poll_thread_now() {
 // must not get through in between: the message would wait in roscpp's queue for a link that has moved, and be
 // overtaken.
 void by_reference(ros::NodeHandle& node, std::uint32_t queue_size) {
-  tzc::posix::step_hook = [](const char* step) {
+  tzc::sync_point_hook = [](const char* step) {
     const std::string name = step;
     if (name == "move: begins") {
       gate().tell("moving");
@@ -111,7 +111,7 @@ void by_reference(ros::NodeHandle& node, std::uint32_t queue_size) {
   let_go_and_end();
 }
 
-/// Holds whoever adds a callback, which is the thread that adds a subscriber.
+/// Holds the thread that adds a callback, which is the one that adds a subscriber.
 class HoldingQueue : public ros::CallbackQueueInterface {
  public:
   void addCallback(const ros::CallbackInterfacePtr&, std::uint64_t) override {
@@ -139,7 +139,7 @@ void late_header(ros::NodeHandle& node) {
 // Messages are in the channel, and as bytes in roscpp's queue for a plain subscriber, when the channel
 // breaks: one more segment than a connection takes.
 void busy_queue(ros::NodeHandle& node) {
-  tzc::posix::step_hook = [](const char* step) {
+  tzc::sync_point_hook = [](const char* step) {
     if (std::string(step) == "move: returned") gate().tell("returned");
   };
   const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 1000);
@@ -165,7 +165,7 @@ void busy_queue(ros::NodeHandle& node) {
 pid_t other_pid = 0;
 
 void silent(ros::NodeHandle& node) {
-  tzc::posix::step_hook = [](const char* step) {
+  tzc::sync_point_hook = [](const char* step) {
     const std::string name = step;
     if (name == "offer: calls" && !gate().happened("called")) {
       tzc_test::stop(other_pid);
@@ -184,7 +184,7 @@ void silent(ros::NodeHandle& node) {
 
 // A publisher that is busy under roscpp's locks. The subscriber waits for its welcome for two seconds.
 void slow_move(ros::NodeHandle& node) {
-  tzc::posix::step_hook = [](const char* step) {
+  tzc::sync_point_hook = [](const char* step) {
     const std::string name = step;
     if (name == "move: begins") gate().wait_for({"never"}, std::chrono::milliseconds(3000));
     if (name == "move: parked") gate().tell("parked");
@@ -198,7 +198,7 @@ void slow_move(ros::NodeHandle& node) {
 
 // With a publisher by_reference: its first message surely comes over TCPROS, after this node agreed to move.
 void slow_reader(ros::NodeHandle& node) {
-  tzc::posix::step_hook = [](const char* step) {
+  tzc::sync_point_hook = [](const char* step) {
     const std::string name = step;
     if (name == "switch: waits for the reader") gate().tell("waiting");
     if (name == "switch: the reader is done") gate().tell("done");
@@ -217,9 +217,9 @@ void slow_reader(ros::NodeHandle& node) {
   }
 }
 
-// The second message can't be called back yet, and nothing else will come that could take it along.
+// The second message cannot be called back yet, and nothing else will come that could take it along.
 void two_at_once(ros::NodeHandle& node) {
-  tzc::posix::step_hook = [](const char* step) {
+  tzc::sync_point_hook = [](const char* step) {
     if (std::string(step) == "direct: waits for a callback") gate().tell("second");
   };
   const boost::function<void(const sensor_msgs::ImageConstPtr&)> print =
@@ -232,7 +232,7 @@ void two_at_once(ros::NodeHandle& node) {
 }
 
 void late_attach(ros::NodeHandle& node) {
-  tzc::posix::step_hook = [](const char* step) {
+  tzc::sync_point_hook = [](const char* step) {
     const std::string name = step;
     if (name == "request: calls" && !gate().happened("called")) {
       tzc_test::stop(other_pid);
@@ -284,5 +284,5 @@ int main(int argc, char** argv) {
   if (race == "slow_move") slow_move(node);
   if (race == "late_attach") late_attach(node);
   if (race == "planted") planted(node);
-  tzc::posix::step_hook = nullptr;
+  tzc::sync_point_hook = nullptr;
 }

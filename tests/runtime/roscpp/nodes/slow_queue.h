@@ -12,7 +12,7 @@
 
 namespace tzc_test {
 
-/// A callback queue that holds whoever brings its first message.
+/// A callback queue that holds the thread that brings its first message.
 class SlowQueue : public ros::CallbackQueueInterface {
  public:
   explicit SlowQueue(std::function<void()> hold) : hold_(std::move(hold)) {}

@@ -173,11 +173,15 @@ class Echo {
   int last_ = -1;
 };
 
+extern "C" void end_soon(int) {
+  is_enough = 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "talker");
-  std::signal(SIGUSR1, [](int) { is_enough = 1; });
+  std::signal(SIGUSR1, end_soon);
   ros::NodeHandle node, options("~");
   std::vector<Talker> talkers = make_talkers(node, options);
   wait_for_subscribers(talkers, options);

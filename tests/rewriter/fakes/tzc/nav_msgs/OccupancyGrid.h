@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <tzc/array.h>
 #include <nav_msgs/OccupancyGrid.h>
+#include <tzc/array.h>
 namespace tzc {
 namespace nav_msgs {
 struct OccupancyGrid {
@@ -17,6 +17,8 @@ struct OccupancyGrid {
 };
 typedef boost::shared_ptr<OccupancyGrid> OccupancyGridPtr;
 typedef boost::shared_ptr<OccupancyGrid const> OccupancyGridConstPtr;
-inline std::ostream& operator<<(std::ostream& s, const OccupancyGrid&) { return s; }
+inline std::ostream& operator<<(std::ostream& s, const OccupancyGrid&) {
+  return s;
+}
 }  // namespace nav_msgs
 }  // namespace tzc

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <tzc/array.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <tzc/array.h>
 namespace tzc {
 namespace sensor_msgs {
 struct CameraInfo {
@@ -19,6 +19,8 @@ struct CameraInfo {
 };
 typedef boost::shared_ptr<CameraInfo> CameraInfoPtr;
 typedef boost::shared_ptr<CameraInfo const> CameraInfoConstPtr;
-inline std::ostream& operator<<(std::ostream& s, const CameraInfo&) { return s; }
+inline std::ostream& operator<<(std::ostream& s, const CameraInfo&) {
+  return s;
+}
 }  // namespace sensor_msgs
 }  // namespace tzc

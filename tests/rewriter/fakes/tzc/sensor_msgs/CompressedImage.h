@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <tzc/array.h>
 #include <sensor_msgs/CompressedImage.h>
+#include <tzc/array.h>
 namespace tzc {
 namespace sensor_msgs {
 struct CompressedImage {
@@ -17,6 +17,8 @@ struct CompressedImage {
 };
 typedef boost::shared_ptr<CompressedImage> CompressedImagePtr;
 typedef boost::shared_ptr<CompressedImage const> CompressedImageConstPtr;
-inline std::ostream& operator<<(std::ostream& s, const CompressedImage&) { return s; }
+inline std::ostream& operator<<(std::ostream& s, const CompressedImage&) {
+  return s;
+}
 }  // namespace sensor_msgs
 }  // namespace tzc

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <tzc/array.h>
 #include <sensor_msgs/Image.h>
+#include <tzc/array.h>
 namespace tzc {
 namespace sensor_msgs {
 struct Image {
@@ -20,6 +20,8 @@ struct Image {
 };
 typedef boost::shared_ptr<Image> ImagePtr;
 typedef boost::shared_ptr<Image const> ImageConstPtr;
-inline std::ostream& operator<<(std::ostream& s, const Image&) { return s; }
+inline std::ostream& operator<<(std::ostream& s, const Image&) {
+  return s;
+}
 }  // namespace sensor_msgs
 }  // namespace tzc

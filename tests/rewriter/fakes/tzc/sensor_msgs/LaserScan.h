@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <tzc/array.h>
 #include <sensor_msgs/LaserScan.h>
+#include <tzc/array.h>
 namespace tzc {
 namespace sensor_msgs {
 struct LaserScan {
@@ -18,6 +18,8 @@ struct LaserScan {
 };
 typedef boost::shared_ptr<LaserScan> LaserScanPtr;
 typedef boost::shared_ptr<LaserScan const> LaserScanConstPtr;
-inline std::ostream& operator<<(std::ostream& s, const LaserScan&) { return s; }
+inline std::ostream& operator<<(std::ostream& s, const LaserScan&) {
+  return s;
+}
 }  // namespace sensor_msgs
 }  // namespace tzc

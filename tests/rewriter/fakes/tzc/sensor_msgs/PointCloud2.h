@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <tzc/array.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <tzc/array.h>
 namespace tzc {
 namespace sensor_msgs {
 struct PointCloud2 {
@@ -20,6 +20,8 @@ struct PointCloud2 {
 };
 typedef boost::shared_ptr<PointCloud2> PointCloud2Ptr;
 typedef boost::shared_ptr<PointCloud2 const> PointCloud2ConstPtr;
-inline std::ostream& operator<<(std::ostream& s, const PointCloud2&) { return s; }
+inline std::ostream& operator<<(std::ostream& s, const PointCloud2&) {
+  return s;
+}
 }  // namespace sensor_msgs
 }  // namespace tzc

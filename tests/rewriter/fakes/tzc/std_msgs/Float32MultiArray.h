@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <tzc/array.h>
 #include <std_msgs/Float32MultiArray.h>
+#include <tzc/array.h>
 namespace tzc {
 namespace std_msgs {
 struct Float32MultiArray {
@@ -15,6 +15,8 @@ struct Float32MultiArray {
 };
 typedef boost::shared_ptr<Float32MultiArray> Float32MultiArrayPtr;
 typedef boost::shared_ptr<Float32MultiArray const> Float32MultiArrayConstPtr;
-inline std::ostream& operator<<(std::ostream& s, const Float32MultiArray&) { return s; }
+inline std::ostream& operator<<(std::ostream& s, const Float32MultiArray&) {
+  return s;
+}
 }  // namespace std_msgs
 }  // namespace tzc

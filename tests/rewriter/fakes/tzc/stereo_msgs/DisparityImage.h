@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <tzc/array.h>
 #include <stereo_msgs/DisparityImage.h>
+#include <tzc/array.h>
 #include <tzc/sensor_msgs/Image.h>
 namespace tzc {
 namespace stereo_msgs {
@@ -18,6 +18,8 @@ struct DisparityImage {
 };
 typedef boost::shared_ptr<DisparityImage> DisparityImagePtr;
 typedef boost::shared_ptr<DisparityImage const> DisparityImageConstPtr;
-inline std::ostream& operator<<(std::ostream& s, const DisparityImage&) { return s; }
+inline std::ostream& operator<<(std::ostream& s, const DisparityImage&) {
+  return s;
+}
 }  // namespace stereo_msgs
 }  // namespace tzc

@@ -18,6 +18,8 @@ struct Marker {
 };
 typedef boost::shared_ptr<Marker> MarkerPtr;
 typedef boost::shared_ptr<Marker const> MarkerConstPtr;
-inline std::ostream& operator<<(std::ostream& s, const Marker&) { return s; }
+inline std::ostream& operator<<(std::ostream& s, const Marker&) {
+  return s;
+}
 }  // namespace visualization_msgs
 }  // namespace tzc

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <tzc/array.h>
-#include <visualization_msgs/MarkerArray.h>
 #include <tzc/visualization_msgs/Marker.h>
+#include <visualization_msgs/MarkerArray.h>
 namespace tzc {
 namespace visualization_msgs {
 struct MarkerArray {
@@ -16,6 +16,8 @@ struct MarkerArray {
 };
 typedef boost::shared_ptr<MarkerArray> MarkerArrayPtr;
 typedef boost::shared_ptr<MarkerArray const> MarkerArrayConstPtr;
-inline std::ostream& operator<<(std::ostream& s, const MarkerArray&) { return s; }
+inline std::ostream& operator<<(std::ostream& s, const MarkerArray&) {
+  return s;
+}
 }  // namespace visualization_msgs
 }  // namespace tzc

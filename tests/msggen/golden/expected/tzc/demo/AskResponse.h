@@ -23,7 +23,7 @@ struct AskResponse {
 
   AskResponse() = default;
 
-  /// Copies everything, the data part too: explicit, like the way back.
+  /// Copies everything, the data part too: explicit, like the reverse conversion.
   explicit AskResponse(const ::demo::AskResponse& _stock)
       : view(_stock.view),
         found(_stock.found) {}

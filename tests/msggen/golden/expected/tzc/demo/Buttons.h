@@ -23,7 +23,7 @@ struct Buttons {
 
   Buttons() = default;
 
-  /// Copies everything, the data part too: explicit, like the way back.
+  /// Copies everything, the data part too: explicit, like the reverse conversion.
   explicit Buttons(const ::demo::Buttons& _stock)
       : array(_stock.array.begin(), _stock.array.end()),
         pressed(_stock.pressed.begin(), _stock.pressed.end()),

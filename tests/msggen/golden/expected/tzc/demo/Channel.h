@@ -22,7 +22,7 @@ struct Channel {
 
   Channel() = default;
 
-  /// Copies everything, the data part too: explicit, like the way back.
+  /// Copies everything, the data part too: explicit, like the reverse conversion.
   explicit Channel(const ::demo::Channel& _stock)
       : name(_stock.name),
         values(_stock.values.begin(), _stock.values.end()) {}

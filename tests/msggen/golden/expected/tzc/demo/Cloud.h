@@ -26,7 +26,7 @@ struct Cloud {
 
   Cloud() = default;
 
-  /// Copies everything, the data part too: explicit, like the way back.
+  /// Copies everything, the data part too: explicit, like the reverse conversion.
   explicit Cloud(const ::demo::Cloud& _stock)
       : header(_stock.header),
         origin(_stock.origin),

@@ -47,7 +47,7 @@ struct Corners_ : CornersConstants_<void> {
 
   Corners_() = default;
 
-  /// Copies everything, the data part too: explicit, like the way back.
+  /// Copies everything, the data part too: explicit, like the reverse conversion.
   explicit Corners_(const ::demo::Corners& _stock)
       : fixed(_stock.fixed),
         one(_stock.one),

@@ -25,7 +25,7 @@ struct Picture {
 
   Picture() = default;
 
-  /// Copies everything, the data part too: explicit, like the way back.
+  /// Copies everything, the data part too: explicit, like the reverse conversion.
   explicit Picture(const ::demo::Picture& _stock)
       : header(_stock.header),
         height(_stock.height),

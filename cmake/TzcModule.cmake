@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# tzc_module(NAME [CXX14] [ROOT dir] SOURCES file... [USES module...] [LINK library...])
+#
+# One module of the architecture: a static, position-independent library `tzc_NAME` (alias tzc::NAME). Its own headers are
+# included relative to ROOT (the product's folder), its public ones lie in its folder's include/. CXX14 for modules whose
+# code users compile into their own packages.
+function(tzc_module name)
+  cmake_parse_arguments(MODULE "CXX14" "ROOT" "SOURCES;USES;LINK" ${ARGN})
+  if(NOT MODULE_ROOT)
+    set(MODULE_ROOT ${CMAKE_CURRENT_SOURCE_DIR}/..)
+  endif()
+  set(scope PUBLIC)
+  if(MODULE_SOURCES)
+    add_library(tzc_${name} STATIC ${MODULE_SOURCES})
+  else()
+    add_library(tzc_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(tzc::${name} ALIAS tzc_${name})
+  target_include_directories(tzc_${name} ${scope} ${MODULE_ROOT})
+  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/include)
+    target_include_directories(tzc_${name} ${scope} ${CMAKE_CURRENT_SOURCE_DIR}/include)
+  endif()
+  foreach(used ${MODULE_USES})
+    target_link_libraries(tzc_${name} ${scope} tzc_${used})
+  endforeach()
+  target_link_libraries(tzc_${name} ${scope} ${MODULE_LINK})
+  if(MODULE_CXX14 AND MODULE_SOURCES)
+    set_target_properties(tzc_${name} PROPERTIES CXX_STANDARD 14)
+  endif()
+endfunction()
+
+# The folders of the runtime's public headers; all of them are installed into one folder.
+set(TZC_PUBLIC_INCLUDE_DIRS "")
+foreach(module posix segment channel)
+  list(APPEND TZC_PUBLIC_INCLUDE_DIRS ${PROJECT_SOURCE_DIR}/runtime/${module}/include)
+endforeach()
+set(TZC_CORE_INCLUDE_DIRS ${TZC_PUBLIC_INCLUDE_DIRS})
+if(TZC_BUILD_ROSCPP)
+  foreach(module message roscpp adapters)
+    list(APPEND TZC_PUBLIC_INCLUDE_DIRS ${PROJECT_SOURCE_DIR}/runtime/${module}/include)
+  endforeach()
+endif()

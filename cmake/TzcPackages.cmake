@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Debian packages: `cpack` in a build folder that was configured with -DCMAKE_INSTALL_PREFIX=/usr, on the distribution
+# that they are for. libtzc0 (what ported nodes run on), libtzc-dev (what packages are built with), tzc-tools (tzc-rewrite).
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME tzc)
+set(CPACK_PACKAGE_VENDOR "The TZC maintainers")
+set(CPACK_PACKAGE_CONTACT "The TZC maintainers <maintainers@tzc.invalid>")
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL runtime dev)
+if(TARGET tzc-rewrite)
+  list(APPEND CPACK_COMPONENTS_ALL tools)
+endif()
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${TZC_DEVEL_PREFIX}/lib)
+
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libtzc0)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "Towards zero-copy messages for ROS 1: libraries and tzc-run
+ Ported nodes build large arrays in shared memory and send only a small control part.")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libtzc-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_DESCRIPTION "Towards zero-copy messages for ROS 1: headers, CMake files, message generator
+ What packages are built with that were ported to TZC.")
+set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libtzc0 (= ${PROJECT_VERSION}), catkin, libroscpp-dev, libsensor-msgs-dev, libstd-msgs-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "tzc-tools")
+
+set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME tzc-tools)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION devel)
+set(CPACK_DEBIAN_TOOLS_DESCRIPTION "Towards zero-copy messages for ROS 1: tzc-rewrite, which ports packages
+ Reads a roscpp package as the compiler does, and changes its sources so that messages are not copied.")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
+# Clang's own headers; the libraries are found by dpkg-shlibdeps.
+set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libtzc-dev (= ${PROJECT_VERSION}), libclang-common-${TZC_CLANG_MAJOR}-dev")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "git, rosbash")
+include(CPack)

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/stop_request.h"
+
+#include <signal.h>
+#include <time.h>
+
+#include <algorithm>
+
+#include "run/failure.h"
+
+namespace tzc::compare {
+namespace {
+
+volatile sig_atomic_t is_stopped = 0;
+
+void note(int) {
+  is_stopped = 1;
+}
+
+}  // namespace
+
+void watch_for_stop_requests() {
+  struct sigaction action{};
+  action.sa_handler = note;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(signal, &action, nullptr);
+  ::signal(SIGPIPE, SIG_IGN);  // a recorder that has died shows as an error of write()
+}
+
+void sleep_ms(int milliseconds) {
+  constexpr int step_ms = 20;  // a signal between the test and the sleep is seen after one step
+  for (int left = milliseconds; left > 0; left -= step_ms) {
+    if (is_stopped) throw Stopped();
+    const timespec step{0, std::min(left, step_ms) * 1'000'000L};
+    ::nanosleep(&step, nullptr);
+  }
+  if (is_stopped) throw Stopped();
+}
+
+}  // namespace tzc::compare

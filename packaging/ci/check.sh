@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Builds a catkin workspace and checks that its packages are ported; what the GitHub Action runs, and good for any CI.
+#
+#   TZC_WORKSPACE   the workspace (default: .)
+#   TZC_PACKAGES    packages, relative to the workspace (default: src)
+#   TZC_BASELINE    a report whose sites are accepted, relative to the workspace (default: none)
+#   TZC_SETUP       tzc's setup.bash (default: tzc is found already)
+#   TZC_SARIF       where the report for code scanning goes (default: tzc.sarif in the workspace)
+#
+# Exit status as tzc-rewrite's: 0 nothing is left, 1 something is, 2 an error.
+set -eo pipefail
+cd "${TZC_WORKSPACE:-.}"
+# shellcheck source=/dev/null
+[ -z "${TZC_SETUP:-}" ] || source "$TZC_SETUP"
+command -v tzc-rewrite >/dev/null || { echo "tzc-rewrite was not found: set TZC_SETUP to tzc's setup.bash" >&2; exit 2; }
+# The build makes the headers of the workspace's own messages, and tells how each file is compiled.
+catkin_make -DCMAKE_EXPORT_COMPILE_COMMANDS=ON || exit 2
+baseline=()
+[ -z "${TZC_BASELINE:-}" ] || baseline=(--baseline "$TZC_BASELINE")
+# shellcheck disable=SC2086  # several packages
+exec tzc-rewrite --check "${baseline[@]}" --report "${TZC_SARIF:-tzc.sarif}" ${TZC_PACKAGES:-src}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "model/edit.h"
+#include "model/expected.h"
+
+namespace tzc::rewriter {
+
+/// Applies the edits of one file. Insertions at one place keep their order, identical duplicates count once;
+/// edits that overlap or leave the content are an error that names the rules.
+Expected<std::string> apply_edits(std::string_view content, const Edits& edits);
+
+/// Edits by file, each list in the order given.
+std::map<std::string, Edits> by_file(const Edits& edits);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/api_calls.h"
+
+#include <clang/AST/RecursiveASTVisitor.h>
+
+#include "parse/source.h"
+
+namespace tzc::rewriter {
+namespace {
+
+std::string space_of(const clang::DeclContext* context) {
+  std::string space;
+  for (; context && !context->isTranslationUnit(); context = context->getParent())
+    if (const auto* named = llvm::dyn_cast<clang::NamedDecl>(context))
+      if (!context->isInlineNamespace()) space = named->getNameAsString() + "::" + space;
+  return space;
+}
+
+/// Functions by name; the classes or namespaces that have them.
+const std::map<std::string, SiteKind> kinds = {{"advertise", SiteKind::advertise},
+                                               {"advertiseCamera", SiteKind::advertise},
+                                               {"publish", SiteKind::publish},
+                                               {"subscribe", SiteKind::subscribe},
+                                               {"subscribeCamera", SiteKind::subscribe}};
+
+const std::set<std::string> filters = {
+    "message_filters::Subscriber::", "image_transport::SubscriberFilter::",
+    "tzc::message_filters::Subscriber::", "tzc::image_transport::SubscriberFilter::"};
+
+const std::set<std::string> owners = {"ros::NodeHandle::",
+                                      "ros::Publisher::",
+                                      "ros::SingleSubscriberPublisher::",
+                                      "image_transport::ImageTransport::",
+                                      "image_transport::Publisher::",
+                                      "image_transport::CameraPublisher::",
+                                      "image_transport::SingleSubscriberPublisher::",
+                                      "tzc::",
+                                      "tzc::Publisher::",
+                                      "tzc::image_transport::",
+                                      "tzc::image_transport::Publisher::",
+                                      "tzc::image_transport::CameraPublisher::"};
+
+/// Functions of libraries that advertise, publish or subscribe for the package: whole names.
+const std::map<std::string, SiteKind> on_behalf = {
+    {"ros::topic::waitForMessage", SiteKind::subscribe},
+    {"realtime_tools::RealtimePublisher::init", SiteKind::advertise},
+    {"realtime_tools::RealtimePublisher::unlockAndPublish", SiteKind::publish},
+    {"diagnostic_updater::DiagnosedPublisher::publish", SiteKind::publish}};
+
+const clang::TemplateArgumentList* template_arguments(const clang::FunctionDecl* function) {
+  return function->getTemplateSpecializationArgs();
+}
+
+/// sensor_msgs::Image_<A> and tzc::sensor_msgs::Image are "sensor_msgs/Image", by pointer as well.
+std::string message_name(clang::QualType type) {
+  if (type.isNull()) return "";
+  const clang::CXXRecordDecl* record = type.getNonReferenceType().getCanonicalType()->getAsCXXRecordDecl();
+  if (!record) return "";
+  const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
+  if (made && record->getName() == "shared_ptr") return message_name(made->getTemplateArgs()[0].getAsType());
+  std::string space = space_of(record->getDeclContext()), name = record->getNameAsString();
+  if (space.rfind("tzc::", 0) == 0)
+    space.erase(0, 5);
+  else if (made && name.back() == '_')
+    name.pop_back();
+  else
+    return "";
+  const std::size_t colons = space.find("::");
+  return colons + 2 == space.size() ? space.substr(0, colons) + "/" + name : "";
+}
+
+/// The message that a function or the class that has it is a template of.
+std::string message_of_template(const clang::FunctionDecl* function) {
+  const clang::TemplateArgumentList* arguments = template_arguments(function);
+  if (const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(function->getDeclContext()))
+    arguments = &made->getTemplateArgs();
+  const bool named =
+      arguments && arguments->size() > 0 && (*arguments)[0].getKind() == clang::TemplateArgument::Type;
+  return named ? message_name((*arguments)[0].getAsType()) : "";
+}
+
+class ApiCalls : public clang::RecursiveASTVisitor<ApiCalls> {
+ public:
+  explicit ApiCalls(const Source& source) : source_(source) {}
+  bool shouldVisitTemplateInstantiations() const { return true; }
+  std::set<ApiCall> calls;
+
+  bool VisitCallExpr(clang::CallExpr* call) {
+    const clang::FunctionDecl* function = call->getDirectCallee();
+    if (!function || !function->getIdentifier() || call->isTypeDependent()) return true;
+    if (function->getName().starts_with("make_")) return note_made_filter(call, function);
+    if (function->getName().starts_with("emplace")) return note_emplaced_filter(call, function);
+    const std::string owner = space_of(function->getDeclContext());
+    const auto behalf = on_behalf.find(owner + function->getNameAsString());
+    if (behalf != on_behalf.end()) note_behalf(behalf->second, call, function);
+    note_library_advertise(call, function);
+    const auto kind = kinds.find(function->getNameAsString());
+    if (kind == kinds.end() || written(call) == 0) return true;
+    if (owners.count(owner) != 0) note(kind->second, call, type_at(kind->second, call, function));
+    if (filters.count(owner) != 0 && written(call) >= 2) note(SiteKind::subscribe, call, "");
+    return true;
+  }
+
+  /// The instances of generic lambdas, which no other declaration leads to.
+  bool VisitLambdaExpr(clang::LambdaExpr* lambda) {
+    clang::FunctionTemplateDecl* pattern = lambda->getLambdaClass()->getDependentLambdaCallOperator();
+    if (!pattern || !lambda->isGenericLambda()) return true;
+    for (clang::FunctionDecl* instance : pattern->specializations())
+      if (instance->hasBody() && instances_.insert(instance).second) TraverseDecl(instance);
+    return true;
+  }
+
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) {
+    const clang::CXXConstructorDecl* inherited =
+        construct->getConstructor()->getInheritedConstructor().getConstructor();
+    const clang::CXXRecordDecl* record = (inherited ? inherited : construct->getConstructor())->getParent();
+    if (construct->getNumArgs() >= 2 && is_filter(record)) note(SiteKind::subscribe, construct, "");
+    if (construct->getNumArgs() >= 3 && space_of(record) == "realtime_tools::RealtimePublisher::")
+      note_behalf(SiteKind::advertise, construct, construct->getConstructor());
+    return true;
+  }
+
+ private:
+  static unsigned written(const clang::CallExpr* call) {
+    return static_cast<unsigned>(llvm::count_if(
+        call->arguments(), [](const clang::Expr* e) { return !llvm::isa<clang::CXXDefaultArgExpr>(e); }));
+  }
+  static bool is_filter(const clang::CXXRecordDecl* record) {
+    return record &&
+           filters.count(space_of(record->getDeclContext()) + record->getNameAsString() + "::") != 0;
+  }
+  static std::string type_at(SiteKind kind, const clang::CallExpr* call,
+                             const clang::FunctionDecl* function) {
+    if (kind == SiteKind::publish) return message_name(call->getArg(0)->IgnoreImplicit()->getType());
+    const clang::TemplateArgumentList* arguments = template_arguments(function);
+    const bool named = kind == SiteKind::advertise && arguments && arguments->size() > 0 &&
+                       (*arguments)[0].getKind() == clang::TemplateArgument::Type;
+    return named ? message_name((*arguments)[0].getAsType()) : "";
+  }
+
+  bool note_made_filter(const clang::CallExpr* call, const clang::FunctionDecl* function) {
+    const clang::TemplateArgumentList* arguments = template_arguments(function);
+    if (call->getNumArgs() < 2 || !arguments || arguments->size() == 0) return true;
+    const clang::TemplateArgument& made = (*arguments)[0];
+    if (made.getKind() == clang::TemplateArgument::Type && is_filter(made.getAsType()->getAsCXXRecordDecl()))
+      note(SiteKind::subscribe, call, "");
+    return true;
+  }
+
+  /// subscribers.emplace_back(nh, "topic", 1)
+  bool note_emplaced_filter(const clang::CallExpr* call, const clang::FunctionDecl* function) {
+    const auto* container =
+        llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(function->getDeclContext());
+    if (call->getNumArgs() < 2 || !container || container->getTemplateArgs().size() == 0) return true;
+    const clang::TemplateArgument& held = container->getTemplateArgs()[0];
+    if (held.getKind() == clang::TemplateArgument::Type && is_filter(held.getAsType()->getAsCXXRecordDecl()))
+      note(SiteKind::subscribe, call, "");
+    return true;
+  }
+
+  /// pub = advertise<M>(...), a library's own: what it returns is a publisher of the package.
+  void note_library_advertise(const clang::CallExpr* call, const clang::FunctionDecl* function) {
+    const std::string name = space_of(function->getDeclContext());
+    if (!function->getName().starts_with("advertise") || owners.count(name) != 0) return;
+    const clang::CXXRecordDecl* result = function->getReturnType().getCanonicalType()->getAsCXXRecordDecl();
+    if (!result || source_.in_package(function->getLocation())) return;
+    const std::string publisher = space_of(result->getDeclContext()) + result->getNameAsString();
+    if (publisher == "image_transport::Publisher" || publisher == "image_transport::CameraPublisher")
+      return note(SiteKind::advertise, call, "sensor_msgs/Image");
+    const std::string message = type_at(SiteKind::advertise, call, function);
+    if (publisher == "ros::Publisher" && (!message.empty() || names_cloud(function)))
+      note(SiteKind::advertise, call, message);
+  }
+
+  static bool names_cloud(const clang::FunctionDecl* function) {
+    const clang::TemplateArgumentList* arguments = template_arguments(function);
+    if (!arguments || arguments->size() == 0 || (*arguments)[0].getKind() != clang::TemplateArgument::Type)
+      return false;
+    const clang::CXXRecordDecl* record = (*arguments)[0].getAsType().getCanonicalType()->getAsCXXRecordDecl();
+    return record && space_of(record->getDeclContext()) + record->getNameAsString() == "pcl::PointCloud";
+  }
+
+  void note_behalf(SiteKind kind, const clang::Expr* call, const clang::FunctionDecl* function) {
+    const std::string message = message_of_template(function);
+    if (!message.empty()) note(kind, call, message);
+  }
+
+  void note(SiteKind kind, const clang::Expr* call, const std::string& type) {
+    const Place where = source_.where(call->getExprLoc());
+    if (source_.in_package(call->getExprLoc())) calls.insert({kind, location_of(where), type});
+  }
+
+  const Source& source_;
+  std::set<const clang::FunctionDecl*> instances_;
+};
+
+}  // namespace
+
+std::set<ApiCall> api_calls(clang::ASTContext& ast, const std::string& package_dir) {
+  const Source source(ast, package_dir);
+  ApiCalls visitor(source);
+  for (clang::Decl* decl : ast.getTranslationUnitDecl()->decls())
+    if (source.in_package(decl->getLocation())) visitor.TraverseDecl(decl);
+  return std::move(visitor.calls);
+}
+
+}  // namespace tzc::rewriter

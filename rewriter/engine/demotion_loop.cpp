@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/demotion_loop.h"
+
+#include <algorithm>
+
+#include "edits/includes.h"
+#include "edits/line_endings.h"
+#include "model/codes.h"
+#include "solve/solve.h"
+
+namespace tzc::rewriter {
+
+void DemotionLoop::demote(ComponentId component, const Failure& failure) {
+  const ComponentKind kind = components_[component].kind;
+  const bool receives = kind == ComponentKind::subscription || kind == ComponentKind::filter;
+  demotions_.emplace(component,
+                     Obstacle{receives ? codes::TZC2005 : codes::TZC1009,
+                              "ported, it would not compile: " + failure.error.text, failure.error.where});
+}
+
+DemotionLoop::Attempt DemotionLoop::planned(const Demotions& demotions) const {
+  Attempt attempt;
+  attempt.result.solution = solve(facts_, components_, options_, demotions);
+  PortEdits& plan = attempt.result.plan = edits_of(facts_, components_, attempt.result.solution, options_);
+  const Edits includes = include_edits(plan.headers, read_);
+  plan.edits.insert(plan.edits.end(), includes.begin(), includes.end());
+  keep_line_endings(plan.edits, read_);
+  return attempt;
+}
+
+Expected<void> DemotionLoop::verify(Attempt& attempt, const std::set<std::string>& only) const {
+  const auto progress = [&](unsigned done, unsigned total) {
+    if (options_.progress)
+      options_.progress->step(round_ == 0 ? "verifying" : "verifying again", done, total,
+                              options_.package_dir);
+  };
+  Expected<Verification> verification = verifier_.run({attempt.result.plan.edits, only, progress});
+  if (!verification) return verification.error();
+  attempt.result.contents = std::move(verification->contents);
+  attempt.failures = std::move(verification->failures);
+  return {};
+}
+
+bool DemotionLoop::is_message(ComponentId component) const {
+  return components_[component].kind == ComponentKind::message;
+}
+
+/// Messages are demoted first: a publisher can be ported without its message.
+bool DemotionLoop::demote_suspects(const Attempt& attempt) {
+  const std::size_t before = demotions_.size();
+  for (const Failure& failure : attempt.failures) {
+    if (failure.suspects.empty()) continue;
+    const auto message = std::find_if(failure.suspects.begin(), failure.suspects.end(),
+                                      [this](ComponentId id) { return is_message(id); });
+    demote(message == failure.suspects.end() ? failure.suspects.front() : *message, failure);
+  }
+  return demotions_.size() > before;
+}
+
+std::vector<ComponentId> DemotionLoop::ported_components(const Attempt& attempt) const {
+  std::set<ComponentId> ids;
+  for (const Edit& edit : attempt.result.plan.edits)
+    if (edit.component) ids.insert(*edit.component);
+  return {ids.begin(), ids.end()};
+}
+
+/// Whether the unit of the failure compiles when these are not ported. Only that unit is looked at.
+Expected<bool> DemotionLoop::compiles_without(const Failure& failure,
+                                              const std::vector<ComponentId>& components) const {
+  Demotions trial = demotions_;
+  for (const ComponentId component : components)
+    trial.emplace(component, Obstacle{codes::TZC1009, "", failure.error.where});
+  Attempt without = planned(trial);
+  if (Expected<void> done = verify(without, {failure.unit}); !done) return done.error();
+  return without.failures.empty();
+}
+
+/// The component without which the unit compiles: first among those that the error's lines name, then among all
+/// that the unit sees, in halves. Costs a parse of one unit for each step.
+Expected<std::optional<ComponentId>> DemotionLoop::culprit_of(const Failure& failure) const {
+  std::vector<ComponentId> suspects = failure.candidates;
+  const auto message = [this](ComponentId id) { return is_message(id); };
+  const auto named_end = suspects.begin() + static_cast<long>(failure.named);
+  std::stable_partition(suspects.begin(), named_end, message);  // a message goes first
+  std::stable_partition(named_end, suspects.end(), message);
+  if (failure.named > 0 && failure.named < suspects.size()) {
+    const Expected<bool> named = compiles_without(failure, {suspects.begin(), named_end});
+    if (!named) return named.error();
+    *named ? suspects.erase(named_end, suspects.end()) : suspects.erase(suspects.begin(), named_end);
+  }
+  while (suspects.size() > 1) {
+    const auto half = suspects.begin() + static_cast<long>(suspects.size() / 2);
+    const Expected<bool> first = compiles_without(failure, {suspects.begin(), half});
+    if (!first) return first.error();
+    *first ? suspects.erase(half, suspects.end()) : suspects.erase(suspects.begin(), half);
+  }
+  return suspects.empty() ? std::nullopt : std::optional<ComponentId>(suspects.front());
+}
+
+/// No edit owns the errors: tries each failing unit with fewer components. The culprit of one unit may be
+/// that of others, so it first tries a unit unchanged again.
+Expected<void> DemotionLoop::demote_by_bisection(const Attempt& failed) {
+  std::set<std::string> seen;
+  for (const Failure& failure : failed.failures) {
+    if (!seen.insert(failure.unit).second) continue;
+    if (seen.size() > 1) {
+      const Expected<bool> healed = compiles_without(failure, {});
+      if (!healed) return healed.error();
+      if (*healed) continue;
+    }
+    const Expected<std::optional<ComponentId>> culprit = culprit_of(failure);
+    if (!culprit) return culprit.error();
+    const std::vector<ComponentId> ported = ported_components(failed);
+    if (*culprit)
+      demote(**culprit, failure);
+    else if (!ported.empty())
+      demote(ported.front(), failure);
+  }
+  return {};
+}
+
+/// Code that no compiler sees in this configuration cannot be verified: entities that it names stay as they
+/// are.
+bool DemotionLoop::demote_unseen(const Attempt& attempt) {
+  const std::size_t before = demotions_.size();
+  for (const auto& [component, branch] : unseen_.users_of(attempt.result.plan.edits))
+    demotions_.emplace(component, branch);
+  return demotions_.size() > before;
+}
+
+/// False: nothing more can be taken away.
+Expected<bool> DemotionLoop::demote_some(const Attempt& failed) {
+  if (demote_suspects(failed)) return true;
+  const std::size_t before = demotions_.size();
+  if (Expected<void> done = demote_by_bisection(failed); !done) return done.error();
+  if (demotions_.size() > before) return true;
+  for (const ComponentId component : ported_components(failed)) demote(component, failed.failures.front());
+  return demotions_.size() > before;
+}
+
+Expected<DemotionLoop::Result> DemotionLoop::run() {
+  for (;; ++round_) {
+    Attempt attempt = planned(demotions_);
+    const bool judged = options_.without_rules.count("verification") == 0;
+    if (judged && demote_unseen(attempt)) continue;
+    if (Expected<void> done = verify(attempt, {}); !done) return done.error();
+    if (attempt.failures.empty() || !judged) return std::move(attempt.result);
+    const Expected<bool> demoted = demote_some(attempt);
+    if (!demoted) return demoted.error();
+    if (!*demoted)
+      return Error{"the unchanged package does not compile: " + attempt.failures[0].error.text,
+                   attempt.failures[0].unit, "Build the package once, then run again."};
+  }
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/notes.h"
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "buildfiles/compile_database.h"
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_source(const fs::path& path) {
+  static const std::set<std::string> extensions = {".cpp", ".cc", ".cxx", ".C"};
+  return extensions.count(path.extension().string()) != 0;
+}
+
+std::string text_of(const Place& place) {
+  std::ifstream file(place.file, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  const std::string text = content.str();
+  return place.begin < text.size() ? text.substr(place.begin, place.end - place.begin) : "";
+}
+
+bool has_site(const std::string& text) {
+  for (const char* word : {"publish(", "advertise", "subscribe"})
+    if (text.find(word) != std::string::npos) return true;
+  return false;
+}
+
+void note_branches(const std::vector<Place>& skipped, std::vector<Note>& notes) {
+  std::set<std::pair<std::string, unsigned>> seen;
+  for (const Place& branch : skipped) {
+    if (!seen.insert({branch.file, branch.line}).second || !has_site(text_of(branch))) continue;
+    notes.push_back(
+        {codes::TZC3002, location_of(branch),
+         "this preprocessor branch is not compiled in this configuration; its sites were not looked at"});
+  }
+}
+
+void note_sources(const std::vector<CompileUnit>& units, const EngineOptions& options,
+                  std::vector<Note>& notes) {
+  std::set<std::string> compiled;
+  for (const CompileUnit& unit : units) {
+    compiled.insert(unit.file);
+    for (const std::string& source : unity_sources(unit.file)) compiled.insert(source);
+  }
+  std::error_code failed;
+  fs::recursive_directory_iterator entry(options.package_dir, failed), end;
+  for (; !failed && entry != end; entry.increment(failed)) {
+    const std::string path = entry->path().string();
+    const std::string name = entry->path().filename().string();
+    if (entry->is_directory() && (path == options.build_dir || name[0] == '.')) {
+      entry.disable_recursion_pending();
+    } else if (entry->is_regular_file() && is_source(entry->path()) && compiled.count(path) == 0) {
+      notes.push_back(
+          {codes::TZC3001, Location{path, 1, 1}, "no target of this configuration compiles this file"});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Note> notes_of(const UnitReading& reading, const std::vector<CompileUnit>& units,
+                           const EngineOptions& options) {
+  std::vector<Note> notes;
+  note_branches(reading.skipped, notes);
+  note_sources(units, options, notes);
+  return notes;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "model/file_accesses.h"
+#include "model/judges.h"
+#include "model/progress.h"
+#include "model/solve_options.h"
+
+namespace tzc::rewriter {
+
+struct EngineOptions : SolveOptions {
+  std::string build_dir;                        ///< holds compile_commands.json
+  bool dual = false;                            ///< output that still builds without TZC
+  unsigned jobs = 0;                            ///< 0: one per processor
+  std::string tzc_include;                      ///< TZC's own headers and the twins of installed messages
+  std::vector<std::string> extra_include_dirs;  ///< generated twins of the package's own messages
+  /// Rules that are not applied, so that a test can show that each is needed; also "verification",
+  /// "all-or-nothing", "completeness".
+  std::set<std::string> without_rules;
+  bool strict = false;  ///< a unit that does not parse is an error, whatever the package's compiler says
+  Judges judges;
+  Progress* progress = nullptr;
+  FileAccesses* accesses = nullptr;  ///< told what the parses read; may be null
+};
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/read_unit.h"
+
+#include <clang/AST/ASTContext.h>
+
+#include <iterator>
+
+#include "engine/api_calls.h"
+
+namespace tzc::rewriter {
+namespace {
+
+bool lies_in(const std::string& file, const std::string& dir) {
+  return file.rfind(dir + "/", 0) == 0;
+}
+
+std::vector<Place> skipped_in_package(const ParseResult& parsed, const CollectOptions& options) {
+  std::vector<Place> skipped;
+  for (const SkippedBranch& branch : parsed.skipped)
+    if (lies_in(branch.file, options.package_dir) && !lies_in(branch.file, options.build_dir))
+      skipped.push_back({branch.file, branch.begin, branch.end, branch.line, 1});
+  return skipped;
+}
+
+template <class T>
+void append(std::vector<T>& into, std::vector<T>& from) {
+  std::move(from.begin(), from.end(), std::back_inserter(into));
+}
+
+}  // namespace
+
+void UnitReading::merge(UnitReading&& other) {
+  facts.merge(std::move(other.facts));
+  api_calls.merge(other.api_calls);
+  calls.merge(other.calls);
+  append(skipped, other.skipped);
+  append(errors, other.errors);
+}
+
+UnitReading read_unit(const CompileUnit& unit, const CollectOptions& options, FileAccesses* accesses) {
+  UnitReading reading;
+  ParseOptions parse_options;
+  parse_options.accesses = accesses;
+  parse_options.include_dirs = options.include_dirs;
+  parse_options.skip_bodies_outside = options.package_dir;
+  ParseResult parsed = parse(unit, parse_options, [&](clang::ASTContext& ast) {
+    if (ast.getDiagnostics().hasErrorOccurred()) return;
+    reading.facts = collect_unit(ast, unit, options);
+    reading.api_calls = api_calls(ast, options.package_dir);
+    reading.calls[unit.id()] = package_calls(ast, options.package_dir);
+  });
+  reading.skipped = skipped_in_package(parsed, options);
+  reading.errors = std::move(parsed.errors);
+  return reading;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "model/expected.h"
+
+namespace tzc::rewriter {
+
+/// Qualified names of functions that keep no pointer which they are given, and why that is so.
+using TrustedFunctions = std::map<std::string, std::string>;
+
+/// Reads the nearest `.tzc-rewrite.yaml` in the package's folder or above it; empty when there is none. The error
+/// names the line.
+Expected<TrustedFunctions> load_trusted_functions(const std::string& package_dir);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/allocation_sites.h"
+
+#include <clang/AST/RecursiveASTVisitor.h>
+
+#include "facts/ast_walk.h"
+#include "facts/calls.h"
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+/// The statement of a block that a node belongs to; null: it stands in the head of another statement.
+template <class Node>
+const clang::Stmt* statement_around(const Unit& unit, const Node& of) {
+  clang::DynTypedNode part = clang::DynTypedNode::create(of);
+  for (const clang::DynTypedNode& node : ancestors(unit.ast(), of)) {
+    if (node.get<clang::CompoundStmt>()) return part.get<clang::Stmt>();
+    const auto* around = node.get<clang::Stmt>();
+    if (around && llvm::isa<clang::IfStmt, clang::ForStmt, clang::WhileStmt, clang::CXXForRangeStmt,
+                            clang::DoStmt, clang::SwitchCase, clang::LambdaExpr>(around))
+      return nullptr;
+    part = node;
+  }
+  return nullptr;
+}
+
+/// From the first to the last mention of a member in a function.
+class Mentions : public clang::RecursiveASTVisitor<Mentions> {
+ public:
+  Mentions(const Unit& unit, EntityTable& entities, const EntityId& id)
+      : unit_(unit), entities_(entities), id_(id) {}
+  unsigned first = ~0U, last = 0;
+
+  bool VisitMemberExpr(clang::MemberExpr* member) { return note(member, member->getMemberDecl()); }
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) { return note(reference, reference->getDecl()); }
+
+ private:
+  bool note(const clang::Expr* expr, const clang::ValueDecl* decl) {
+    if (!llvm::isa<clang::FieldDecl, clang::VarDecl>(decl) || entities_.declare(decl) != id_) return true;
+    const unsigned here = unit_.offset(expr->getBeginLoc());
+    first = std::min(first, here);
+    last = std::max(last, here);
+    return true;
+  }
+  const Unit& unit_;
+  EntityTable& entities_;
+  const EntityId& id_;
+};
+
+/// Where a publisher must be available for the edits of a site; none: it has none.
+std::optional<unsigned> offset_of(const AllocationSite& site) {
+  if (const auto* inserted = std::get_if<InsertedAllocation>(&site.how))
+    return inserted->at ? std::optional(inserted->at->begin) : std::nullopt;
+  const auto* adapter = std::get_if<AdapterAllocation>(&site.how);
+  const std::vector<Change>& changes =
+      adapter ? adapter->changes : std::get<FactoryAllocation>(site.how).changes;
+  return changes.empty() ? std::nullopt : std::optional(changes[0].where.begin);
+}
+
+class Connector {
+ public:
+  Connector(const Unit& unit, const EntityFacts& facts, const std::vector<PublisherMention>& mentions)
+      : unit_(unit), hoisting_(unit), facts_(facts), mentions_(mentions) {}
+
+  std::vector<PublisherName> available(const AllocationDraft& draft) const {
+    std::vector<PublisherName> names;
+    const std::optional<unsigned> at = offset_of(draft.site);
+    if (!at || *at == 0) return names;
+    if (draft.function && draft.site.record.empty() && !record_usr_of(draft.function).empty()) return names;
+    for (const PublisherMention& mention : mentions_) {
+      if (mention.function != draft.function || mention.id.empty()) continue;
+      const Availability availability = hoisting_.availability_at(mention, *at);
+      if (availability != Availability::none)
+        names.push_back({mention.id, hoisting_.name_text(mention), mention.pointer,
+                         availability == Availability::guarded, mention.messages});
+    }
+    return names;
+  }
+
+  /// For a local message before the publisher that is declared later in the same block.
+  std::optional<InsertedAllocation> behind_publisher(const AllocationDraft& draft) const {
+    const auto* how = std::get_if<InsertedAllocation>(&draft.site.how);
+    if (!how || !how->at || how->before) return {};
+    for (const PublisherMention& mention : mentions_) {
+      if (mention.function != draft.function) continue;
+      const std::optional<Place> at = line_behind(mention);
+      if (!at || at->begin < how->at->begin || at->begin > mention.begin) continue;
+      if (is_filled_before(draft.site.entity, at->line)) return {};
+      InsertedAllocation moved = *how;
+      moved.at = at;
+      moved.indent = unit_.source.indent(*at);
+      moved.own_line = true;
+      return moved;
+    }
+    return {};
+  }
+
+ private:
+  /// The end of the line that declares a local publisher.
+  std::optional<Place> line_behind(const PublisherMention& mention) const {
+    const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(mention.object->IgnoreParenImpCasts());
+    const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
+    if (!variable || !variable->isLocalVarDecl()) return {};
+    const clang::Stmt* statement = statement_around(unit_, *variable);
+    const auto behind = statement ? unit_.source.behind(statement->getSourceRange()) : std::nullopt;
+    return behind ? unit_.source.line_end(*behind) : std::nullopt;
+  }
+  bool is_filled_before(const EntityId& id, unsigned line) const {
+    return llvm::any_of(facts_.data_uses,
+                        [&](const DataUse& use) { return use.entity == id && use.where.line < line; });
+  }
+
+  const Unit& unit_;
+  Hoisting hoisting_;
+  const EntityFacts& facts_;
+  const std::vector<PublisherMention>& mentions_;
+};
+
+}  // namespace
+
+namespace {
+
+/// A constructor's initializers and default arguments: members may not exist yet.
+bool is_before_body(const Unit& unit, const clang::FunctionDecl* function, clang::SourceLocation at) {
+  const clang::Stmt* body = function->getBody();
+  if (!body || unit.source.manager().isBeforeInTranslationUnit(at, body->getBeginLoc())) return true;
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
+  if (!method || !method->getParent()->isLambda()) return false;
+  const auto* outer = llvm::dyn_cast<clang::FunctionDecl>(method->getParent()->getDeclContext());
+  return !outer || is_before_body(unit, outer, method->getParent()->getLocation());
+}
+
+/// The class whose members can be named at a place of the function.
+std::string usable_record(const Unit& unit, const clang::FunctionDecl* function, clang::SourceLocation at) {
+  return is_before_body(unit, function, at) ? "" : record_usr_of(function);
+}
+
+}  // namespace
+
+AllocationDraft draft_at(const Unit& unit, const EntityTable& entities, const EntityId& id,
+                         const clang::Stmt& where) {
+  AllocationDraft draft{{}, enclosing_function(unit.ast(), where)};
+  draft.site.entity = id;
+  draft.site.where = unit.location(where.getBeginLoc());
+  if (draft.function) {
+    draft.site.record = usable_record(unit, draft.function, where.getBeginLoc());
+    draft.site.function = entities.result_id(draft.function);
+  }
+  return draft;
+}
+
+void AllocationCollector::place_behind(InsertedAllocation& how, const clang::Stmt* statement) const {
+  if (!statement) return;
+  how.at = unit_.source.behind(statement->getSourceRange());
+  if (!how.at) return;
+  how.indent = unit_.source.indent(*how.at);
+  const std::optional<Place> end = unit_.source.line_end(*how.at);
+  how.own_line = end.has_value();
+  if (end) how.at = end;
+}
+
+bool AllocationCollector::is_fresh(const FlowSources& sources) const {
+  return !sources.foreign && llvm::all_of(sources.entities, [&](const EntityId& id) {
+    return entities_[id].storage == Storage::temporary;
+  });
+}
+
+bool AllocationCollector::is_result(const FlowSources& sources) const {
+  return llvm::any_of(sources.entities,
+                      [&](const EntityId& id) { return entities_[id].storage == Storage::result; });
+}
+
+std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::VarDecl* variable) {
+  const auto message = message_of(variable->getType());
+  if (!variable->isLocalVarDecl() || variable->getType()->isReferenceType() || !message ||
+      !message->has_data_part)
+    return {};
+  if (variable->isCXXForRangeDecl() || variable->isImplicit()) return {};
+  const EntityId id = entities_.declare(variable);
+  const auto* statement = parent_as<clang::Stmt>(unit_.ast(), *variable);
+  if (id.empty() || !statement) return {};
+  AllocationDraft draft = draft_at(unit_, entities_, id, *statement);
+  draft.site.where = unit_.location(variable->getLocation());
+  InsertedAllocation how;
+  how.object = variable->getNameAsString();
+  if (const clang::Expr* value = variable->getInit()) {
+    const FlowSources sources = flow_.sources_of(value);
+    if (is_result(sources)) return {};
+    how.filled = !is_fresh(sources);
+  }
+  place_behind(how, statement_around(unit_, *variable));
+  draft.site.how = how;
+  return draft;
+}
+
+std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr* expr, const EntityId& id,
+                                                              const FlowEnd& end) {
+  const bool is_value = message_of(expr->getType()).has_value();
+  if (is_value && !end.target) return {};  // its variable is the site, or it is a temporary without arrays
+  AllocationDraft draft = draft_at(unit_, entities_, id, *expr);
+  const std::string star = is_value ? "" : "*";
+  InsertedAllocation how;
+  if (end.variable && !llvm::isa<clang::ParmVarDecl>(end.variable)) {
+    how.object = star + end.variable->getNameAsString();
+    place_behind(how, statement_around(unit_, *end.variable));
+  } else if (end.target && end.statement) {
+    how.object = star + unit_.text(end.target->IgnoreImpCasts());
+    place_behind(how, statement_around(unit_, *end.statement));
+  }
+  draft.site.how = how;
+  return draft;
+}
+
+std::optional<AllocationDraft> AllocationCollector::of_adapter(const clang::CXXMemberCallExpr* call,
+                                                               const EntityId& id, const MethodCall& rule) {
+  AdapterAllocation how{receiver_first(unit_, call, {rule.to, rule.rule, rule.header}, "$PUB")};
+  if (how.changes.empty()) {
+    entities_.add_obstacle(id, codes::TZC1006, "the call comes from a macro", call->getBeginLoc());
+    return {};
+  }
+  AllocationDraft draft = draft_at(unit_, entities_, id, *call);
+  draft.site.where = unit_.location(call->getExprLoc());
+  draft.site.function = {};  // an adapter in a factory does not take the factory's parameter
+  draft.site.how = std::move(how);
+  entities_.add_data_use(id, call->getExprLoc());
+  return draft;
+}
+
+/// The innermost statement of a block in which all mentions of the member lie, first of them in it.
+const clang::Stmt* AllocationCollector::first_mention(const StandingMessage& member) {
+  Mentions mentions(unit_, entities_, member.id);
+  mentions.TraverseStmt(member.function->getBody());
+  for (const clang::DynTypedNode& node : ancestors(unit_.ast(), *member.expr)) {
+    if (node.get<clang::FunctionDecl>()) return nullptr;
+    const auto* block = node.get<clang::CompoundStmt>();
+    if (!block || unit_.offset(block->getLBracLoc()) >= mentions.first ||
+        unit_.offset(block->getRBracLoc()) <= mentions.last)
+      continue;
+    for (const clang::Stmt* statement : block->body())
+      if (unit_.offset(statement->getEndLoc()) >= mentions.first)
+        return llvm::isa<clang::SwitchCase, clang::LabelStmt>(statement) ? nullptr : statement;
+  }
+  return nullptr;
+}
+
+std::optional<AllocationDraft> AllocationCollector::of_member(const StandingMessage& member) {
+  if (!member.function || !member.function->getBody()) return {};
+  AllocationDraft draft = draft_at(unit_, entities_, member.id, *member.expr);
+  InsertedAllocation how;
+  how.before = true;
+  how.object = unit_.text(member.expr);
+  if (const clang::Stmt* statement = first_mention(member))
+    how.at = unit_.source.before(statement->getBeginLoc());
+  if (how.at) {
+    how.indent = unit_.source.indent(*how.at);
+    how.own_line = unit_.source.starts_line(*how.at);
+  }
+  draft.site.how = how;
+  return draft;
+}
+
+AllocationSite connected(const Unit& unit, const EntityFacts& facts, AllocationDraft draft,
+                         const std::vector<PublisherMention>& mentions) {
+  const Connector connector(unit, facts, mentions);
+  draft.site.publishers = connector.available(draft);
+  if (!draft.site.publishers.empty()) return std::move(draft.site);
+  if (const std::optional<InsertedAllocation> moved = connector.behind_publisher(draft)) {
+    draft.site.how = *moved;
+    draft.site.publishers = connector.available(draft);
+  }
+  return std::move(draft.site);
+}
+
+}  // namespace tzc::rewriter

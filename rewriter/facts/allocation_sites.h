@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clang/AST/ExprCXX.h>
+
+#include <optional>
+#include <vector>
+
+#include "facts/hoisting.h"
+#include "facts/value_flow.h"
+
+namespace tzc::rewriter {
+
+/// An allocation site before it is known which publishers are available there.
+struct AllocationDraft {
+  AllocationSite site;
+  const clang::FunctionDecl* function;  ///< around it
+};
+
+/// A member or global message that is published or passed on as a whole.
+struct StandingMessage {
+  EntityId id;
+  const clang::Expr* expr;
+  const clang::FunctionDecl* function;  ///< around it
+};
+
+/// The site of an entity, with its place and function.
+AllocationDraft draft_at(const Unit& unit, const EntityTable& entities, const EntityId& id,
+                         const clang::Stmt& where);
+
+/// Finds where messages are made and allocate can be called.
+class AllocationCollector {
+ public:
+  AllocationCollector(const Unit& unit, EntityTable& entities, ValueFlow& flow)
+      : unit_(unit), entities_(entities), flow_(flow) {}
+
+  /// Image image;
+  std::optional<AllocationDraft> of_declaration(const clang::VarDecl* variable);
+  /// A new object: new M, make_shared<M>(), M(), and where its value ends.
+  std::optional<AllocationDraft> of_object(const clang::Expr* expr, const EntityId& id, const FlowEnd& end);
+  /// A library call that makes a message: toImageMsg().
+  std::optional<AllocationDraft> of_adapter(const clang::CXXMemberCallExpr* call, const EntityId& id,
+                                            const MethodCall& rule);
+  /// A reused member: allocate goes before its first mention in a function that publishes it.
+  std::optional<AllocationDraft> of_member(const StandingMessage& member);
+
+ private:
+  void place_behind(InsertedAllocation& how, const clang::Stmt* statement) const;
+  bool is_fresh(const FlowSources& sources) const;
+  bool is_result(const FlowSources& sources) const;
+  const clang::Stmt* first_mention(const StandingMessage& member);
+
+  const Unit& unit_;
+  EntityTable& entities_;
+  ValueFlow& flow_;
+};
+
+/// The site with the publishers of its function that are available there. It may move after a publisher that
+/// is declared later.
+AllocationSite connected(const Unit& unit, const EntityFacts& facts, AllocationDraft draft,
+                         const std::vector<PublisherMention>& mentions);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The three ways up in an AST: the node around a node, all nodes around it, the function around it.
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/ASTTypeTraits.h>
+#include <clang/AST/ParentMapContext.h>
+
+#include <string>
+
+namespace tzc::rewriter {
+
+/// The node directly around a node, when it is a T; null otherwise.
+template <class T, class Node>
+const T* parent_as(clang::ASTContext& ast, const Node& node) {
+  const auto parents = ast.getParents(node);
+  return parents.empty() ? nullptr : parents[0].template get<T>();
+}
+
+/// The nodes around a node, innermost first, as a range.
+class Ancestors {
+ public:
+  class Iterator {
+   public:
+    Iterator(clang::ASTContext& ast, const clang::DynTypedNode& of) : ast_(&ast), node_(of) { ++*this; }
+    Iterator(clang::ASTContext& ast) : ast_(&ast), at_end_(true) {}
+    const clang::DynTypedNode& operator*() const { return node_; }
+    Iterator& operator++();
+    bool operator!=(const Iterator& other) const { return at_end_ != other.at_end_; }
+
+   private:
+    clang::ASTContext* ast_;
+    clang::DynTypedNode node_;
+    bool at_end_ = false;
+  };
+
+  Ancestors(clang::ASTContext& ast, clang::DynTypedNode of) : ast_(ast), of_(of) {}
+  Iterator begin() const { return {ast_, of_}; }
+  Iterator end() const { return {ast_}; }
+
+ private:
+  clang::ASTContext& ast_;
+  clang::DynTypedNode of_;
+};
+
+template <class Node>
+Ancestors ancestors(clang::ASTContext& ast, const Node& node) {
+  return {ast, clang::DynTypedNode::create(node)};
+}
+
+/// The innermost function or lambda around a statement; null outside of functions.
+const clang::FunctionDecl* enclosing_function(clang::ASTContext& ast, const clang::Stmt& stmt);
+/// Its qualified name, or that of the function around the lambda; empty outside of functions.
+std::string enclosing_function_name(clang::ASTContext& ast, const clang::Stmt& stmt);
+/// USR of the class whose `this` the function has, a lambda that of the function around it. Empty: none.
+std::string record_usr_of(const clang::FunctionDecl* function);
+
+bool is_lambda(const clang::FunctionDecl* function);
+
+/// Parentheses, implicit casts and temporaries: the unwritten nodes around an expression.
+bool is_implicit_wrapper(const clang::Stmt* stmt);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/call_effects.h"
+
+#include "facts/ast_walk.h"
+#include "facts/bound_calls.h"
+#include "facts/calls.h"
+#include "facts/type_blind.h"
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+clang::SourceRange callee_name(const clang::CallExpr* call) {
+  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(call->getCallee()->IgnoreParenImpCasts());
+  return reference ? reference->getNameInfo().getSourceRange().isValid()
+                         ? clang::SourceRange(reference->getBeginLoc(), reference->getNameInfo().getEndLoc())
+                         : clang::SourceRange()
+                   : clang::SourceRange();
+}
+
+bool swaps(const std::string& function) {
+  return function == "std::swap" || function == "boost::swap";
+}
+
+bool casts_const_away(const std::string& function) {
+  return function == "boost::const_pointer_cast" || function == "std::const_pointer_cast";
+}
+
+}  // namespace
+
+bool serves_plain_field(const Unit& unit, const clang::Expr* cast) {
+  for (const clang::DynTypedNode& node : ancestors(unit.ast(), *cast)) {
+    const auto* parent = node.get<clang::Expr>();
+    if (!parent) return false;
+    if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(parent)) {
+      const bool field = llvm::isa<clang::FieldDecl>(member->getMemberDecl());
+      if (field) return !is_data_array(member->getType()) && !carried_by(member->getType(), unit.rules);
+    } else if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(parent)) {
+      if (op->getOperator() != clang::OO_Arrow && op->getOperator() != clang::OO_Star) return false;
+    } else if (!is_implicit_wrapper(parent) && !llvm::isa<clang::UnaryOperator>(parent)) {
+      return false;
+    }
+  }
+  return false;
+}
+
+void CallEffects::escape(const EntityId& id, const std::string& receiver, clang::SourceLocation where) {
+  const EntityRole role = entities_[id].role;
+  if (role == EntityRole::filter) return;
+  const std::string reason = "it is passed to '" + receiver + "', which is not part of the package";
+  entities_.add_obstacle(id, role == EntityRole::publisher ? codes::TZC1010 : codes::TZC1002, reason, where);
+}
+
+void CallEffects::use_rule(const EntityId& id, const clang::CallExpr* call, const LibraryCall& rule) {
+  const clang::SourceRange name = callee_name(call);
+  entities_.add_data_use(id, name.getBegin());
+  if (const std::optional<Place> where = unit_.source.place(name))
+    entities_.add_use(id, {*where, rule.to, rule.rule, {rule.header}});
+  else
+    entities_.add_obstacle(id, codes::TZC1006, "the call comes from a macro", name.getBegin());
+}
+
+/// img.toImageMsg(message) -> to_image_msg(img, message)
+void CallEffects::use_rule(const EntityId& id, const clang::CXXMemberCallExpr* call, const MethodCall& rule) {
+  entities_.add_data_use(id, call->getBeginLoc());
+  const std::vector<Change> changes = receiver_first(unit_, call, {rule.to, rule.rule, rule.header});
+  for (const Change& change : changes) entities_.add_use(id, change);
+  if (changes.empty())
+    entities_.add_obstacle(id, codes::TZC1006, "the call comes from a macro", call->getBeginLoc());
+}
+
+CallEffect CallEffects::into_package(const EntityId& id, const Passed& passed) {
+  const std::string name = passed.function->getNameAsString();
+  if (passed.argument >= passed.function->getNumParams()) {
+    entities_.add_obstacle(id, codes::TZC1001, "it is a variable argument of '" + name + "'", passed.where);
+    return CallEffect::done;
+  }
+  const clang::ParmVarDecl* parameter = passed.function->getParamDecl(passed.argument);
+  if (entities_.is_message(id) && !is_type_blind(passed.function, passed.argument))
+    entities_.add_obstacle(id, codes::TZC1001, "'" + name + "' asks for its type", passed.where);
+  const EntityId received = entities_.declare(parameter);
+  if (!received.empty())
+    entities_.add_flow(id, received, passed.where, "passed to '" + name + "'");
+  else if (!parameter->getType()->isScalarType())
+    entities_.add_obstacle(id, codes::TZC1001, "it is converted when passed to '" + name + "'", passed.where);
+  return CallEffect::done;
+}
+
+CallEffect CallEffects::into_method(const EntityId& id, const clang::CXXMemberCallExpr* call) {
+  const clang::CXXMethodDecl* method = call->getMethodDecl();
+  const std::string object = qualified_name_of(method->getParent());
+  const std::string name = method->getNameAsString();
+  if (is_publish(call)) return CallEffect::done;
+  if (const MethodCall* rule = unit_.rules.find_method(object, name, written_arguments(call))) {
+    if (rule->role == MethodCall::Role::fills_message) use_rule(id, call, *rule);
+    return CallEffect::done;
+  }
+  const clang::Expr* container = call->getImplicitObjectArgument();
+  if (carried_by(container->getType(), unit_.rules)) {
+    const FlowSources sources = sources_.of(container);
+    for (const EntityId& target : sources.entities)
+      entities_.add_flow(id, target, call->getBeginLoc(), "stored by '" + name + "'");
+    if (!sources.foreign) return CallEffect::done;
+  }
+  escape(id, object + "::" + name, call->getBeginLoc());
+  return CallEffect::done;
+}
+
+/// A publisher that is bound to a function of the package is an argument of it. None: it is bound to nothing.
+std::optional<CallEffect> CallEffects::into_bound(const EntityId& id, const clang::Expr* call,
+                                                  unsigned argument) {
+  if (entities_[id].role != EntityRole::publisher) return {};
+  const std::optional<BoundCall> bound = bound_call(unit_, call);
+  if (!bound || argument < bound->first) return {};
+  return into_package(id, {bound->function, argument - bound->first, call->getBeginLoc()});
+}
+
+CallEffect CallEffects::into_swap(const EntityId& id, const clang::CallExpr* call) {
+  for (const clang::Expr* argument : call->arguments())
+    for (const EntityId& other : sources_.of(argument).entities)
+      entities_.add_flow(id, other, call->getBeginLoc(), "swapped");
+  return CallEffect::done;
+}
+
+CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr* call, const Passed& passed) {
+  const std::string name = qualified_name_of(passed.function);
+  if (casts_const_away(name)) {
+    if (serves_plain_field(unit_, call)) return CallEffect::done;
+    entities_.add_obstacle(id, codes::TZC2002, "const is cast away from it", passed.where);
+  }
+  if (swaps(name)) return into_swap(id, call);
+  if (const LibraryCall* rule = unit_.rules.find_call(name, passed.argument)) {
+    use_rule(id, call, *rule);
+    return CallEffect::done;
+  }
+  if (unit_.declares(passed.function)) return into_package(id, passed);
+  if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) return into_method(id, method);
+  if (passed.function->isInStdNamespace() && carried_by(call->getType(), unit_.rules))
+    return CallEffect::result;
+  escape(id, name, passed.where);
+  return CallEffect::done;
+}
+
+CallEffect CallEffects::of_call(const EntityId& id, const clang::CallExpr* call, unsigned argument) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function) {
+    if (!call->isTypeDependent())
+      entities_.add_obstacle(id, codes::TZC1001, "it is passed to a function that is not known here",
+                             call->getBeginLoc());
+    return CallEffect::done;
+  }
+  if (makes_object(call)) {
+    entities_.add_flow(id, entities_.declare_temporary(call), call->getBeginLoc(),
+                       "copied into a new object");
+    return CallEffect::done;
+  }
+  if (passes_through(function)) return CallEffect::result;
+  if (const auto effect = into_bound(id, call, argument)) return *effect;
+  const bool is_member_operator =
+      llvm::isa<clang::CXXOperatorCallExpr>(call) && llvm::isa<clang::CXXMethodDecl>(function);
+  if (is_member_operator && argument > 0) --argument;
+  return into_function(id, call, {function, argument, call->getBeginLoc()});
+}
+
+CallEffect CallEffects::of_constructor(const EntityId& id, const clang::CXXConstructExpr* construct,
+                                       unsigned argument) {
+  const clang::CXXConstructorDecl* constructor = construct->getConstructor();
+  if (unit_.declares(constructor)) return into_package(id, {constructor, argument, construct->getBeginLoc()});
+  if (carried_by(construct->getType(), unit_.rules)) return CallEffect::result;
+  if (const auto effect = into_bound(id, construct, argument)) return *effect;
+  escape(id, qualified_name_of(constructor->getParent()), construct->getBeginLoc());
+  return CallEffect::done;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The spelling of a call in the source, and the edits that change it.
+
+#include <clang/AST/ExprCXX.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "facts/unit.h"
+#include "model/facts.h"
+
+namespace tzc::rewriter {
+
+/// Without default arguments.
+unsigned written_arguments(const clang::CallExpr* call);
+/// An argument as it is written; none: it is not.
+std::optional<std::string> written_text(const Unit& unit, const clang::CallExpr* call, unsigned index);
+/// As written between < and >; empty: none written.
+std::string written_template_arguments(const Unit& unit, const clang::CXXMemberCallExpr* call);
+/// advertise<T>(...) in a template: T stays written, and stands for the stock message.
+bool is_template_parameter(const clang::TemplateArgument& argument);
+
+/// make_shared, make_unique and their likes.
+bool makes_object(const clang::CallExpr* call);
+/// std::move and its likes: the result is the argument.
+bool passes_through(const clang::FunctionDecl* function);
+/// roscpp's, image_transport's or TZC's publisher.
+bool is_publisher_class(const std::string& name);
+/// A publisher of one subscriber's status callback.
+bool is_single_subscriber(const std::string& name);
+/// Whether what a cast yields may be written through, and what it was given may not.
+bool removes_const(const clang::ExplicitCastExpr* cast);
+/// publisher.publish(...)
+bool is_publish(const clang::CXXMemberCallExpr* call);
+
+/// The object of a member call as written, without the dereference of ->.
+struct Receiver {
+  const clang::Expr* expr = nullptr;
+  bool pointer = false;
+};
+Receiver receiver_of(const clang::CXXMemberCallExpr* call);
+
+/// A call that replaces another: its name, the rule that asks for it, the header that declares it.
+struct Callee {
+  std::string to;
+  const char* rule;
+  const char* header;
+};
+/// The edits that turn `object.method<T>(a)` into `to<T>(object, a, last)`; empty: they cannot be made.
+std::vector<Change> receiver_first(const Unit& unit, const clang::CXXMemberCallExpr* call,
+                                   const Callee& callee, const std::string& last = "");
+
+std::optional<std::string> constant_string(const clang::Expr* expr);
+/// The message that ros::AdvertiseOptions or SubscribeOptions were made for; none: this function does not show it.
+std::optional<clang::QualType> options_message(const Unit& unit, const clang::Expr* options);
+
+}  // namespace tzc::rewriter

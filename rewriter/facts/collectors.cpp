@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/collectors.h"
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "facts/ast_walk.h"
+#include "facts/calls.h"
+#include "facts/escape.h"
+#include "facts/factories.h"
+#include "facts/library_sites.h"
+#include "facts/publish_sites.h"
+#include "facts/shared_mats.h"
+
+namespace tzc::rewriter {
+namespace {
+
+template <class Site>
+void add_site(std::map<SiteId, Site>& sites, std::optional<Site> site) {
+  if (site) sites.emplace(site->id(), std::move(*site));
+}
+
+}  // namespace
+
+void Collectors::declaration(const clang::VarDecl* variable) {
+  if (!variable->getType()->isDependentType()) add(allocations_.of_declaration(variable));
+  entities_.declare(variable);
+  flow_.check_source_of(variable);
+}
+
+void Collectors::function(const clang::FunctionDecl* function) {
+  if (!llvm::isa<clang::CXXDestructorDecl>(function)) entities_.declare_result(function);
+  if (std::optional<Factory> factory = factory_of(unit_, function))
+    facts_.factories.emplace(entities_.result_id(function), std::move(*factory));
+}
+
+void Collectors::bases(const clang::CXXRecordDecl* record) {
+  for (const clang::CXXBaseSpecifier& base : record->bases())
+    if (const clang::CXXRecordDecl* of = base.getType()->getAsCXXRecordDecl())
+      facts_.bases[usr_of(record)].insert(usr_of(of));
+}
+
+/// A mention of a variable or member.
+void Collectors::name(const clang::Expr* expr, const EntityId& id) {
+  if (id.empty() || expr->isTypeDependent()) return;
+  const FlowEnd end = flow_.follow(expr, id);
+  const Storage storage = entities_[id].storage;
+  const bool standing = storage == Storage::member || storage == Storage::global;
+  if (standing && end.publish && message_of(expr->getType()))
+    members_.push_back({id, expr, enclosing_function(unit_.ast(), *expr)});
+}
+
+/// An expression that names the type of a new object.
+void Collectors::object(const clang::Expr* expr, const clang::TypeSourceInfo* type) {
+  if (expr->isTypeDependent() || !unit_.source.in_package(expr->getBeginLoc())) return;
+  const EntityId id = entities_.declare_temporary(expr);
+  if (id.empty()) return;
+  if (type) entities_.retype(id, type->getTypeLoc());
+  const FlowEnd end = flow_.follow(expr, id);
+  const clang::QualType pointee = pointee_of(expr->getType());
+  const bool makes = llvm::isa<clang::CXXNewExpr>(expr) || message_of(expr->getType());
+  const auto message = message_of(pointee.isNull() ? expr->getType() : pointee);
+  if (makes && message && message->has_data_part) add(allocations_.of_object(expr, id, end));
+}
+
+bool Collectors::is_filter(const clang::CXXRecordDecl* record) const {
+  const ClassRename* rename = record ? unit_.rules.find_class_or_ported(qualified_name_of(record)) : nullptr;
+  return rename && rename->role == ClassRename::Role::filter;
+}
+
+void Collectors::construction(const clang::CXXConstructExpr* construct) {
+  if (!unit_.source.in_package(construct->getBeginLoc())) return;
+  add_site(facts_.advertises, library_advertise(unit_, construct));
+  add_site(facts_.subscribes, filters_.of_construction(construct));
+}
+
+void Collectors::made_object(const clang::CallExpr* call) {
+  const EntityId id = entities_.declare_temporary(call);
+  if (id.empty()) return;
+  const auto* callee = llvm::dyn_cast<clang::DeclRefExpr>(call->getCallee()->IgnoreParenImpCasts());
+  if (callee && callee->hasExplicitTemplateArgs())
+    for (const clang::TemplateArgumentLoc& argument : callee->template_arguments())
+      if (argument.getTypeSourceInfo()) entities_.retype(id, argument.getTypeSourceInfo()->getTypeLoc());
+  const FlowEnd end = flow_.follow(call, id);
+  const clang::QualType made = pointee_of(call->getType());
+  const clang::CXXRecordDecl* record = made->getAsCXXRecordDecl();
+  if (is_filter(record)) add_site(facts_.subscribes, filters_.of_made(call, record, id));
+  const auto message = message_of(made);
+  if (message && message->has_data_part) add(allocations_.of_object(call, id, end));
+}
+
+void Collectors::library_call(const clang::CallExpr* call) {
+  std::optional<AdvertiseCollector::LibraryCall> advertised = advertises_.of_library_call(call);
+  if (!advertised) return;
+  const EntityId publisher = advertised->site.publisher;
+  add_site(facts_.advertises, std::optional(std::move(advertised->site)));
+  flow_.follow(advertised->publisher, publisher);
+}
+
+void Collectors::call(const clang::CallExpr* call) {
+  if (call->isTypeDependent() || !unit_.source.in_package(call->getBeginLoc())) return;
+  add_site(facts_.subscribes, library_subscribe(unit_, call));
+  add(factory_call(unit_, entities_, call));
+  if (makes_object(call)) made_object(call);
+  if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
+  library_call(call);
+  for (PublisherMention& mention : publisher_arguments(unit_, flow_, call))
+    publishers_.push_back(std::move(mention));
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function) return;
+  ported_call(call, function);
+  if (makes_object(call) || !unit_.declares(function)) return;
+  if (const EntityId result = entities_.declare_result(function); !result.empty()) flow_.follow(call, result);
+}
+
+/// tzc::advertise<M>(nh, ...), tzc::subscribe(nh, ...): an earlier run wrote them.
+void Collectors::ported_call(const clang::CallExpr* call, const clang::FunctionDecl* function) {
+  const MethodCall* rule = unit_.rules.find_ported_function(qualified_name_of(function));
+  if (!rule) return;
+  if (rule->role == MethodCall::Role::subscribe || rule->role == MethodCall::Role::subscribe_transport) {
+    add_site(facts_.subscribes, std::optional(subscribes_.of_ported_call(call, *rule)));
+  } else {
+    add_site(facts_.advertises, std::optional(advertises_.of_ported_call(call, *rule)));
+    flow_.follow(call, entities_.declare_temporary(call));
+  }
+}
+
+void Collectors::publish(const clang::CXXMemberCallExpr* call) {
+  std::optional<PublishCall> published = publish_call(unit_, flow_, call);
+  if (!published) return;
+  if (published->publisher) publishers_.push_back(std::move(*published->publisher));
+  add_site(facts_.publishes, std::optional(std::move(published->site)));
+}
+
+void Collectors::member_call(const clang::CXXMemberCallExpr* call) {
+  const clang::CXXMethodDecl* method = call->getMethodDecl();
+  if (!method || !call->getRecordDecl()) return;
+  const std::string object = qualified_name_of(method->getParent());
+  const std::string name = method->getNameAsString();
+  if (is_publish(call)) return publish(call);
+  add_site(facts_.advertises, library_advertise(unit_, call));
+  add_site(facts_.publishes, library_publish(unit_, call));
+  if (name == "registerCallback") filters_.add_callbacks(call, facts_.filter_callbacks);
+  add_site(facts_.subscribes, filters_.of_emplaced(call));
+  if (is_filter(method->getParent()) && name == "subscribe")
+    add_site(facts_.subscribes, filters_.of_call(call));
+  else if (const MethodCall* rule = unit_.rules.find_method(object, name, written_arguments(call)))
+    rule_call(call, *rule);
+}
+
+void Collectors::rule_call(const clang::CXXMemberCallExpr* call, const MethodCall& rule) {
+  switch (rule.role) {
+    case MethodCall::Role::advertise:
+    case MethodCall::Role::advertise_transport:
+      add_site(facts_.advertises, std::optional(advertises_.of_call(call, rule)));
+      flow_.follow(call, entities_.declare_temporary(call));
+      return;
+    case MethodCall::Role::subscribe:
+    case MethodCall::Role::subscribe_transport:
+      add_site(facts_.subscribes, std::optional(subscribes_.of_call(call, rule)));
+      return;
+    case MethodCall::Role::builds_message:
+      if (const EntityId id = entities_.declare_temporary(call); !id.empty()) {
+        flow_.follow(call, id);
+        add(allocations_.of_adapter(call, id, rule));
+      }
+      return;
+    case MethodCall::Role::fills_message:
+      return;
+  }
+}
+
+void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& functions,
+                         const std::vector<const clang::MemberExpr*>& arrays) {
+  EscapeContext context{unit_, entities_, flow_, facts_};
+  EscapeAnalysis analysis(context);
+  SharedMats mats(context);
+  for (const clang::FunctionDecl* function : functions) {
+    analysis.analyse(function);
+    mats.analyse(function);
+  }
+  mats.finish();
+  for (const clang::MemberExpr* array : arrays) {
+    const clang::FunctionDecl* around = enclosing_function(unit_.ast(), *array);
+    const bool in_template = around && around->isDependentContext();  // its instances tell
+    if (!analysis.has_seen(array) && !in_template)
+      analysis.escape(context.sources_of(array->getBase()), "may start outside of a function",
+                      array->getBeginLoc(), false);
+  }
+}
+
+/// Calls in a member's default initializer run before later members exist.
+void Collectors::early_calls(const clang::Stmt* stmt) {
+  const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(stmt);
+  if (call && unit_.declares(call->getDirectCallee()))
+    facts_.early.insert(usr_of(pattern_of(call->getDirectCallee())));
+  if (stmt)
+    for (const clang::Stmt* child : stmt->children()) early_calls(child);
+}
+
+Facts Collectors::finish() {
+  std::set<std::pair<EntityId, std::string>> seen;
+  for (const StandingMessage& member : members_)
+    if (member.function && seen.insert({member.id, usr_of(member.function)}).second)
+      add(allocations_.of_member(member));
+  for (AllocationDraft& draft : drafts_)
+    facts_.allocations.push_back(connected(unit_, entities_.facts(), std::move(draft), publishers_));
+  static_cast<EntityFacts&>(facts_) = entities_.take();
+  return std::move(facts_);
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "facts/advertise_sites.h"
+#include "facts/allocation_sites.h"
+#include "facts/entity_table.h"
+#include "facts/filter_sites.h"
+#include "facts/hoisting.h"
+#include "facts/subscribe_sites.h"
+#include "facts/unit.h"
+#include "facts/value_flow.h"
+#include "model/facts.h"
+
+namespace tzc::rewriter {
+
+/// Passes the nodes of one unit to the collectors of facts and keeps what these return.
+class Collectors {
+ public:
+  explicit Collectors(const Unit& unit)
+      : unit_(unit),
+        entities_(unit),
+        flow_(unit, entities_),
+        allocations_(unit, entities_, flow_),
+        filters_(unit, entities_, flow_),
+        advertises_(unit, entities_),
+        subscribes_(unit, entities_) {}
+
+  EntityTable& entities() { return entities_; }
+  ValueFlow& flow() { return flow_; }
+
+  void declaration(const clang::VarDecl* variable);
+  void function(const clang::FunctionDecl* function);
+  void bases(const clang::CXXRecordDecl* record);
+  void name(const clang::Expr* expr, const EntityId& id);
+  void object(const clang::Expr* expr, const clang::TypeSourceInfo* type);
+  void construction(const clang::CXXConstructExpr* construct);
+  void call(const clang::CallExpr* call);
+  /// Analyses the escapes in these functions. A mention of an array that this does not reach is an escape.
+  void escapes(const std::vector<const clang::FunctionDecl*>& functions,
+               const std::vector<const clang::MemberExpr*>& arrays);
+  void early_calls(const clang::Stmt* stmt);
+  Facts finish();
+
+ private:
+  void made_object(const clang::CallExpr* call);
+  void member_call(const clang::CXXMemberCallExpr* call);
+  void rule_call(const clang::CXXMemberCallExpr* call, const MethodCall& rule);
+  void ported_call(const clang::CallExpr* call, const clang::FunctionDecl* function);
+  void library_call(const clang::CallExpr* call);
+  void publish(const clang::CXXMemberCallExpr* call);
+  bool is_filter(const clang::CXXRecordDecl* record) const;
+  void add(std::optional<AllocationDraft> draft) {
+    if (draft) drafts_.push_back(std::move(*draft));
+  }
+
+  const Unit& unit_;
+  EntityTable entities_;
+  ValueFlow flow_;
+  AllocationCollector allocations_;
+  FilterCollector filters_;
+  AdvertiseCollector advertises_;
+  SubscribeCollector subscribes_;
+  Facts facts_;
+  std::vector<PublisherMention> publishers_;
+  std::vector<AllocationDraft> drafts_;
+  std::vector<StandingMessage> members_;
+};
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where references to a message's data start, and what they must not live across.
+#include "facts/escape.h"
+
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+bool is_repeated(const FunctionView& view, FunctionView::Span event, FunctionView::Span use,
+                 unsigned declared) {
+  return llvm::any_of(view.repeated(), [&](const FunctionView::Span& loop) {
+    return loop.contains(event) && loop.contains(use) && declared < loop.enter;
+  });
+}
+
+/// Whether the use may come after the event, for a variable that was there before it.
+bool comes_after(const FunctionView& view, const SeenEvent& event, const clang::Stmt* use,
+                 unsigned declared) {
+  const FunctionView::Span here = view.span(use);
+  if (event.span.contains(here)) return false;  // an argument: it was evaluated before
+  if (view.jumps() || is_repeated(view, event.span, here, declared)) return true;
+  if (event.lambda && !view.runs_within(view.lambda_around(use), event.lambda)) return true;
+  if (declared > event.span.exit) return false;
+  const bool same_statement = view.full_expression(use) == view.full_expression(event.at);
+  return same_statement || here.enter > event.span.exit;
+}
+
+/// data[i] = event(): since C++17 the right operand of an assignment is evaluated before the left one.
+bool is_assigned_after(const FunctionView& view, const clang::Stmt* born, const SeenEvent& event) {
+  for (const clang::Stmt* around = view.parent(born); around; around = view.parent(around)) {
+    const clang::Expr* value = nullptr;
+    if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(around); op && op->isAssignmentOp())
+      value = op->getLHS() == born ? op->getRHS() : nullptr;
+    if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(around); op && op->isAssignmentOp())
+      value = op->getArg(0) == born ? op->getArg(1) : nullptr;
+    if (value && view.span(value).contains(event.span)) return true;
+    born = around;
+  }
+  return false;
+}
+
+unsigned declared_at(const FunctionView& view, const clang::VarDecl* variable) {
+  const clang::DeclStmt* declaration = view.declaration(variable);
+  return declaration ? view.span(declaration).enter : 0;
+}
+
+/// Where a message's data is written, or may be: an array mentioned otherwise than by a const function.
+bool may_write(const FunctionView& view, const clang::MemberExpr* array) {
+  if (array->getType().isConstQualified()) return false;
+  const auto* cast = llvm::dyn_cast_or_null<clang::ImplicitCastExpr>(view.parent(array));
+  if (cast && cast->getType().isConstQualified()) return false;
+  const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(view.parent(array));
+  const auto* method = member ? llvm::dyn_cast<clang::CXXMethodDecl>(member->getMemberDecl()) : nullptr;
+  return !method || !method->isConst();
+}
+
+/// In a constructor's initializers: members that are declared later do not exist yet.
+bool is_before_body(const FunctionView& view, const clang::Stmt* stmt) {
+  while (const clang::Stmt* around = view.parent(stmt)) stmt = around;
+  return stmt != view.function()->getBody();
+}
+
+bool is_iterator_class(const clang::CXXRecordDecl* record) {
+  return record && record->getName().starts_with("PointCloud2") && record->getName().ends_with("Iterator");
+}
+
+}  // namespace
+
+void EscapeAnalysis::escape(const std::vector<EntityId>& messages, const std::string& how,
+                            clang::SourceLocation where, bool ends_with_scope) {
+  for (const EntityId& key : messages)
+    context_.found.escapes.push_back(
+        {key,
+         {codes::TZC1003, "a pointer into its data " + how, location_of(context_.unit.source.where(where))},
+         ends_with_scope});
+}
+
+void EscapeAnalysis::cast_const_away(const Referring& what) {
+  const Obstacle why{codes::TZC2002, "const is cast away from its data",
+                     location_of(context_.unit.source.where(what.expr->getBeginLoc()))};
+  for (const EntityId& key : what.messages)
+    context_.found.data_writes.push_back({key, why, what.how == Reference::array});
+}
+
+const EscapeAnalysis::Analysed& EscapeAnalysis::analysed(const clang::FunctionDecl* definition) {
+  auto [known, is_new] = functions_.try_emplace(definition);
+  if (is_new) {
+    known->second.view = std::make_unique<FunctionView>(definition);
+    known->second.events = publish_events(context_, *known->second.view);
+  }
+  return known->second;
+}
+
+void EscapeAnalysis::analyse(const clang::FunctionDecl* definition) {
+  const Analysed& here = analysed(definition);
+  std::vector<PublishEvent>& effects = context_.found.effects[usr_of(pattern_of(definition))];
+  for (const SeenEvent& event : here.events) {
+    if (is_before_body(*here.view, event.at) && !event.event.callee.empty())
+      context_.found.early.insert(event.event.callee);
+    if (event.event.kind != PublishEvent::Kind::exchange) effects.push_back(event.event);
+    if (!event.event.messages.empty()) note_tail(context_, *here.view, event);
+  }
+  for (const clang::Stmt* stmt : here.view->statements()) {
+    note_lasting(stmt);
+    start(*here.view, stmt);
+  }
+}
+
+/// Static locals live on; what a closure holds may be published wherever the closure is called.
+void EscapeAnalysis::note_lasting(const clang::Stmt* stmt) {
+  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt);
+  const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
+  if (!variable || !(variable->isStaticLocal() || reference->refersToEnclosingVariableOrCapture())) return;
+  if (const EntityId id = context_.entities.declare(variable); !id.empty()) context_.found.lasting.insert(id);
+}
+
+void EscapeAnalysis::start(const FunctionView& view, const clang::Stmt* stmt) {
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt)) {
+    if (!is_data_array(member->getType())) return;
+    seen_.insert(member);
+    const std::set<EntityId> messages = messages_of(context_, member->getBase());
+    const bool read_only = member->getType().isConstQualified();
+    if (!messages.empty())
+      climb(view, {member, Reference::array, read_only, {messages.begin(), messages.end()}});
+  }
+  if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
+    if (!is_iterator_class(construct->getConstructor()->getParent()) || construct->getNumArgs() < 2) return;
+    const std::vector<EntityId> sources = context_.sources_of(construct->getArg(0));
+    const bool read_only = construct->getConstructor()->getParent()->getName().contains("Const");
+    if (!sources.empty()) climb(view, {construct, Reference::view, read_only, sources});
+  }
+  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt); call && makes_object(call)) {
+    const clang::QualType made = pointee_of(call->getType());
+    if (made.isNull() || !is_iterator_class(made->getAsCXXRecordDecl()) || call->getNumArgs() == 0) return;
+    const std::vector<EntityId> sources = context_.sources_of(call->getArg(0));
+    if (!sources.empty()) climb(view, {call, Reference::elements, false, sources});
+  }
+}
+
+void EscapeAnalysis::climb(const FunctionView& view, const Referring& from) {
+  if (const clang::Expr* born = climb_reference(context_, view, *this, from))
+    check_expression(view, born, from.messages);
+}
+
+void EscapeAnalysis::hold(const FunctionView& view, const Holder& holder) {
+  std::vector<EntityId> unknown;
+  for (const EntityId& key : holder.messages) {
+    const std::string id = std::to_string(reinterpret_cast<std::uintptr_t>(holder.variable)) + " " +
+                           key.text() + (holder.how == Reference::array ? " array" : "") +
+                           (holder.read_only ? " const" : "");
+    if (held_.insert(id).second) unknown.push_back(key);
+  }
+  if (unknown.empty()) return;
+  const Holder next{holder.variable, holder.how, holder.read_only, std::move(unknown)};
+  for (const clang::DeclRefExpr* use : view.uses(holder.variable))
+    climb_reference(context_, view, *this, {use, next.how, next.read_only, next.messages});
+  if (next.how != Reference::array) check_holder(view, next);
+}
+
+void EscapeAnalysis::take(const FunctionView& view, const clang::VarDecl* vector, const clang::Expr* at,
+                          const std::vector<EntityId>& messages) {
+  if (!held_.insert(std::to_string(reinterpret_cast<std::uintptr_t>(vector)) + " taken").second)
+    return escape(messages,
+                  "may exist: '" + vector->getNameAsString() + "' gives its elements more than once",
+                  at->getBeginLoc(), false);
+  for (const clang::DeclRefExpr* use : view.uses(vector))
+    if (!view.span(at).contains(view.span(use)))
+      climb_reference(context_, view, *this, {use, Reference::array, false, messages});
+}
+
+bool EscapeAnalysis::follow(const clang::FunctionDecl* function, unsigned argument, const Referring& what) {
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
+  const clang::FunctionDecl* definition = nullptr;
+  if (!function->isDefined(definition) || !definition->getBody() || definition->isDependentContext() ||
+      (method && method->isVirtual()) || argument >= definition->getNumParams())
+    return false;
+  const clang::ParmVarDecl* parameter = definition->getParamDecl(argument);
+  const bool by_value = !parameter->getType()->isReferenceType();
+  if (by_value && !may_hold_pointer(parameter->getType())) return true;
+  hold(*analysed(definition).view, {parameter, what.how, what.read_only, what.messages});
+  return true;
+}
+
+void EscapeAnalysis::add_hold(const std::vector<EntityId>& messages, const PublishEvent& event,
+                              const std::string& name, clang::SourceLocation where) {
+  const std::string reason =
+      (name.empty() ? "a pointer into its data" : "'" + name + "' points into its data and") +
+      " is used after the message may have been published";
+  for (const EntityId& key : messages)
+    context_.found.holds.push_back(
+        {key, event, {codes::TZC1003, reason, location_of(context_.unit.source.where(where))}});
+}
+
+/// A pointer without a name lives as long as the expression around it; what it is computed from comes before it.
+void EscapeAnalysis::check_expression(const FunctionView& view, const clang::Expr* born,
+                                      const std::vector<EntityId>& messages) {
+  const FunctionView::Span whole = view.span(view.full_expression(born));
+  const FunctionView::Span here = view.span(born);
+  const bool ordered = context_.unit.ast().getLangOpts().CPlusPlus17;
+  for (const SeenEvent& event : analysed(view.function()).events)
+    if (whole.contains(event.span) && !event.span.contains(here) && !here.contains(event.span) &&
+        !(ordered && is_assigned_after(view, born, event)))
+      add_hold(messages, event.event, "", born->getBeginLoc());
+}
+
+void EscapeAnalysis::check_holder(const FunctionView& view, const Holder& holder) {
+  const unsigned declared = declared_at(view, holder.variable);
+  for (const SeenEvent& event : analysed(view.function()).events)
+    for (const clang::DeclRefExpr* use : view.uses(holder.variable))
+      if (comes_after(view, event, use, declared)) {
+        add_hold(holder.messages, event.event, holder.variable->getNameAsString(), use->getLocation());
+        break;
+      }
+  if (holder.read_only) check_writes(view, holder);
+}
+
+/// What was got through const access may lie in memory that subscribers share: the array leaves it behind when it
+/// is written to.
+void EscapeAnalysis::check_writes(const FunctionView& view, const Holder& holder) {
+  const unsigned declared = declared_at(view, holder.variable);
+  for (const clang::Stmt* stmt : view.statements()) {
+    const auto* array = llvm::dyn_cast<clang::MemberExpr>(stmt);
+    if (!array || !is_data_array(array->getType()) || !may_write(view, array)) continue;
+    const std::vector<EntityId> sources = context_.sources_of(array->getBase());
+    SeenEvent write{{}, array, view.span(array), view.lambda_around(array)};
+    write.event.kind = PublishEvent::Kind::publish;
+    write.event.messages = {sources.begin(), sources.end()};
+    for (const clang::DeclRefExpr* use : view.uses(holder.variable))
+      if (comes_after(view, write, use, declared)) {
+        add_hold(holder.messages, write.event, holder.variable->getNameAsString(), use->getLocation());
+        break;
+      }
+  }
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The steps of a reference to data through calls: the table of known functions, functions of the package whose
+// bodies are followed, and everything else, which is an escape.
+#include <clang/AST/DeclTemplate.h>
+
+#include "facts/escape_climb.h"
+#include "facts/known_functions.h"
+#include "facts/type_blind.h"
+
+namespace tzc::rewriter {
+namespace {
+
+unsigned argument_index(llvm::ArrayRef<const clang::Expr*> arguments, const clang::Expr* argument) {
+  for (unsigned i = 0; i < arguments.size(); ++i)
+    if (arguments[i] == argument) return i;
+  return static_cast<unsigned>(arguments.size());
+}
+
+const clang::LambdaExpr* lambda_in(const clang::Expr* expr) {
+  expr = expr->IgnoreParenImpCasts();
+  if (const auto* temporary = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr))
+    expr = temporary->getSubExpr()->IgnoreParenImpCasts();
+  if (const auto* copy = llvm::dyn_cast<clang::CXXConstructExpr>(expr); copy && copy->getNumArgs() == 1)
+    return lambda_in(copy->getArg(0));
+  if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(expr))
+    return lambda_in(bound->getSubExpr());
+  return llvm::dyn_cast<clang::LambdaExpr>(expr);
+}
+
+/// A pointer or iterator to elements that are, or hold, pointers.
+bool reaches_pointers(clang::QualType type) {
+  type = type.getNonReferenceType().getCanonicalType();
+  if (type->isVoidPointerType() || type->isFunctionPointerType()) return false;
+  if (type->isPointerType()) return may_hold_pointer(type->getPointeeType());
+  const auto* made =
+      llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
+  if (!made) return false;
+  const std::string name = qualified_name_of(made);
+  if (is_owner_class(name)) return may_hold_pointer(type);
+  if (!is_view_class(name) && !made->getName().ends_with("iterator")) return false;
+  return llvm::any_of(made->getTemplateArgs().asArray(), [](const clang::TemplateArgument& argument) {
+    if (argument.getKind() != clang::TemplateArgument::Type) return false;
+    const clang::QualType part = argument.getAsType().getCanonicalType();
+    if (part->isPointerType()) return may_hold_pointer(part->getPointeeType());
+    const clang::CXXRecordDecl* record = part->getAsCXXRecordDecl();
+    return record && is_owner_class(qualified_name_of(record)) && may_hold_pointer(part);
+  });
+}
+
+bool is_moved(const clang::Expr* expr) {
+  return !expr->isLValue();
+}
+
+/// What a function of the array does: gives access to elements, leaves none behind, or is not known.
+enum class ArrayMethod { access, nothing, exchange, unknown };
+ArrayMethod array_method(const std::string& name) {
+  static const std::set<std::string> access = {
+      "data",  "begin", "end",    "cbegin", "cend",    "rbegin",       "rend",    "at",
+      "front", "back",  "insert", "erase",  "emplace", "emplace_back", "crbegin", "crend"};
+  static const std::set<std::string> nothing = {"size",     "empty",     "resize",        "reserve",
+                                                "clear",    "push_back", "shrink_to_fit", "assign",
+                                                "pop_back", "max_size"};
+  if (access.count(name)) return ArrayMethod::access;
+  if (nothing.count(name)) return ArrayMethod::nothing;
+  return name == "swap" ? ArrayMethod::exchange : ArrayMethod::unknown;
+}
+
+}  // namespace
+
+bool CallSteps::into_member(const clang::MemberExpr* member) {
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member->getMemberDecl());
+  if (!method) {
+    if (at_.how == Reference::array) return escape("is used in a way that is not understood");
+    if (!member->getType()->isReferenceType() && at_.how == Reference::view &&
+        !may_hold_pointer(member->getType()))
+      return done();
+    return go_on(member, Reference::elements);
+  }
+  const auto* call = llvm::dyn_cast_or_null<clang::CXXMemberCallExpr>(view_.parent(member));
+  if (!call) return escape("is used in a way that is not understood");
+  return at_.how == Reference::array ? into_array_method(member, call) : into_element_method(call);
+}
+
+bool CallSteps::into_array_method(const clang::MemberExpr* member, const clang::CXXMemberCallExpr* call) {
+  const clang::CXXMethodDecl* method = call->getMethodDecl();
+  const std::string name = method->getNameAsString();
+  switch (array_method(name)) {
+    case ArrayMethod::access:
+      at_.read_only = method->isConst();
+      return call->getType()->isVoidType() ? done() : go_on(call, Reference::elements);
+    case ArrayMethod::nothing:
+      return done();
+    case ArrayMethod::exchange:
+      check_taken(call->getArg(0), true);
+      return done();
+    case ArrayMethod::unknown:
+      analysis_.escape(at_.messages, "is not needed: '" + name + "' of the array depends on its type",
+                       member->getMemberLoc(), false);
+      return done();
+  }
+  return done();
+}
+
+/// A function of an element, an iterator or a view.
+bool CallSteps::into_element_method(const clang::CXXMemberCallExpr* call) {
+  const clang::CXXMethodDecl* method = call->getMethodDecl();
+  const std::string name = qualified_name_of(method);
+  if (context_.unit.declares(method)) return escape("is passed to '" + name + "'");
+  const Keeping keeping = context_.keeping_of(name, at_.messages);
+  if (keeping == Keeping::nothing_and_result_is_new) return done();
+  const clang::QualType object = method->getThisType()->getPointeeType();
+  const bool is_known = is_view(object) || keeping == Keeping::nothing || !may_hold_pointer(object);
+  return is_known ? into_result(call) : escape("is passed to '" + name + "'");
+}
+
+bool CallSteps::into_result(const clang::Expr* call) {
+  const clang::QualType type = call->getType();
+  if (call->isPRValue() && !may_hold_pointer(type)) return done();
+  if (call->isGLValue() && type.getCanonicalType()->isRecordType() && is_view(type))
+    return go_on(call, Reference::view);
+  if (call->isGLValue() || type->isAnyPointerType()) return go_on(call, Reference::elements);
+  return is_view(type) ? go_on(call, Reference::view) : escape("is part of a '" + type.getAsString() + "'");
+}
+
+bool CallSteps::into_object_operator(const clang::CXXOperatorCallExpr* call) {
+  const clang::OverloadedOperatorKind op = call->getOperator();
+  if (at_.how == Reference::array) {
+    if (op == clang::OO_Subscript) {
+      at_.read_only = llvm::cast<clang::CXXMethodDecl>(call->getDirectCallee())->isConst();
+      return go_on(call, Reference::elements);
+    }
+    if (op != clang::OO_Equal) return call->isComparisonOp() ? done() : escape("is given to an operator");
+    check_taken(call->getArg(1), false);
+    return go_on(call);
+  }
+  if (op == clang::OO_Equal) return go_on(call);
+  if (op == clang::OO_Call && !is_view(call->getArg(0)->getType())) return escape("is called");
+  return into_result(call);
+}
+
+bool CallSteps::into_operator(const clang::CXXOperatorCallExpr* call) {
+  const clang::FunctionDecl* callee = call->getDirectCallee();
+  const llvm::ArrayRef<const clang::Expr*> arguments(call->getArgs(), call->getNumArgs());
+  const unsigned index = argument_index(arguments, at_.expr);
+  const bool is_method = llvm::isa_and_nonnull<clang::CXXMethodDecl>(callee);
+  if (!callee || context_.unit.declares(callee)) return into_call(call);
+  if (index == 0 && is_method) return into_object_operator(call);
+  if (call->getOperator() == clang::OO_Equal) {
+    if (at_.how != Reference::array) return into_assignment(call->getArg(0));
+    if (is_moved(at_.expr)) return escape("moves with the array", false);
+    return done();
+  }
+  const bool is_value = at_.expr->isPRValue() && !may_hold_pointer(at_.expr->getType());
+  if (is_value || (call->isComparisonOp() && callee->isInStdNamespace())) return done();
+  const clang::CXXRecordDecl* record = at_.expr->getType()->getAsCXXRecordDecl();
+  const bool of_iterator = at_.how == Reference::elements && record && is_view(at_.expr->getType());
+  return of_iterator ? into_result(call) : into_call(call);
+}
+
+bool CallSteps::into_call(const clang::CallExpr* call) {
+  const clang::FunctionDecl* callee = call->getDirectCallee();
+  if (call->getCallee() == at_.expr) return escape("is called");
+  if (!callee) return escape("is passed to a function that is not known here");
+  const llvm::ArrayRef<const clang::Expr*> arguments(call->getArgs(), call->getNumArgs());
+  unsigned index = argument_index(arguments, at_.expr);
+  const bool shifted = llvm::isa<clang::CXXOperatorCallExpr>(call) && llvm::isa<clang::CXXMethodDecl>(callee);
+  if (shifted && index > 0) --index;
+  const std::string name = qualified_name_of(callee);
+  if (at_.how == Reference::array && (name == "std::move" || name == "std::forward"))
+    return call->isXValue() && !call->getType().isConstQualified() ? escape("moves with the array", false)
+                                                                   : go_on(call);
+  if (passes_through(callee) && name != "std::ref" && name != "std::cref" && name != "boost::ref" &&
+      name != "boost::cref")
+    return go_on(call);
+  if (at_.how == Reference::array && context_.unit.declares(callee) && !is_type_blind(callee, index))
+    return escape("is not needed: '" + name + "' asks for the array's type", false);
+  if (context_.unit.declares(callee) && analysis_.follow(callee, index, at_)) return done();
+  const Keeping keeping = context_.keeping_of(name, at_.messages);
+  if (keeping != Keeping::unknown) return into_known_call(call, keeping != Keeping::nothing);
+  // What takes a std::vector does not take the ported array: the compiler refuses it.
+  const bool own = context_.unit.declares(callee);
+  if (!own && at_.how == Reference::array && !callee->getPrimaryTemplate()) return done();
+  return escape("is passed to '" + name + "'");
+}
+
+/// A known function keeps nothing itself, but it may copy a pointer to where another argument points.
+bool CallSteps::may_store_pointer(const clang::CallExpr* call) {
+  const clang::QualType type = at_.expr->IgnoreParenCasts()->getType().getCanonicalType();
+  if (type->isPointerType() && may_hold_pointer(type->getPointeeType()) && !type->isVoidPointerType())
+    return true;
+  const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
+  const clang::CXXRecordDecl* owner = method ? method->getRecordDecl() : nullptr;
+  if (owner && is_owner_class(qualified_name_of(owner)) &&
+      may_hold_pointer(owner->getASTContext().getRecordType(owner)))
+    return true;
+  return llvm::any_of(call->arguments(), [&](const clang::Expr* argument) {
+    return argument != at_.expr && reaches_pointers(argument->IgnoreParenCasts()->getType());
+  });
+}
+
+bool CallSteps::into_known_call(const clang::CallExpr* call, bool result_is_new) {
+  if (at_.how != Reference::array && may_store_pointer(call)) return escape("may be stored by a call");
+  check_callables(call);
+  if (result_is_new) return done();
+  if (at_.how == Reference::array && call->isGLValue() && is_data_array(call->getType())) return go_on(call);
+  if (at_.how == Reference::array) at_.read_only = at_.read_only || at_.expr->getType().isConstQualified();
+  return into_result(call);
+}
+
+/// A function object that an algorithm calls gets references to elements.
+void CallSteps::check_callables(const clang::CallExpr* call) {
+  for (const clang::Expr* argument : call->arguments()) {
+    if (const clang::LambdaExpr* lambda = lambda_in(argument)) {
+      hold_parameters(lambda);
+      continue;
+    }
+    const clang::QualType type = argument->getType();
+    const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+    const bool callable = type->isFunctionPointerType() || type->isFunctionType() ||
+                          (record && context_.unit.source.in_package(record->getLocation()));
+    if (callable) escape("is passed to a function object");
+  }
+}
+
+void CallSteps::hold_parameters(const clang::LambdaExpr* lambda) {
+  if (lambda->isGenericLambda()) {
+    escape("is passed to a generic lambda");
+    return;
+  }
+  for (const clang::ParmVarDecl* parameter : lambda->getCallOperator()->parameters())
+    if (parameter->getType()->isReferenceType() || may_hold_pointer(parameter->getType()))
+      analysis_.hold(view_, {parameter, Reference::elements, at_.read_only, at_.messages});
+}
+
+bool CallSteps::into_construction(const clang::CXXConstructExpr* construct) {
+  const clang::CXXConstructorDecl* constructor = construct->getConstructor();
+  const clang::CXXRecordDecl* record = constructor->getParent();
+  const clang::QualType type = construct->getType();
+  const llvm::ArrayRef<const clang::Expr*> arguments(construct->getArgs(), construct->getNumArgs());
+  if (is_data_array(type) && at_.how == Reference::array)
+    return constructor->isMoveConstructor() ? escape("moves with the array", false) : done();
+  if (constructor->isCopyOrMoveConstructor() && !context_.unit.declares(constructor))
+    return may_hold_pointer(type) ? go_on(construct) : done();
+  if (is_view(type)) return go_on(construct, Reference::view);
+  if (context_.unit.declares(constructor)) {
+    const bool followed = analysis_.follow(constructor, argument_index(arguments, at_.expr), at_);
+    return followed ? done() : escape("is passed to '" + record->getNameAsString() + "'");
+  }
+  if (is_owner_class(qualified_name_of(record)) && !may_hold_pointer(type)) return done();
+  return escape("is kept in a '" + qualified_name_of(record) + "'");
+}
+
+/// Elements of a vector that become the array's stay in place with a vector; with shared memory they do not.
+void CallSteps::check_taken(const clang::Expr* value, bool swapped) {
+  if (!swapped && !is_moved(value->IgnoreImpCasts())) return;  // copied
+  const clang::Expr* written = value->IgnoreParenImpCasts();
+  while (const auto* call = llvm::dyn_cast<clang::CallExpr>(written)) {
+    if (!passes_through(call->getDirectCallee())) break;
+    written = call->getArg(0)->IgnoreParenImpCasts();
+  }
+  if (written->isPRValue() || llvm::isa<clang::MaterializeTemporaryExpr>(written)) return;  // a new vector
+  if (const auto* array = llvm::dyn_cast<clang::MemberExpr>(written);
+      array && is_data_array(array->getType())) {
+    const std::vector<EntityId> other = context_.sources_of(array->getBase());
+    for (const EntityId& mine : at_.messages)
+      for (const EntityId& key : other)
+        context_.entities.add_flow(mine, key, value->getBeginLoc(), "array exchanged");
+    if (!other.empty()) return;
+  }
+  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(written);
+  const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
+  if (variable && variable->isLocalVarDeclOrParm() && !variable->isStaticLocal() &&
+      !variable->getType()->isReferenceType())
+    return analysis_.take(view_, variable, value, at_.messages);
+  analysis_.escape(at_.messages,
+                   "may exist: '" + context_.unit.source.text(written->getSourceRange()) +
+                       "' gives the array its elements",
+                   value->getBeginLoc(), false);
+}
+
+}  // namespace tzc::rewriter

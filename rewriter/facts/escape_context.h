@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "facts/known_functions.h"
+#include "facts/value_flow.h"
+
+namespace tzc::rewriter {
+
+/// What the analysis of escapes reads, and where it writes what it finds.
+struct EscapeContext {
+  const Unit& unit;
+  EntityTable& entities;
+  ValueFlow& flow;
+  EscapeFacts& found;
+
+  /// By the table, or by the workspace's own, on which the level of the messages rests then.
+  Keeping keeping_of(const std::string& function, const std::vector<EntityId>& messages) const {
+    const Keeping known = rewriter::keeping_of(function);
+    const auto trusted = unit.trusted.find(function);
+    if (known != Keeping::unknown || trusted == unit.trusted.end()) return known;
+    for (const EntityId& key : messages) found.trusted_calls.push_back({key, function, trusted->second});
+    return Keeping::nothing;
+  }
+  std::vector<EntityId> sources_of(const clang::Expr* expr) const { return flow.sources_of(expr).entities; }
+};
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/filter_sites.h"
+
+#include "facts/ast_walk.h"
+#include "facts/callback_parameter.h"
+#include "facts/calls.h"
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+std::optional<MessageType> filter_message(const clang::CXXRecordDecl* record) {
+  const auto* templated = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
+  if (!templated || templated->getTemplateArgs().size() == 0) return {};
+  return message_of(templated->getTemplateArgs()[0].getAsType());
+}
+
+template <class Call>
+llvm::ArrayRef<const clang::Expr*> arguments_of(const Call* call) {
+  return {call->getArgs(), call->getNumArgs()};
+}
+
+}  // namespace
+
+Subscribe FilterCollector::site_of(const Construction& construction, const EntityId& filter) const {
+  Subscribe site;
+  site.where = unit_.source.where(construction.expr->getExprLoc());
+  site.function = enclosing_function_name(unit_.ast(), *construction.expr);
+  site.type = "sensor_msgs/Image";
+  site.filter = filter;
+  const std::string name = qualified_name_of(construction.record);
+  const ClassRename* rename = unit_.rules.find_class_or_ported(name);
+  if (rename) site.rule = rename->rule;
+  site.ported = unit_.rules.find_ported_class(name) != nullptr;
+  if (const auto message = filter_message(construction.record)) {
+    site.type = message->name;
+    site.has_data_part = message->has_data_part;
+  }
+  for (const clang::Expr* argument : construction.arguments)
+    if (!site.topic && !argument->getType()->isArithmeticType()) site.topic = constant_string(argument);
+  const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *construction.expr);
+  site.scope = function ? record_usr_of(function) : "";
+  if (filter.empty())
+    site.obstacles.push_back(
+        {codes::TZC2009, "what holds the filter cannot be given another type", location_of(site.where)});
+  return site;
+}
+
+std::optional<Subscribe> FilterCollector::of_call(const clang::CXXMemberCallExpr* call) {
+  if (call->getNumArgs() < 2) return {};
+  const Receiver receiver = receiver_of(call);
+  if (!receiver.expr) return {};
+  const FlowSources sources = flow_.sources_of(receiver.expr);
+  return site_of({call, call->getRecordDecl(), arguments_of(call)},
+                 sources.entities.empty() ? EntityId() : sources.entities[0]);
+}
+
+std::optional<Subscribe> FilterCollector::of_construction(const clang::CXXConstructExpr* construct) {
+  const clang::CXXConstructorDecl* constructor = construct->getConstructor();
+  // A class of the package that has taken over the constructors of its base.
+  const clang::CXXConstructorDecl* inherited =
+      is_filter(constructor->getParent()) ? nullptr : constructor->getInheritedConstructor().getConstructor();
+  if (inherited) constructor = inherited;
+  if (!is_filter(constructor->getParent())) return {};
+  const EntityId filter = inherited ? EntityId() : constructed(construct);
+  if (construct->getNumArgs() < 2) return {};
+  return site_of({construct, constructor->getParent(), arguments_of(construct)}, filter);
+}
+
+std::optional<Subscribe> FilterCollector::of_made(const clang::CallExpr* call,
+                                                  const clang::CXXRecordDecl* record,
+                                                  const EntityId& filter) {
+  if (call->getNumArgs() < 2) return {};
+  return site_of({call, record, arguments_of(call)}, filter);
+}
+
+bool FilterCollector::is_filter(const clang::CXXRecordDecl* record) const {
+  const ClassRename* rename = record ? unit_.rules.find_class_or_ported(qualified_name_of(record)) : nullptr;
+  return rename && rename->role == ClassRename::Role::filter;
+}
+
+std::optional<Subscribe> FilterCollector::of_emplaced(const clang::CXXMemberCallExpr* call) {
+  const auto* container =
+      llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(call->getMethodDecl()->getParent());
+  if (call->getMethodDecl()->getNameAsString().rfind("emplace", 0) != 0 || call->getNumArgs() < 2) return {};
+  if (!container || container->getTemplateArgs().size() == 0) return {};
+  const clang::TemplateArgument& held = container->getTemplateArgs()[0];
+  if (held.getKind() != clang::TemplateArgument::Type) return {};
+  const clang::CXXRecordDecl* record = held.getAsType()->getAsCXXRecordDecl();
+  if (!is_filter(record)) return {};
+  const FlowSources sources = flow_.sources_of(call->getImplicitObjectArgument());
+  return site_of({call, record, arguments_of(call)},
+                 sources.entities.empty() ? EntityId() : sources.entities[0]);
+}
+
+/// The entity that a constructed filter becomes.
+EntityId FilterCollector::constructed(const clang::CXXConstructExpr* construct) {
+  for (const clang::DynTypedNode& node : ancestors(unit_.ast(), *construct)) {
+    if (const auto* variable = node.get<clang::VarDecl>()) return entities_.declare(variable);
+    if (const auto* field = node.get<clang::FieldDecl>()) return entities_.declare(field);
+    if (const auto* created = node.get<clang::CXXNewExpr>()) return entities_.declare_temporary(created);
+    if (const auto* call = node.get<clang::CallExpr>())
+      return makes_object(call) ? entities_.declare_temporary(call) : EntityId();
+    if (const auto* constructor = node.get<clang::CXXConstructorDecl>()) {
+      for (const clang::CXXCtorInitializer* initializer : constructor->inits())
+        if (initializer->getInit()->IgnoreImplicit() == construct && initializer->getMember())
+          return entities_.declare(initializer->getMember());
+      return {};
+    }
+  }
+  return {};
+}
+
+void FilterCollector::note_callbacks(std::map<FilterCallback, FilterCallbackUse>& callbacks,
+                                     const clang::Stmt* stmt, const std::string& scope) const {
+  if (!stmt) return;
+  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt);
+  if (const auto* function = reference ? llvm::dyn_cast<clang::FunctionDecl>(reference->getDecl()) : nullptr)
+    for (const clang::ParmVarDecl* parameter : function->parameters()) {
+      const CallbackParameter one = callback_parameter_of(parameter->getType());
+      if (!one.message) continue;
+      FilterCallbackUse& use = callbacks[{scope, one.message->name}];
+      use.writes |= one.writes;
+      if (const EntityId id = entities_.declare(parameter); !id.empty()) use.parameters.insert(id);
+    }
+  for (const clang::Stmt* child : stmt->children()) note_callbacks(callbacks, child, scope);
+}
+
+void FilterCollector::add_callbacks(const clang::CXXMemberCallExpr* call,
+                                    std::map<FilterCallback, FilterCallbackUse>& callbacks) const {
+  const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *call);
+  if (!function) return;
+  for (const clang::Expr* argument : call->arguments())
+    note_callbacks(callbacks, argument, record_usr_of(function));
+}
+
+}  // namespace tzc::rewriter

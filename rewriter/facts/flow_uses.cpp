@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/flow_uses.h"
+
+#include "facts/ast_walk.h"
+#include "facts/calls.h"
+#include "facts/overwrites.h"
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+unsigned argument_index(llvm::ArrayRef<const clang::Expr*> arguments, const clang::Expr* argument) {
+  for (unsigned i = 0; i < arguments.size(); ++i)
+    if (arguments[i] == argument) return i;
+  return static_cast<unsigned>(arguments.size());
+}
+
+}  // namespace
+
+FlowEnd UseFollower::follow(const clang::Expr* leaf, const EntityId& id) {
+  at_ = leaf;
+  id_ = id;
+  end_ = {};
+  while (step()) {
+  }
+  return end_;
+}
+
+bool UseFollower::go_on(const clang::Expr* next) {
+  at_ = next;
+  return carried_by(next->getType(), unit_.rules).has_value();
+}
+
+bool UseFollower::refuse(const char* code, const std::string& reason) {
+  entities_.add_obstacle(id_, code, reason, at_->getBeginLoc());
+  return false;
+}
+
+bool UseFollower::step() {
+  const auto parents = unit_.ast().getParents(*at_);
+  if (parents.empty()) return false;
+  // A list as written may have no type; what it initialises has.
+  const auto* parent_of = llvm::find_if(parents, [](const clang::DynTypedNode& node) {
+    const auto* list = node.get<clang::InitListExpr>();
+    return !list || !list->getType()->isVoidType();
+  });
+  const clang::DynTypedNode around = parent_of == parents.end() ? parents[0] : *parent_of;
+  if (const auto* decl = around.get<clang::Decl>()) return into_decl(decl);
+  if (around.get<clang::TypeLoc>()) return into_type_question();
+  const auto* statement = around.get<clang::Stmt>();
+  if (!statement) return false;
+  if (const auto* returned = llvm::dyn_cast<clang::ReturnStmt>(statement)) return into_return(returned);
+  if (llvm::isa<clang::AsmStmt, clang::CoreturnStmt>(statement))
+    return refuse(codes::TZC1001, "this use of it is not understood");
+  const auto* parent = llvm::dyn_cast<clang::Expr>(statement);
+  return parent ? into_expression(parent) : false;
+}
+
+bool UseFollower::into_decl(const clang::Decl* decl) {
+  if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(decl))
+    return into_initializer(constructor);
+  const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
+  const auto* field = llvm::dyn_cast<clang::FieldDecl>(decl);
+  if (!variable && !field) return false;
+  if (variable && variable->isCXXForRangeDecl()) return false;
+  if (variable && variable->isImplicit() && !variable->isInitCapture()) return false;
+  if (llvm::isa<clang::DecompositionDecl>(decl) && message_of(variable->getType()))
+    return refuse(codes::TZC1001, "its fields are bound to names");
+  const auto* value = llvm::cast<clang::ValueDecl>(decl);
+  const EntityId target = entities_.declare(value);
+  if (target.empty())
+    return value->getType()->isDependentType() || value->getType()->isScalarType()
+               ? false
+               : refuse(codes::TZC1001, "it becomes part of '" + value->getNameAsString() + "'");
+  end_.variable = variable;
+  entities_.add_flow(id_, target, at_->getBeginLoc(), "initialises '" + value->getNameAsString() + "'");
+  return false;
+}
+
+bool UseFollower::into_initializer(const clang::CXXConstructorDecl* constructor) {
+  for (const clang::CXXCtorInitializer* initializer : constructor->inits()) {
+    if (!initializer->getMember() || !initializer->isWritten()) continue;
+    const clang::SourceRange range = initializer->getInit()->getSourceRange();
+    const auto& manager = unit_.source.manager();
+    const clang::SourceLocation here = at_->getBeginLoc();
+    if (manager.isBeforeInTranslationUnit(here, range.getBegin()) ||
+        manager.isBeforeInTranslationUnit(range.getEnd(), here))
+      continue;
+    entities_.add_flow(id_, entities_.declare(initializer->getMember()), here,
+                       "initialises '" + initializer->getMember()->getNameAsString() + "'");
+  }
+  return false;
+}
+
+bool UseFollower::into_return(const clang::ReturnStmt* statement) {
+  const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *statement);
+  if (!function) return false;
+  const EntityId target = entities_.declare_result(function);
+  if (!target.empty())
+    entities_.add_flow(id_, target, at_->getBeginLoc(),
+                       "returned from '" + function->getNameAsString() + "'");
+  return false;
+}
+
+bool UseFollower::into_expression(const clang::Expr* parent) {
+  if (parent->isTypeDependent()) return false;  // the template's instances tell
+  if (parent->getType()->isVoidPointerType() && !at_->getType()->isVoidPointerType())
+    return refuse(codes::TZC1001, "its address is kept as '" + parent->getType().getAsString() + "'");
+  if (llvm::isa<clang::ParenExpr, clang::ImplicitCastExpr, clang::FullExpr, clang::MaterializeTemporaryExpr,
+                clang::CXXBindTemporaryExpr, clang::ArraySubscriptExpr>(parent))
+    return go_on(parent);
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(parent)) return into_member(member);
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(parent)) return into_operator(op);
+  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(parent)) return into_call(call);
+  if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(parent))
+    return into_constructor(construct);
+  if (const auto* cast = llvm::dyn_cast<clang::ExplicitCastExpr>(parent)) return into_cast(cast);
+  if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(parent)) return go_on(op);
+  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(parent)) return into_binary(op);
+  if (const auto* choice = llvm::dyn_cast<clang::ConditionalOperator>(parent))
+    return choice->getCond() == at_ ? false : go_on(choice);
+  if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(parent)) return into_list(list);
+  if (llvm::isa<clang::CXXNewExpr>(parent)) {
+    entities_.add_flow(id_, entities_.declare_temporary(parent), at_->getBeginLoc(),
+                       "copied into a new object");
+    return false;
+  }
+  if (llvm::isa<clang::CXXStdInitializerListExpr>(parent)) return go_on(parent);
+  if (llvm::isa<clang::UnaryExprOrTypeTraitExpr, clang::CXXTypeidExpr>(parent)) return into_type_question();
+  if (llvm::isa<clang::LambdaExpr, clang::CXXDeleteExpr, clang::CXXDependentScopeMemberExpr,
+                clang::UnresolvedMemberExpr>(parent))
+    return false;
+  return refuse(codes::TZC1001, "this use of it is not understood");
+}
+
+/// sizeof, typeid, decltype: a ported message has another type.
+bool UseFollower::into_type_question() {
+  return entities_.is_message(id_) && refuse(codes::TZC1001, "the program asks for its type");
+}
+
+bool UseFollower::into_method(const clang::MemberExpr* member) {
+  const auto* call = parent_as<clang::CXXMemberCallExpr>(unit_.ast(), *member);
+  if (!call) return refuse(codes::TZC1001, "a member function of it is named but not called");
+  if (unit_.rules.find_class_or_ported(qualified_name_of(call->getRecordDecl()))) return false;
+  const std::string method = member->getMemberDecl()->getNameAsString();
+  for (const clang::Expr* argument : call->arguments())
+    if (carried_by(argument->getType(), unit_.rules)) check_source(argument);
+  if (method == "reset" && call->getNumArgs() > 0) check_source(call->getArg(0));
+  return go_on(call);
+}
+
+bool UseFollower::into_member(const clang::MemberExpr* member) {
+  if (llvm::isa<clang::CXXMethodDecl>(member->getMemberDecl())) return into_method(member);
+  if (!llvm::isa<clang::FieldDecl>(member->getMemberDecl())) return false;
+  if (is_data_array(member->getType())) {
+    entities_.add_data_use(id_, member->getMemberLoc());
+    note_resize(member);
+    return false;
+  }
+  return go_on(member);
+}
+
+/// {a, b}: elements of a container, or parts of an aggregate. A list as written has no type; its semantic
+/// form has.
+bool UseFollower::into_list(const clang::InitListExpr* list) {
+  const clang::InitListExpr* typed = list->isSemanticForm() ? list : list->getSemanticForm();
+  if (!typed) return false;
+  if (carried_by(typed->getType(), unit_.rules)) return go_on(typed);
+  const clang::CXXRecordDecl* record = typed->getType()->getAsCXXRecordDecl();
+  unsigned index = 0;
+  if (record)
+    for (const clang::FieldDecl* field : record->fields())
+      if (index < list->getNumInits() && list->getInit(index++) == at_) {
+        entities_.add_flow(id_, entities_.declare(field), at_->getBeginLoc(),
+                           "becomes a part of an aggregate");
+        return false;
+      }
+  return refuse(codes::TZC1001, "it becomes part of an aggregate");
+}
+
+void UseFollower::note_resize(const clang::MemberExpr* array) {
+  const auto* method = parent_as<clang::MemberExpr>(unit_.ast(), *array);
+  if (!method || method->getMemberDecl()->getNameAsString() != "resize") return;
+  const auto* resize = parent_as<clang::CXXMemberCallExpr>(unit_.ast(), *method);
+  if (!resize) return;
+  if (std::optional<Change> change = without_zero_fill(unit_, resize))
+    entities_.add_use(id_, std::move(*change));
+}
+
+/// What is assigned must be understood too: else the value may be one that cannot be ported.
+void UseFollower::check_source(const clang::Expr* value) {
+  if (!sources_.of(value).foreign) return;
+
+  const std::string text = unit_.text(value);
+  if (entities_.is_message(id_))
+    refuse(codes::TZC1013, "'" + text + "' is a message that code outside the package builds");
+  else
+    refuse(codes::TZC1017, "'" + text + "' is a publisher that code outside the package advertises");
+}
+
+void UseFollower::assign(const clang::Expr* target, const clang::Expr* value, const clang::Expr* statement) {
+  if (at_ == target) return check_source(value);
+  end_.target = target;
+  end_.statement = statement;
+  for (const EntityId& to : sources_.of(target).entities)
+    entities_.add_flow(id_, to, at_->getBeginLoc(), "assigned to '" + unit_.text(target) + "'");
+}
+
+bool UseFollower::into_operator(const clang::CXXOperatorCallExpr* call) {
+  const clang::OverloadedOperatorKind op = call->getOperator();
+  if (op == clang::OO_Equal) {
+    assign(call->getArg(0), call->getArg(1), call);
+    return at_ == call->getArg(0) ? go_on(call) : false;
+  }
+  if (op == clang::OO_Call) return into_call(call);
+  if (unit_.declares(call->getDirectCallee())) return into_call(call);
+  if (at_ == call->getArg(0)) return go_on(call);
+  const bool only_reads = call->isComparisonOp() || op == clang::OO_LessLess || op == clang::OO_Subscript ||
+                          !entities_.is_message(id_);
+  return only_reads ? false : refuse(codes::TZC1001, "it is given to an operator of a library");
+}
+
+bool UseFollower::into_binary(const clang::BinaryOperator* op) {
+  if (op->getOpcode() == clang::BO_Assign) {
+    assign(op->getLHS(), op->getRHS(), op);
+    return false;
+  }
+  if (op->getOpcode() == clang::BO_Comma) return at_ == op->getRHS() ? go_on(op) : false;
+  if (op->isPtrMemOp()) return refuse(codes::TZC1001, "it is used through a pointer to member");
+  return op->isAdditiveOp() ? go_on(op) : false;
+}
+
+bool UseFollower::into_call(const clang::CallExpr* call) {
+  if (call->getCallee() == at_) return false;
+  const llvm::ArrayRef<const clang::Expr*> arguments(call->getArgs(), call->getNumArgs());
+  unsigned index = argument_index(arguments, at_);
+  if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) {
+    const clang::CXXRecordDecl* record = method->getRecordDecl();
+    const bool published = record && is_publisher_class(qualified_name_of(record)) &&
+                           method->getMethodDecl() && method->getMethodDecl()->getNameAsString() == "publish";
+    if (published && !llvm::StringRef(qualified_name_of(record)).ends_with("SingleSubscriberPublisher"))
+      end_.publish = method;
+    const clang::Expr* object = method->getImplicitObjectArgument();
+    if (method->getMethodDecl() && method->getMethodDecl()->getNameAsString() == "reset") {
+      end_.target = object;
+      end_.statement = call;
+    }
+  }
+  return effects_.of_call(id_, call, index) == CallEffect::result ? go_on(call) : false;
+}
+
+bool UseFollower::into_constructor(const clang::CXXConstructExpr* construct) {
+  const llvm::ArrayRef<const clang::Expr*> arguments(construct->getArgs(), construct->getNumArgs());
+  const unsigned index = argument_index(arguments, at_);
+  if (effects_.of_constructor(id_, construct, index) == CallEffect::done) return false;
+  if (!llvm::isa<clang::CXXTemporaryObjectExpr>(construct)) return go_on(construct);
+  entities_.add_flow(id_, entities_.declare_temporary(construct), at_->getBeginLoc(),
+                     "copied into a temporary");
+  return false;
+}
+
+bool UseFollower::into_cast(const clang::ExplicitCastExpr* cast) {
+  if (cast->getType()->isVoidType() || cast->getType()->isBooleanType()) return false;
+  if (!carried_by(cast->getType(), unit_.rules))
+    return refuse(codes::TZC1001, "it is cast to '" + cast->getType().getAsString() + "'");
+  const EntityId target = entities_.declare_temporary(cast);
+  entities_.add_flow(id_, target, at_->getBeginLoc(), "cast");
+  return false;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace tzc::rewriter {
+
+/// The known effects of functions on a pointer argument: known_functions.def holds the table and its terms.
+enum class Keeping { unknown, nothing, nothing_and_result_is_new };
+
+Keeping keeping_of(const std::string& function);
+bool is_view_class(const std::string& name);
+bool is_owner_class(const std::string& name);
+bool calls_nothing(const std::string& function);
+bool is_quiet_function(const std::string& function);
+
+}  // namespace tzc::rewriter

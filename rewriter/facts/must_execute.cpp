@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/must_execute.h"
+
+#include <clang/AST/RecursiveASTVisitor.h>
+
+#include "facts/ast_walk.h"
+
+namespace tzc::rewriter {
+namespace {
+
+unsigned begin_of(const Unit& unit, const clang::Stmt* stmt) {
+  return unit.offset(stmt->getBeginLoc());
+}
+
+/// Whether a function, or one that it calls, mentions one of the declarations. True when that cannot be seen.
+class Reach : public clang::RecursiveASTVisitor<Reach> {
+ public:
+  Reach(const Unit& unit, const std::vector<const clang::ValueDecl*>& decls) : unit_(unit), decls_(decls) {}
+  bool found = false;
+
+  void follow(const clang::FunctionDecl* callee) {
+    if (callee && !unit_.declares(callee)) return;
+    const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(callee);
+    const clang::FunctionDecl* definition = nullptr;
+    if (!callee || !callee->isDefined(definition) || (method && method->isVirtual()))
+      found = true;  // a function pointer, another file, another class
+    else if (seen_.insert(definition).second)
+      TraverseStmt(definition->getBody());
+  }
+  bool VisitCallExpr(clang::CallExpr* call) {
+    follow(call->getDirectCallee());
+    return !found;
+  }
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) { return note(reference->getDecl()); }
+  bool VisitMemberExpr(clang::MemberExpr* member) { return note(member->getMemberDecl()); }
+
+ private:
+  bool note(const clang::ValueDecl* decl) {
+    found = found || llvm::is_contained(decls_, decl);
+    return !found;
+  }
+  const Unit& unit_;
+  const std::vector<const clang::ValueDecl*>& decls_;
+  std::set<const clang::FunctionDecl*> seen_;
+};
+
+/// A mention of a pointer or container that leaves it as it is.
+bool only_looks(const Unit& unit, const clang::Expr* mention) {
+  const auto* around = parent_as<clang::Expr>(unit.ast(), *mention);
+  if (!around) return false;
+  if (llvm::isa<clang::ParenExpr>(around)) return only_looks(unit, around);
+  if (const auto* cast = llvm::dyn_cast<clang::ImplicitCastExpr>(around))
+    return !cast->isGLValue() || cast->getType().isConstQualified() || only_looks(unit, cast);
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(around)) {
+    const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member->getMemberDecl());
+    return !method || method->isConst() || member->isArrow();
+  }
+  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(around);
+  return is_step(around) && (!op || !op->isAssignmentOp());
+}
+
+/// The code between two offsets of a function: exits, and changes of what the publisher's name depends on.
+class Between : public clang::RecursiveASTVisitor<Between> {
+ public:
+  Between(const Unit& unit, const NameParts& parts, unsigned from, unsigned to)
+      : unit_(unit), parts_(parts), reach_(unit, parts.all), from_(from), to_(to) {}
+  bool leaves = false, changes = false, locks = false;
+
+  bool VisitStmt(clang::Stmt* stmt) {
+    const unsigned here = begin_of(unit_, stmt);
+    if (here < from_ || here >= to_) return true;
+    leaves |= llvm::isa<clang::ReturnStmt, clang::BreakStmt, clang::ContinueStmt, clang::GotoStmt,
+                        clang::CXXThrowExpr, clang::SwitchCase, clang::LabelStmt>(stmt);
+    if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt))
+      note(reference, reference->getDecl());
+    if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt)) note(member, member->getMemberDecl());
+    if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) reach_.follow(call->getDirectCallee());
+    if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
+      reach_.follow(made->getConstructor());
+      locks |= made->getConstructor()->getParent()->getName().contains("lock");
+    }
+    changes |= reach_.found || locks;
+    return true;
+  }
+
+ private:
+  void note(const clang::Expr* mention, const clang::ValueDecl* decl) {
+    changes |= llvm::is_contained(parts_.all, decl) && !only_looks(unit_, mention);
+  }
+  const Unit& unit_;
+  const NameParts& parts_;
+  Reach reach_;
+  unsigned from_, to_;
+};
+
+/// A statement or operand that is not always evaluated when what is around it is.
+bool is_optional_part(const clang::Stmt* part, const clang::Stmt* around) {
+  if (const auto* statement = llvm::dyn_cast<clang::IfStmt>(around))
+    return part == statement->getThen() || part == statement->getElse();
+  if (const auto* choice = llvm::dyn_cast<clang::AbstractConditionalOperator>(around))
+    return part != choice->getCond();
+  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(around))
+    return op->isLogicalOp() && part == op->getRHS();
+  return llvm::isa<clang::ForStmt, clang::WhileStmt, clang::CXXForRangeStmt, clang::SwitchStmt,
+                   clang::CXXCatchStmt, clang::LambdaExpr>(around);
+}
+
+/// Whether every condition around the node is also one around the offset.
+bool comes_with(const Unit& unit, const clang::Stmt* node, unsigned at) {
+  clang::DynTypedNode part = clang::DynTypedNode::create(*node);
+  for (const clang::DynTypedNode& ancestor : ancestors(unit.ast(), *node)) {
+    if (ancestor.get<clang::FunctionDecl>()) return true;
+    const auto* inner = part.get<clang::Stmt>();
+    const auto* around = ancestor.get<clang::Stmt>();
+    if (inner && around && is_optional_part(inner, around)) {
+      const unsigned end = unit.offset(inner->getEndLoc());
+      if (begin_of(unit, inner) > at || end < at) return false;
+    }
+    part = ancestor;
+  }
+  return true;
+}
+
+/// Finds a place that takes the same step whenever the offset is reached, before anything changes.
+class StepFinder : public clang::RecursiveASTVisitor<StepFinder> {
+ public:
+  StepFinder(const Unit& unit, const NameParts& parts, const clang::Stmt* body, const std::string& step,
+             unsigned at)
+      : unit_(unit), parts_(parts), body_(body), step_(step), at_(at) {}
+  bool found = false;
+
+  bool VisitStmt(clang::Stmt* stmt) {
+    found = found || (is_step(stmt) && step_text(unit_, stmt) == step_ && holds(stmt));
+    return !found;
+  }
+
+ private:
+  bool holds(const clang::Stmt* stmt) {
+    if (!comes_with(unit_, stmt, at_)) return false;
+    const unsigned here = begin_of(unit_, stmt);
+    Between between(unit_, parts_, std::min(here, at_), std::max(here, at_));
+    between.TraverseStmt(const_cast<clang::Stmt*>(body_));
+    return !between.changes && (here < at_ || !between.leaves);
+  }
+  const Unit& unit_;
+  const NameParts& parts_;
+  const clang::Stmt* body_;
+  const std::string& step_;
+  unsigned at_;
+};
+
+}  // namespace
+
+bool is_step(const clang::Stmt* stmt) {
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt))
+    return member->isArrow() && !llvm::isa<clang::CXXThisExpr>(member->getBase()->IgnoreParenImpCasts());
+  if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(stmt)) return op->getOpcode() == clang::UO_Deref;
+  return llvm::isa<clang::CXXOperatorCallExpr, clang::ArraySubscriptExpr>(stmt);
+}
+
+std::string step_text(const Unit& unit, const clang::Stmt* step) {
+  const auto* member = llvm::dyn_cast<clang::MemberExpr>(step);
+  const auto* arrow = llvm::dyn_cast<clang::CXXOperatorCallExpr>(step);
+  if (arrow && arrow->getOperator() != clang::OO_Arrow) arrow = nullptr;
+  if (!member && !arrow) return unit.text(step);
+  const clang::Expr* base = member ? member->getBase()->IgnoreImpCasts() : arrow->getArg(0);
+  if (member && llvm::isa<clang::CXXOperatorCallExpr>(base)) return step_text(unit, base);
+  return unit.text(base) + "->";
+}
+
+bool MustExecute::locks_between(unsigned from, unsigned to) const {
+  Between between(unit_, parts_, from, to);
+  between.TraverseStmt(const_cast<clang::Stmt*>(body_));
+  return between.locks;
+}
+
+bool MustExecute::takes(const std::string& step, unsigned at) const {
+  StepFinder visitor(unit_, parts_, body_, step, at);
+  visitor.TraverseStmt(const_cast<clang::Stmt*>(body_));
+  return visitor.found;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Whether every path of a function through a place also follows a pointer or an index.
+
+#include <clang/AST/ExprCXX.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "facts/unit.h"
+
+namespace tzc::rewriter {
+
+/// The parts of the expression that names a publisher.
+struct NameParts {
+  std::vector<const clang::VarDecl*> locals;
+  std::vector<const clang::ValueDecl*> all;
+  std::set<std::string> steps;  ///< pointers and indices that it follows: "node_->", "pubs_[i]", "*pub"
+  bool has_effects = false;
+};
+
+/// Follows a pointer or an index, which may be invalid at another time.
+bool is_step(const clang::Stmt* stmt);
+std::string step_text(const Unit& unit, const clang::Stmt* step);
+
+/// What the body of a function does on every path through an offset. `parts` and `body` must outlive it.
+class MustExecute {
+ public:
+  MustExecute(const Unit& unit, const NameParts& parts, const clang::Stmt* body)
+      : unit_(unit), parts_(parts), body_(body) {}
+
+  /// Whether every path through the offset takes the step: behind it, or before it with no change since.
+  bool takes(const std::string& step, unsigned at) const;
+  /// Whether a lock is taken between two offsets.
+  bool locks_between(unsigned from, unsigned to) const;
+
+ private:
+  const Unit& unit_;
+  const NameParts& parts_;
+  const clang::Stmt* body_;
+};
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clang/AST/ExprCXX.h>
+
+#include <optional>
+
+#include "facts/unit.h"
+#include "model/facts.h"
+
+namespace tzc::rewriter {
+
+/// The edit that leaves out the zero-fill of a resize, where what follows provably writes every element.
+std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMemberCallExpr* resize);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clang/AST/ExprCXX.h>
+
+#include <optional>
+
+#include "facts/hoisting.h"
+#include "facts/value_flow.h"
+
+namespace tzc::rewriter {
+
+struct PublishCall {
+  Publish site;
+  std::optional<PublisherMention> publisher;
+};
+
+/// publisher.publish(message). None: the call is a template's pattern.
+std::optional<PublishCall> publish_call(const Unit& unit, ValueFlow& flow,
+                                        const clang::CXXMemberCallExpr* call);
+
+/// The publishers that are passed to a function of the package.
+std::vector<PublisherMention> publisher_arguments(const Unit& unit, ValueFlow& flow,
+                                                  const clang::CallExpr* call);
+
+}  // namespace tzc::rewriter

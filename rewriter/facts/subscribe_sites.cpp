@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/subscribe_sites.h"
+
+#include "facts/ast_walk.h"
+#include "facts/callback_parameter.h"
+#include "facts/calls.h"
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+void describe(Subscribe& site, const CallbackParameter& parameter) {
+  if (!parameter.message) return;
+  site.type = parameter.message->name;
+  site.has_data_part = parameter.message->has_data_part;
+  site.writes = parameter.writes;
+}
+
+}  // namespace
+
+/// The callback argument: the parameters of the functions that it names.
+std::vector<EntityId> SubscribeCollector::callbacks_in(const clang::Stmt* stmt) {
+  std::vector<EntityId> callbacks;
+  if (!stmt) return callbacks;
+  if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt))
+    if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(reference->getDecl()))
+      for (const clang::ParmVarDecl* parameter : function->parameters())
+        if (const EntityId id = entities_.declare(parameter); !id.empty()) callbacks.push_back(id);
+  for (const clang::Stmt* child : stmt->children())
+    for (const EntityId& id : callbacks_in(child)) callbacks.push_back(id);
+  return callbacks;
+}
+
+Subscribe SubscribeCollector::site_at(const clang::CallExpr* call, const MethodCall& rule) const {
+  Subscribe site;
+  site.where = unit_.source.where(call->getExprLoc());
+  site.function = enclosing_function_name(unit_.ast(), *call);
+  site.rule = rule.rule;
+  if (rule.role == MethodCall::Role::subscribe_transport) site.type = "sensor_msgs/Image";
+  return site;
+}
+
+Subscribe SubscribeCollector::of_call(const clang::CXXMemberCallExpr* call, const MethodCall& rule) {
+  Subscribe site = site_at(call, rule);
+  CallbackParameter parameter = callback_parameter_of(call);
+  std::string written = written_template_arguments(unit_, call);
+  if (!parameter.message && written_arguments(call) == 1)
+    if (const auto type = options_message(unit_, call->getArg(0))) {
+      parameter.message = message_of(*type);
+      written = stock_name(parameter.message->name);
+    }
+  describe(site, parameter);
+  site.callbacks = callbacks_in(call);
+  const Location here = location_of(site.where);
+  if (site.type.empty())
+    site.obstacles.push_back({codes::TZC2006, "no message type is to be seen in this call", here});
+  if (written_arguments(call) > 0) site.topic = constant_string(call->getArg(0));
+  const std::string to = rule.to + (written.empty() ? "" : "<" + written + ">");
+  site.changes = receiver_first(unit_, call, {to, rule.rule, rule.header});
+  if (site.changes.empty())
+    site.obstacles.push_back({codes::TZC2003, "the subscribe call comes from a macro", here});
+  return site;
+}
+
+Subscribe SubscribeCollector::of_ported_call(const clang::CallExpr* call, const MethodCall& rule) {
+  Subscribe site = site_at(call, rule);
+  site.ported = true;
+  describe(site, callback_parameter_of(call));
+  site.callbacks = callbacks_in(call);
+  if (written_arguments(call) > 1) site.topic = constant_string(call->getArg(1));
+  return site;
+}
+
+}  // namespace tzc::rewriter

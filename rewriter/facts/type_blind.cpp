@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/type_blind.h"
+
+#include <clang/AST/ExprCXX.h>
+#include <clang/AST/RecursiveASTVisitor.h>
+
+namespace tzc::rewriter {
+namespace {
+
+/// typename M::Ptr: a name in the argument itself. It either means the same, or does not compile.
+bool is_of_parameter(const clang::NestedNameSpecifier* qualifier) {
+  const clang::Type* type = qualifier ? qualifier->getAsType() : nullptr;
+  return type && llvm::isa<clang::TemplateTypeParmType>(type);
+}
+
+class TypeQuestions : public clang::RecursiveASTVisitor<TypeQuestions> {
+ public:
+  bool found = false;
+
+  bool VisitIfStmt(clang::IfStmt* choice) { return note(choice->isConstexpr()); }
+  bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr*) { return note(true); }
+  bool VisitTypeTraitExpr(clang::TypeTraitExpr*) { return note(true); }
+  bool VisitCXXTypeidExpr(clang::CXXTypeidExpr*) { return note(true); }
+  bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc) { return note(true); }
+  bool VisitVarDecl(clang::VarDecl* variable) { return note(variable->isStaticLocal()); }
+  bool VisitDependentScopeDeclRefExpr(clang::DependentScopeDeclRefExpr* name) {
+    return note(!is_of_parameter(name->getQualifier()));
+  }
+  bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc name) {
+    return note(!is_of_parameter(name.getTypePtr()->getQualifier()));
+  }
+  bool VisitUnresolvedLookupExpr(clang::UnresolvedLookupExpr* name) {
+    return note(llvm::any_of(name->decls(), [](const clang::NamedDecl* decl) {
+      return llvm::isa<clang::VarTemplateDecl>(decl->getUnderlyingDecl());
+    }));
+  }
+
+ private:
+  bool note(bool question) {
+    found |= question;
+    return !found;
+  }
+};
+
+}  // namespace
+
+bool is_type_blind(const clang::FunctionDecl* function, unsigned argument) {
+  const clang::FunctionDecl* pattern = function->getTemplateInstantiationPattern();
+  if (!pattern || argument >= pattern->getNumParams()) return true;
+  if (!pattern->getParamDecl(argument)->getType()->isDependentType()) return true;
+  TypeQuestions questions;
+  questions.TraverseDecl(const_cast<clang::FunctionDecl*>(pattern));
+  return !questions.found;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/unit.h"
+
+#include <llvm/ADT/STLExtras.h>
+#include <llvm/Support/FileSystem.h>
+
+#include "facts/message_type.h"
+
+namespace tzc::rewriter {
+
+bool Unit::declares(const clang::FunctionDecl* function) const {
+  return function && source.in_package(pattern_of(function)->getLocation());
+}
+
+bool Unit::exports(clang::SourceLocation location) const {
+  const std::string& file = source.file_of(location);
+  return llvm::any_of(exported_dirs, [&](const std::string& dir) { return file.rfind(dir + "/", 0) == 0; });
+}
+
+bool Unit::has_twin(const std::string& message) const {
+  return llvm::any_of(include_dirs, [&](const std::string& dir) {
+    return llvm::sys::fs::exists(dir + "/" + twin_header(message));
+  });
+}
+
+}  // namespace tzc::rewriter

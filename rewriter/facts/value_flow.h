@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+//   expression ──sources_of──> entities that its value comes from           (flow_sources.h, downwards)
+//   use of an entity ──follow──> entities, edits, obstacles, where it ended  (flow_uses.h, upwards)
+//                                 └── what a call does with it: flows on, takes an edit, escapes (call_effects.h)
+
+#include "facts/flow_uses.h"
+
+namespace tzc::rewriter {
+
+/// Where values come from and where they go to. Writes its results into the entity table.
+class ValueFlow {
+ public:
+  ValueFlow(const Unit& unit, EntityTable& entities)
+      : unit_(unit), entities_(entities), sources_(unit, entities), uses_(unit, entities) {}
+
+  FlowSources sources_of(const clang::Expr* expr) { return sources_.of(expr); }
+  FlowEnd follow(const clang::Expr* leaf, const EntityId& id) { return uses_.follow(leaf, id); }
+
+  /// A variable that starts with a message, or publisher, of code outside the package.
+  void check_source_of(const clang::VarDecl* variable);
+  /// const_cast of a message: code that receives it may write to it.
+  void check_const_cast(const clang::ExplicitCastExpr* cast);
+  /// The elements of a container become the loop's variable.
+  void loop_over(const clang::CXXForRangeStmt* loop);
+
+ private:
+  const Unit& unit_;
+  EntityTable& entities_;
+  SourceFinder sources_;
+  UseFollower uses_;
+};
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <tuple>
+
+#include "model/site.h"
+
+namespace tzc::rewriter {
+
+/// A call that advertises, publishes or subscribes, as engine/api_calls.h finds it.
+struct ApiCall {
+  SiteKind kind = SiteKind::publish;
+  Location where;
+  std::string type;  ///< "sensor_msgs/Image"; empty: unknown at the call
+};
+
+/// By place, then by kind and type.
+inline bool operator<(const ApiCall& a, const ApiCall& b) {
+  return std::tie(a.where.file, a.where.line, a.where.column, a.kind, a.type) <
+         std::tie(b.where.file, b.where.line, b.where.column, b.kind, b.type);
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Facts about a parsed package: plain values, named by USR or by place, so that the facts of many translation
+// units merge by id and a header that is seen twice counts once.
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/ids.h"
+#include "model/location.h"
+
+namespace tzc::rewriter {
+
+/// An edit that is made when its entity or site is ported. `$PUB` in the text stands for the publisher.
+struct Change {
+  Place where;
+  std::string text;
+  std::string rule;
+  std::vector<std::string> headers;  ///< that the text needs: "tzc/ros.h"
+};
+
+/// Why an entity cannot be ported.
+struct Obstacle {
+  std::string code;
+  std::string reason;
+  Location where;
+};
+
+enum class EntityRole { message, publisher, filter };
+enum class Storage { local, member, global, parameter, result, temporary };
+
+/// TZC's class in place of another package's.
+struct PortedClass {
+  std::string name;    ///< "tzc::Publisher"
+  std::string header;  ///< "tzc/ros.h"
+};
+
+/// A variable, member, parameter, function result or temporary that carries a message, a publisher or a
+/// filter.
+struct Entity {
+  EntityId id;
+  EntityRole role = EntityRole::message;
+  Storage storage = Storage::local;
+  std::string type;       ///< "sensor_msgs/Image", empty for publishers
+  std::string name;       ///< as written
+  std::string record;     ///< USR of the class of a member
+  PortedClass ported_as;  ///< of a publisher or filter
+  bool plain = false;     ///< the publisher itself, not a pointer to it or a container of it
+  bool ported = false;    ///< a publisher or filter that has TZC's class already
+  Location where;
+  std::vector<Change> changes;  ///< its declared types
+  std::vector<Obstacle> obstacles;
+};
+
+/// Two entities that must have the same type: initialised, assigned, passed, returned.
+struct Flow {
+  EntityId from, to;
+  Location where;
+  std::string what;
+};
+
+/// A use of an entity that takes an edit when the entity is ported.
+struct Use {
+  EntityId entity;
+  Change change;
+};
+
+/// A publisher whose name can be evaluated at an allocation site.
+struct PublisherName {
+  EntityId publisher;
+  std::string text;  ///< "pub_", "pubs_[LEFT]"
+  bool pointer = false;
+  bool guarded = false;            ///< the pointer may be null here
+  std::vector<EntityId> messages;  ///< with which it is named
+};
+
+/// A statement that calls `allocate` is inserted.
+struct InsertedAllocation {
+  std::optional<Place> at;  ///< insertion point; none: there is none
+  std::string object;       ///< "image", "*image"
+  std::string indent;       ///< of the inserted line
+  bool own_line = true;     ///< the inserted statement gets a line of its own
+  bool before = false;      ///< the insertion stands before the statement at `at`, not behind it
+  bool filled = false;      ///< the message already has content there, which allocate would copy
+};
+
+/// A library call that makes the message is replaced by an adapter that is given the publisher.
+struct AdapterAllocation {
+  std::vector<Change> changes;  ///< use $PUB; none: the call cannot be replaced
+};
+
+/// A factory makes the message and can be given the publisher.
+struct FactoryAllocation {
+  EntityId factory;             ///< its result
+  std::vector<Change> changes;  ///< use $PUB; none: the call cannot be changed
+};
+
+/// Where a message comes into being, and how `allocate` is called for it.
+struct AllocationSite {
+  EntityId entity;
+  std::variant<InsertedAllocation, AdapterAllocation, FactoryAllocation> how;
+  std::vector<PublisherName> publishers;  ///< that publish it in this function and are available here
+  std::string record;                     ///< USR of the class whose `this` is available here
+  EntityId function;                      ///< result of the function around it
+  Location where;
+};
+
+/// A function that makes a message for its callers and can be given the publisher as its first parameter.
+struct Factory {
+  std::vector<Place> declarations;  ///< behind the parenthesis of each
+  bool has_parameters = false;
+  std::string parameter;  ///< the publisher's name in it
+};
+
+/// Common base of the calls that advertise, publish and subscribe.
+struct SiteFact {
+  Place where;
+  std::string function;  ///< qualified name of the function around it
+  std::string type;      ///< "sensor_msgs/Image"
+  bool has_data_part = true;
+  std::vector<Obstacle> obstacles;
+
+  SiteId id() const { return {where.file, where.begin, type}; }
+};
+
+struct Advertise : SiteFact {
+  std::optional<std::string> topic;
+  std::optional<std::string> queue;  ///< as written
+  EntityId publisher;                ///< empty: kept in no entity
+  std::vector<Change> changes;       ///< `$MEM` stands for the memory size
+  bool no_twin = false;
+  std::optional<std::string> memory;  ///< as written; set where the call is ported already
+  bool pcl = false;                   ///< advertised as a pcl::PointCloud
+  std::string rule;
+};
+
+struct Publish : SiteFact {
+  Place statement_end;
+  Place statement;  ///< empty file: the call is part of a larger expression
+  EntityId publisher;
+  std::string publisher_text;
+  std::string object;  ///< "image", "*image": for allocate in front of the call; empty: a temporary
+  std::vector<EntityId> messages;  ///< what the first argument denotes
+  bool in_void_function = false;
+  bool in_block = false;  ///< the statement stands in a block of its own
+  bool pcl = false;       ///< a pcl::PointCloud or a cv_bridge::CvImage is published as such
+  bool nested_only = false;
+  bool twin = false;  ///< a tzc:: message is published
+};
+
+struct Subscribe : SiteFact {
+  std::optional<std::string> topic;
+  bool ported = false;              ///< it subscribes through TZC already
+  bool writes = false;              ///< a callback may write to the message
+  std::vector<EntityId> callbacks;  ///< the parameters that receive the message
+  EntityId filter;                  ///< the filter object that must be ported with it
+  std::string scope;                ///< USR of the class around it
+  std::vector<Change> changes;
+  std::string rule;
+};
+
+/// A use of a data array of an entity.
+struct DataUse {
+  EntityId entity;
+  Location where;
+};
+
+/// Which message the callbacks of a filter take, and in which class they are registered.
+struct FilterCallback {
+  std::string scope;  ///< USR of the class
+  std::string type;
+
+  friend bool operator<(const FilterCallback& a, const FilterCallback& b) {
+    return std::tie(a.scope, a.type) < std::tie(b.scope, b.type);
+  }
+};
+
+/// What such callbacks do with it.
+struct FilterCallbackUse {
+  bool writes = false;            ///< one of them takes it as its own
+  std::set<EntityId> parameters;  ///< that receive it
+};
+
+/// The entities, the flows between them, and their uses.
+struct EntityFacts {
+  std::map<EntityId, Entity> entities;
+  std::vector<Flow> flows;
+  std::vector<Use> uses;
+  std::vector<DataUse> data_uses;
+  std::set<EntityId> objects;  ///< messages, and new ones: what flows into them is copied
+};
+
+/// Something that may publish a message: what a pointer into its data must not live across.
+struct PublishEvent {
+  /// unknown: code that is not seen here runs; exchange: the elements become another object's
+  enum class Kind { publish, call, unknown, exchange };
+  Kind kind = Kind::unknown;
+  std::set<EntityId> messages;  ///< that are published, or passed to the callee
+  std::string callee;           ///< USR of a function of the package
+};
+
+/// A pointer into a message's data went where it cannot be followed.
+struct DataEscape {
+  EntityId message;
+  Obstacle obstacle;
+  bool ends_with_scope = false;  ///< harmless for a message that ends with its scope soon after its publish
+};
+
+/// A pointer into a message's data lives across an event.
+struct DataHold {
+  EntityId message;
+  PublishEvent event;
+  Obstacle obstacle;
+};
+
+/// An event after which statements follow, before the message's end, that may write through a pointer.
+struct LoudTail {
+  PublishEvent event;
+  Obstacle obstacle;
+};
+
+/// Something that a subscriber should not do with a message that it was given as const.
+struct DataWrite {
+  EntityId message;
+  Obstacle obstacle;
+  bool to_array = false;  ///< the array itself may be written to, not only its elements
+};
+
+/// A function that is said to keep nothing was given a pointer into a message's data.
+struct TrustedCall {
+  EntityId message;
+  std::string function;
+  std::string reason;  ///< as the workspace gives it
+};
+
+/// Pointers into messages' data, and what they must not live across.
+struct EscapeFacts {
+  std::vector<DataEscape> escapes;
+  std::vector<DataHold> holds;
+  std::vector<LoudTail> loud_tails;
+  std::vector<DataWrite> data_writes;
+  std::vector<TrustedCall> trusted_calls;
+  std::map<std::string, std::vector<PublishEvent>> effects;  ///< what a function does, by USR
+  std::set<EntityId> lasting;                                ///< static locals, and what closures hold
+  std::set<std::string> early;  ///< functions that run before an object's members are all there, by USR
+};
+
+struct Facts : EntityFacts, EscapeFacts {
+  std::vector<AllocationSite> allocations;
+  std::map<EntityId, Factory> factories;  ///< by their result
+  std::map<SiteId, Advertise> advertises;
+  std::map<SiteId, Publish> publishes;
+  std::map<SiteId, Subscribe> subscribes;
+  std::map<FilterCallback, FilterCallbackUse> filter_callbacks;
+  std::map<std::string, std::set<std::string>> bases;  ///< record USR -> USRs of its base classes
+  bool shadows_tzc = false;  ///< the package gives the name tzc to something of its own
+  std::map<std::string, std::set<std::string>> units_of_file;  ///< package file -> main files that include it
+
+  /// Adds what another unit saw; the same entity or site counts once.
+  void merge(Facts&& other);
+};
+
+}  // namespace tzc::rewriter

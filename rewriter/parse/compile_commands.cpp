@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parse/compile_commands.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "buildfiles/compile_database.h"
+#include "edits/dual.h"
+#include "edits/files.h"
+#include "edits/standard_flags.h"
+
+namespace tzc::rewriter {
+namespace {
+
+bool is_cxx(const std::string& file) {
+  static const std::set<std::string> extensions = {".cpp", ".cc", ".cxx", ".c++", ".C", ".cp"};
+  return extensions.count(std::filesystem::path(file).extension().string()) != 0;
+}
+
+/// `ccache g++ -c x.cpp` -> `g++ -c x.cpp`
+void drop_launcher(std::vector<std::string>& arguments) {
+  while (arguments.size() > 1 && arguments[1][0] != '-' && !is_cxx(arguments[1]))
+    arguments.erase(arguments.begin());
+}
+
+/// TZC's headers are C++14 and the port raises the standard in the build files, so the package is parsed with
+/// it.
+std::vector<std::string> adjusted(const CompileCommand& command) {
+  std::vector<std::string> arguments = without_outputs(command.arguments);
+  if (arguments.empty()) return {};
+  drop_launcher(arguments);
+  std::transform(arguments.begin(), arguments.end(), arguments.begin(), raised_standard);
+  arguments.push_back(std::string("-D") + dual_macro);  // a package of --dual is read as it is with TZC
+  arguments.push_back("-fsyntax-only");
+  return arguments;
+}
+
+/// A unit of a unity build lies in the build folder and includes the package's sources.
+bool belongs_to(const CompileCommand& command, const std::string& package_dir, const std::string& build_dir) {
+  const auto in_package = [&](const std::string& file) { return is_below(file, package_dir); };
+  const std::vector<std::string> sources = unity_sources(command.file);
+  if (!sources.empty()) return std::any_of(sources.begin(), sources.end(), in_package);
+  return is_cxx(command.canonical) && in_package(command.canonical) &&
+         !is_below(command.canonical, build_dir);
+}
+
+}  // namespace
+
+Expected<std::vector<CompileUnit>> load_units(const std::string& package_dir, const std::string& build_dir) {
+  const std::string path = build_dir + "/compile_commands.json";
+  const Expected<std::vector<CompileCommand>> commands = read_compile_commands(build_dir);
+  if (!commands)
+    return Error{
+        "no compile commands: " + commands.error().what, path,
+        "Build the package once with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON and name its build folder with -p."};
+  std::vector<CompileUnit> units;
+  std::set<std::vector<std::string>> known;
+  for (const CompileCommand& command : *commands) {
+    if (!belongs_to(command, package_dir, build_dir)) continue;
+    CompileUnit unit{command.canonical, command.directory, adjusted(command)};
+    if (!unit.arguments.empty() && known.insert(unit.arguments).second) units.push_back(std::move(unit));
+  }
+  if (units.empty())
+    return Error{"none of the compile commands belongs to the package", path,
+                 "Build the package " + package_dir + " in that folder, or name another one with -p."};
+  return units;
+}
+
+}  // namespace tzc::rewriter

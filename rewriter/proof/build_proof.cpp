@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "proof/build_proof.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "edits/files.h"
+#include "proof/cmake_reads.h"
+#include "proof/unit_needs.h"
+
+namespace tzc::rewriter {
+namespace {
+
+using Failures = std::map<std::string, Error>;
+
+class Prover {
+ public:
+  Prover(const UserBuild& user, const std::vector<PortedPackage>& packages, const ProofOptions& options)
+      : user_(user), options_(options) {
+    for (const PortedPackage& package : packages) left_.push_back(&package);
+  }
+
+  Failures run() {
+    while (!left_.empty()) {
+      Configuration configuration(user_, folders(left_), options_.prefixes);
+      step("configuring a scratch copy");
+      const Expected<void> done = configuration.configure(contents(left_));
+      if (done) {
+        check(configuration);
+        break;
+      }
+      if (options_.accesses) options_.accesses->give_up();  // what CMake read up to an error is not known
+      if (!find_culprits(done.error())) break;
+    }
+    return std::move(failures_);
+  }
+
+ private:
+  using Packages = std::vector<const PortedPackage*>;
+
+  void step(const std::string& stage) const {
+    if (options_.progress) options_.progress(stage);
+  }
+
+  static std::vector<std::string> folders(const Packages& packages) {
+    std::vector<std::string> all;
+    for (const PortedPackage* package : packages) all.push_back(package->package_dir);
+    return all;
+  }
+
+  static FileContents contents(const Packages& packages) {
+    FileContents all;
+    for (const PortedPackage* package : packages)
+      all.insert(package->contents.begin(), package->contents.end());
+    return all;
+  }
+
+  void fail(const PortedPackage& package, Error error) {
+    failures_.emplace(package.package_dir, std::move(error));
+    left_.erase(std::remove(left_.begin(), left_.end(), &package), left_.end());
+  }
+
+  /// When the workspace cannot be configured with all packages: leaves out those that fail alone. False:
+  /// there is nothing more to try.
+  bool find_culprits(const Error& together) {
+    const Packages all = left_;
+    if (const std::optional<Error> original = configure_original(all)) {
+      for (const PortedPackage* package : all) fail(*package, *original);
+      return false;
+    }
+    for (const PortedPackage* package : all) {
+      if (all.size() == 1) {
+        fail(*package, together);
+        continue;
+      }
+      Configuration alone(user_, {package->package_dir}, options_.prefixes);
+      step("configuring a scratch copy of " + package->name);
+      if (const Expected<void> done = alone.configure(package->contents); !done) fail(*package, done.error());
+    }
+    if (left_.size() < all.size()) return true;
+    for (const PortedPackage* package : all) fail(*package, together);
+    return false;
+  }
+
+  /// The error that the workspace has also without the port.
+  std::optional<Error> configure_original(const Packages& packages) {
+    Configuration original(user_, folders(packages), options_.prefixes);
+    step("configuring a scratch copy without the port");
+    const Expected<void> done = original.configure({});
+    if (done) return {};
+    Error error = done.error();
+    error.what = "a scratch copy of the workspace cannot be configured, even without the port: " + error.what;
+    return error;
+  }
+
+  void check(const Configuration& configuration) {
+    Expected<std::vector<CompileCommand>> commands = read_compile_commands(configuration.build_dir());
+    const std::vector<CmakeTarget> targets = read_cmake_targets(configuration.build_dir());
+    if (options_.accesses)
+      note_cmake_reads(configuration.build_dir(), configuration.sources().to_user(), *options_.accesses);
+    const Packages all = left_;
+    for (const PortedPackage* package : all) {
+      std::optional<Error> error;
+      if (!commands)
+        error = commands.error();
+      else
+        error = first_lack(*package, *commands, targets, configuration.sources());
+      if (error) fail(*package, *error);
+    }
+    if (options_.build && !left_.empty()) build(configuration);
+  }
+
+  static std::set<std::string> sources_of(const CompileCommand& command, const ScratchWorkspace& copy) {
+    std::set<std::string> files = {canonical_path(copy.to_user().in_word(command.file))};
+    for (const std::string& source : unity_sources(command.file))
+      files.insert(copy.to_user().in_word(source));
+    return files;
+  }
+
+  static std::optional<Error> first_lack(const PortedPackage& package,
+                                         const std::vector<CompileCommand>& commands,
+                                         const std::vector<CmakeTarget>& targets,
+                                         const ScratchWorkspace& copy) {
+    std::set<std::string> unseen = package.units;
+    for (const CompileCommand& command : commands)
+      for (const std::string& file : sources_of(command, copy)) {
+        if (!package.units.count(file)) continue;
+        unseen.erase(file);
+        if (const auto lack = lacks_for_tzc(command)) return about(command, file, *lack);
+        if (const CmakeTarget* target = linked_without_tzc(targets, command.target))
+          return about(command, file, "the target " + target->name + " does not link TZC's libraries");
+      }
+    if (unseen.empty()) return {};
+    return Error{"no target of the configured copy compiles it", *unseen.begin(), ""};
+  }
+
+  static Error about(const CompileCommand& command, const std::string& file, const std::string& lack) {
+    const std::string target = command.target.empty() ? "" : " for the target " + command.target;
+    return {"configured with the edited build files" + target + ", " + lack, file, ""};
+  }
+
+  void build(const Configuration& configuration) {
+    step("building the scratch copy");
+    const Expected<void> done = configuration.build(options_.jobs);
+    if (done) return;
+    const Packages all = left_;
+    for (const PortedPackage* package : all) fail(*package, done.error());
+  }
+
+  const UserBuild& user_;
+  const ProofOptions& options_;
+  Packages left_;
+  Failures failures_;
+};
+
+}  // namespace
+
+Failures unproved_packages(const UserBuild& user, const std::vector<PortedPackage>& packages,
+                           const ProofOptions& options) {
+  return Prover(user, packages, options).run();
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "proof/own_compiler.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <utility>
+
+#include "edits/files.h"
+#include "edits/in_parallel.h"
+#include "edits/standard_flags.h"
+#include "proof/compiler_output.h"
+#include "proof/compiler_reads.h"
+#include "proof/process.h"
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// The command with -fsyntax-only in place of its outputs.
+Words diagnostics_only(const Words& arguments) {
+  Words words = without_outputs(arguments);
+  words.insert(words.end(), {"-fsyntax-only", "-fdiagnostics-color=never", "-fno-diagnostics-show-caret"});
+  return words;
+}
+
+/// The words of a command up to its compiler: "ccache g++".
+Words compiler_of(const CompileCommand& command) {
+  const auto end = std::find_if(command.arguments.begin(), command.arguments.end(),
+                                [](const std::string& word) { return word.rfind("-", 0) == 0; });
+  Words words(command.arguments.begin(), end);
+  if (words.size() > 1 && words.back() == command.file) words.pop_back();
+  return words;
+}
+
+bool takes_prefix_map(const Words& compiler) {
+  Words probe = compiler;
+  probe.insert(probe.end(), {"-fmacro-prefix-map=/a=/b", "-fsyntax-only", "-x", "c++", "/dev/null"});
+  return run_process(probe).status == 0;
+}
+
+bool is_include_flag(const std::string& word) {
+  return is_one_of(word, {"-I", "-isystem", "-iquote", "-idirafter", "-include", "-imacros"});
+}
+
+std::vector<CompilerError> run_compiler(const Words& arguments, const std::string& directory,
+                                        const std::string& unit) {
+  const ProcessResult result = run_process(Command{arguments, directory, {{"LC_ALL", "C"}}});
+  if (result.status == 0) return {};
+  std::vector<CompilerError> errors = read_compiler_output(result.errors);
+  if (errors.empty()) {
+    const std::string line = result.errors.substr(0, result.errors.find('\n'));
+    errors.push_back({unit, {unit, 0, 0}, line.empty() ? arguments[0] + " could not be run" : line, {}});
+  }
+  for (CompilerError& error : errors) error.unit = unit;
+  return errors;
+}
+
+bool is_known(const CompilerError& error, const std::vector<CompilerError>& known) {
+  return std::any_of(known.begin(), known.end(), [&](const CompilerError& other) {
+    return other.text == error.text && other.where.file == error.where.file;
+  });
+}
+
+}  // namespace
+
+Expected<void> OwnCompiler::read_commands() {
+  if (!commands_.empty()) return {};
+  Expected<std::vector<CompileCommand>> commands = read_compile_commands(setup_.build_dir);
+  if (!commands) return commands.error();
+  commands_ = std::move(*commands);
+  return {};
+}
+
+Expected<void> OwnCompiler::make_copy() {
+  if (copy_) return {};
+  Expected<ScratchFolder> folder = ScratchFolder::make();
+  if (!folder) return folder.error();
+  folder_ = std::make_unique<ScratchFolder>(std::move(*folder));
+  copy_ = std::make_unique<ScratchWorkspace>(setup_.root, std::vector<std::string>{setup_.package_dir},
+                                             *folder_ / "src", std::vector<std::string>{setup_.build_dir});
+  return copy_->make();
+}
+
+/// A word of a command with the package's paths replaced, relative ones included.
+std::string OwnCompiler::scratch_word(const std::string& word, const std::string& directory) const {
+  const bool relative = !word.empty() && word[0] != '/' && word[0] != '-';
+  if (!relative) return copy_->to_scratch().in_word(word);
+  const std::string absolute = (fs::path(directory) / word).lexically_normal();
+  return fs::exists(absolute) ? copy_->to_scratch().in_word(absolute) : word;
+}
+
+/// A file of the build folder that includes the package's sources by absolute paths (unity builds, precompiled
+/// headers) is copied, with these paths replaced; a compiled form of it is left behind.
+std::string OwnCompiler::scratch_source(const std::string& file) const {
+  const std::string mapped = copy_->to_scratch().in_word(file);
+  if (mapped != file) return mapped;
+  const Expected<std::string> content = read_file(file);
+  if (!content || !is_below(canonical_path(file), canonical_path(setup_.build_dir))) return file;
+  const std::string copy = *folder_ / ("generated-" + std::to_string(std::hash<std::string>()(file)) + "-" +
+                                       fs::path(file).filename().string());
+  std::ofstream(copy, std::ios::binary) << copy_->to_scratch().in_includes(*content);
+  return copy;
+}
+
+std::vector<std::string> OwnCompiler::ported_command(const CompileCommand& command) const {
+  Words words;
+  const Words plain = diagnostics_only(command.arguments);
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const std::string& word = plain[i];
+    const bool included = i > 0 && is_one_of(plain[i - 1], {"-include", "-imacros"});
+    if (included || canonical_path((fs::path(command.directory) / word).string()) == command.canonical)
+      words.push_back(scratch_source((fs::path(command.directory) / word).lexically_normal()));
+    else if (i > 0 && is_include_flag(plain[i - 1]))
+      words.push_back(scratch_word(word, command.directory));
+    else
+      words.push_back(copy_->to_scratch().in_word(raised_standard(word)));
+  }
+  for (const std::string& define : setup_.defines) words.push_back("-D" + define);
+  // With -isystem the C library's folder would come before C++'s own headers, which then do not find it behind them.
+  for (const std::string& folder : setup_.include_dirs)
+    words.insert(words.end(), {folder == "/usr/include" ? "-idirafter" : "-isystem", folder});
+  return words;
+}
+
+std::vector<OwnCompiler::Task> OwnCompiler::tasks_for(const std::set<std::string>& units) const {
+  std::vector<Task> tasks;
+  std::set<Words> known;
+  std::map<Words, bool> has_prefix_map;
+  for (const CompileCommand& command : commands_) {
+    if (!units.count(command.canonical) || command.arguments.empty()) continue;
+    Task task{command.canonical, &command, ported_command(command), {}, ""};
+    const auto probed = has_prefix_map.try_emplace(compiler_of(command), false);
+    if (probed.second) probed.first->second = takes_prefix_map(probed.first->first);
+    if (probed.first->second)  // __FILE__ has the same value as in the build
+      task.arguments.push_back("-fmacro-prefix-map=" + copy_->scratch(setup_.package_dir) + "=" +
+                               copy_->named(setup_.package_dir));
+    if (known.insert(task.arguments).second) tasks.push_back(std::move(task));
+  }
+  return tasks;
+}
+
+/// Each task lists what it reads in a make rule.
+void OwnCompiler::record_reads(std::vector<Task>& tasks) const {
+  if (!setup_.accesses) return;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    tasks[i].reads = *folder_ / ("reads-" + std::to_string(i) + ".d");
+    std::error_code ignored;
+    fs::remove(tasks[i].reads, ignored);
+    tasks[i].arguments.insert(tasks[i].arguments.end(), {"-MD", "-MF", tasks[i].reads});
+  }
+}
+
+void OwnCompiler::note_reads(const Task& task) const {
+  if (!setup_.accesses) return;
+  const Expected<std::string> rule = read_file(task.reads);
+  if (!rule) return setup_.accesses->give_up();
+  const CompilerReads reads{task.arguments, copy_->to_scratch().in_word(task.command->directory),
+                            folder_->path()};
+  note_compiler_reads(*rule, reads, *setup_.accesses);
+}
+
+std::vector<CompilerError> OwnCompiler::ported_errors(const Task& task) const {
+  const std::string directory = copy_->to_scratch().in_word(task.command->directory);
+  std::vector<CompilerError> errors = run_compiler(task.arguments, directory, task.unit);
+  const auto to_user = [&](Location& where) {
+    const std::string absolute = (fs::path(directory) / where.file).lexically_normal();
+    where.file = canonical_path(copy_->to_user().in_word(absolute));
+  };
+  for (CompilerError& error : errors) {
+    to_user(error.where);
+    for (Location& note : error.notes) to_user(note);
+  }
+  if (errors.empty()) return errors;
+  const std::vector<CompilerError> before = original_errors(*task.command);
+  errors.erase(std::remove_if(errors.begin(), errors.end(),
+                              [&](const CompilerError& error) { return is_known(error, before); }),
+               errors.end());
+  return errors;
+}
+
+std::vector<CompilerError> OwnCompiler::original_errors(const CompileCommand& command) const {
+  if (setup_.accesses) setup_.accesses->give_up();  // errors are rare and worth a second look
+  std::vector<CompilerError> errors =
+      run_compiler(diagnostics_only(command.arguments), command.directory, command.canonical);
+  for (CompilerError& error : errors)
+    error.where.file = canonical_path((fs::path(command.directory) / error.where.file).string());
+  return errors;
+}
+
+Expected<std::vector<CompilerError>> OwnCompiler::check(const FileContents& contents,
+                                                        const std::set<std::string>& units) {
+  for (const auto step : {&OwnCompiler::read_commands, &OwnCompiler::make_copy})
+    if (Expected<void> done = (this->*step)(); !done) return done.error();
+  if (Expected<void> done = copy_->write(contents); !done) return done.error();
+  std::vector<Task> tasks = tasks_for(units);
+  record_reads(tasks);
+  in_parallel(setup_.jobs, tasks.size(), [&](std::size_t i) {
+    tasks[i].errors = ported_errors(tasks[i]);
+    note_reads(tasks[i]);
+  });
+  std::vector<CompilerError> errors;
+  for (Task& task : tasks)
+    errors.insert(errors.end(), std::make_move_iterator(task.errors.begin()),
+                  std::make_move_iterator(task.errors.end()));
+  return errors;
+}
+
+Expected<std::vector<CompilerError>> OwnCompiler::errors_of_original(const std::string& unit) {
+  if (Expected<void> done = read_commands(); !done) return done.error();
+  std::vector<CompilerError> errors;
+  for (const CompileCommand& command : commands_)
+    if (command.canonical == unit)
+      for (CompilerError& error : original_errors(command)) errors.push_back(std::move(error));
+  return errors;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "proof/scratch_folder.h"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* prefix = "tzc-rewrite-";
+constexpr time_t youngest_leftover = 60;  // seconds: a younger folder may not be locked yet
+
+int lock_of(const std::string& folder, int flags) {
+  const int file = ::open((folder + "/.lock").c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | flags, 0600);
+  if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
+  if (file >= 0) ::close(file);
+  return -1;
+}
+
+bool is_left(const fs::path& folder) {
+  struct stat info{};
+  return ::lstat(folder.c_str(), &info) == 0 && S_ISDIR(info.st_mode) && info.st_uid == ::getuid() &&
+         ::time(nullptr) - info.st_mtime > youngest_leftover;
+}
+
+void remove_leftovers(const fs::path& parent) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(parent, ignored)) {
+    if (entry.path().filename().string().rfind(prefix, 0) != 0 || !is_left(entry.path())) continue;
+    const int lock = lock_of(entry.path(), 0);
+    if (lock < 0) continue;  // in use, or not one of ours
+    fs::remove_all(entry.path(), ignored);
+    ::close(lock);
+  }
+}
+
+}  // namespace
+
+Expected<ScratchFolder> ScratchFolder::make() {
+  std::error_code failed;
+  const fs::path temporary = fs::temp_directory_path(failed);
+  const fs::path parent = failed ? fs::path() : fs::canonical(temporary, failed);
+  const Error none{"no temporary folder can be made", parent,
+                   "make room there, or name a folder that exists with TMPDIR"};
+  if (failed) return none;
+  remove_leftovers(parent);
+  std::string path = parent / (std::string(prefix) + "XXXXXX");
+  const int lock = ::mkdtemp(path.data()) ? lock_of(path, O_CREAT) : -1;
+  if (lock < 0) return none;
+  return ScratchFolder(path, lock);
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) fs::remove_all(path_, ignored);
+  if (lock_ >= 0) ::close(lock_);
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "proof/unit_needs.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "edits/standard_flags.h"
+#include "proof/process.h"
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+/// Folders that compilers search by default.
+const std::vector<std::string> default_folders = {"/usr/local/include", "/usr/include"};
+
+std::vector<std::string> include_folders(const CompileCommand& command) {
+  std::vector<std::string> folders = default_folders;
+  const auto& words = command.arguments;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    for (const std::string flag : {"-I", "-isystem", "-iquote", "-idirafter"}) {
+      if (words[i] == flag && i + 1 < words.size())
+        folders.push_back(words[i + 1]);
+      else if (words[i].rfind(flag, 0) == 0)
+        folders.push_back(words[i].substr(flag.size()));
+    }
+  return folders;
+}
+
+bool sees_tzc(const CompileCommand& command) {
+  const std::vector<std::string> folders = include_folders(command);
+  return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+    return !folder.empty() && fs::exists(fs::path(command.directory) / folder / "tzc/ros.h");
+  });
+}
+
+/// The value of __cplusplus without a -std flag.
+bool compiler_defaults_to_cxx14(const CompileCommand& command) {
+  std::vector<std::string> words;
+  for (const std::string& word : command.arguments) {
+    if (word.rfind("-", 0) == 0) break;
+    words.push_back(word);
+  }
+  words.insert(words.end(), {"-dM", "-E", "-x", "c++", "/dev/null"});
+  const std::string output = run_process(words).output;
+  const std::size_t at = output.find("__cplusplus ");
+  return at != std::string::npos && std::atol(output.c_str() + at + 12) >= 201402L;
+}
+
+std::string standard_of(const CompileCommand& command) {
+  std::string flag;
+  for (const std::string& word : command.arguments)
+    if (word.rfind("-std=", 0) == 0) flag = word;
+  return flag;
+}
+
+}  // namespace
+
+std::optional<std::string> lacks_for_tzc(const CompileCommand& command) {
+  if (!sees_tzc(command)) return "TZC's headers are in none of its include folders";
+  const std::string standard = standard_of(command);
+  if (is_old_standard(standard)) return "it is compiled with " + standard + ", TZC's headers need C++14";
+  if (standard.empty() && !compiler_defaults_to_cxx14(command))
+    return "it is compiled as the compiler's default, which is older than the C++14 that TZC's headers need";
+  return {};
+}
+
+const CmakeTarget* linked_without_tzc(const std::vector<CmakeTarget>& all, const std::string& target) {
+  for (const CmakeTarget& one : all)
+    if (one.name == target)
+      for (const CmakeTarget* linked : linked_with(all, one))
+        if (!linked->links("tzc_roscpp")) return linked;
+  return nullptr;
+}
+
+}  // namespace tzc::rewriter

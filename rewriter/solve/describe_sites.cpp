@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solve/describe_sites.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "model/codes.h"
+#include "solve/flow_graph.h"
+#include "solve/memory_size.h"
+#include "solve/received_writes.h"
+#include "solve/site_of_fact.h"
+
+namespace tzc::rewriter {
+namespace {
+
+void refuse(Site& site, const Obstacle& obstacle, Level level) {
+  site.level = level;
+  site.code = obstacle.code;
+  site.reason = obstacle.reason;
+  if (obstacle.where.line != 0) site.flow_path.push_back({obstacle.where, obstacle.reason});
+}
+
+bool is(const Decision* decision, Outcome outcome) {
+  return decision && decision->outcome == outcome;
+}
+
+class SiteDescriber {
+ public:
+  SiteDescriber(const Facts& facts, const Components& components, const SolveOptions& options,
+                const Solution& solution)
+      : facts_(facts),
+        components_(components),
+        options_(options),
+        solution_(solution),
+        flow_graph_(facts.flows),
+        received_(facts) {}
+
+  std::vector<Site> run() {
+    for (const auto& item : facts_.publishes) {
+      sites_.push_back(describe(item.second));
+      if (sites_.back().level == Level::zero_copy) published_without_copy_.push_back(&item.second);
+    }
+    for (const auto& item : facts_.advertises) sites_.push_back(describe(item.second));
+    for (const auto& item : facts_.subscribes) sites_.push_back(describe(item.first, item.second));
+    return std::move(sites_);
+  }
+
+ private:
+  Site describe(const Publish& fact) const;
+  Site describe(const Advertise& fact) const;
+  Site describe(const SiteId& id, const Subscribe& fact) const;
+  void describe_message(const Publish& fact, Site& site) const;
+  void describe_cloud(const Publish& fact, Site& site) const;
+  void describe_origins(const Publish& fact, Site& site) const;
+  bool advertised_as_cloud(const EntityId& publisher) const;
+  bool publishes_without_copy(const Advertise& fact) const;
+  std::optional<std::string> why_copied(const Subscribe& fact) const;
+  std::string trust_of(const Publish& fact) const;
+  const Decision* decision_of(const EntityId& entity) const;
+
+  const Facts& facts_;
+  const Components& components_;
+  const SolveOptions& options_;
+  const Solution& solution_;
+  FlowGraph flow_graph_;
+  ReceivedWrites received_;
+  std::vector<Site> sites_;
+  std::vector<const Publish*> published_without_copy_;
+};
+
+const Decision* SiteDescriber::decision_of(const EntityId& entity) const {
+  const Component* component = components_.of(entity);
+  return component ? solution_.of(component->id) : nullptr;
+}
+
+/// Where roscpp writes the points into its buffer, the adapter writes them into shared memory.
+void SiteDescriber::describe_cloud(const Publish& fact, Site& site) const {
+  site.rule = "pcl-cloud";
+  if (advertised_as_cloud(fact.publisher)) site.level = Level::zero_copy;
+}
+
+void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
+  site.level = Level::one_copy;
+  if (fact.pcl) return describe_cloud(fact, site);
+  site.rule = "stock-message";
+  if (fact.twin) {
+    site.level = Level::zero_copy;
+    site.rule = "shared-message";
+  } else if (!fact.obstacles.empty()) {
+    refuse(site, fact.obstacles.front(), Level::one_copy);
+  } else {
+    describe_origins(fact, site);
+  }
+}
+
+/// What the level rests on besides the analysis.
+std::string SiteDescriber::trust_of(const Publish& fact) const {
+  for (const TrustedCall& call : facts_.trusted_calls)
+    for (const EntityId& message : fact.messages)
+      if (const Component* component = components_.of(message))
+        if (component == components_.of(call.message))
+          return "rests on .tzc-rewrite.yaml: '" + call.function + "' keeps nothing, " + call.reason;
+  return "";
+}
+
+/// By the components that the published message may come from: all of them must be ported.
+void SiteDescriber::describe_origins(const Publish& fact, Site& site) const {
+  bool all_ported = !fact.messages.empty();
+  for (const EntityId& message : fact.messages) {
+    const Decision* decision = decision_of(message);
+    if (is(decision, Outcome::not_needed)) {
+      site.level = Level::not_needed;
+      site.rule.clear();
+      return;
+    }
+    if (is(decision, Outcome::ported)) continue;
+    all_ported = false;
+    if (!decision) continue;
+    site.flow_path = flow_graph_.path(message, decision->at);
+    refuse(site, decision->why_not, Level::one_copy);
+  }
+  if (all_ported) {
+    site.level = Level::zero_copy;
+    site.rule = "shared-message";
+    site.reason = trust_of(fact);
+  } else if (site.code.empty()) {
+    refuse(site, {codes::TZC1001, "where the message comes from is not understood", site.where},
+           Level::one_copy);
+  }
+}
+
+bool SiteDescriber::advertised_as_cloud(const EntityId& publisher) const {
+  const Component* component = components_.of(publisher);
+  return component && std::any_of(facts_.advertises.begin(), facts_.advertises.end(), [&](const auto& item) {
+           return item.second.pcl && components_.of(item.second.publisher) == component;
+         });
+}
+
+Site SiteDescriber::describe(const Publish& fact) const {
+  Site site = site_of(fact, options_.package_dir);
+  site.topic = topic_of(facts_, flow_graph_, fact.publisher);
+  if (!fact.has_data_part && !fact.pcl) {
+    site.level = Level::not_needed;
+    return site;
+  }
+  const Decision* publisher = decision_of(fact.publisher);
+  describe_message(fact, site);
+  if (is(publisher, Outcome::ported) || site.level == Level::not_needed) return site;
+  site.rule.clear();
+  site.flow_path.clear();
+  if (!publisher && !fact.obstacles.empty()) {
+    refuse(site, fact.obstacles.front(), Level::plain);
+  } else if (is(publisher, Outcome::refused)) {
+    site.flow_path = flow_graph_.path(fact.publisher, publisher->at);
+    refuse(site, publisher->why_not, Level::plain);
+  } else {
+    refuse(site, {codes::TZC1017, "the publisher is not one of the package", site.where}, Level::plain);
+  }
+  return site;
+}
+
+bool SiteDescriber::publishes_without_copy(const Advertise& fact) const {
+  return std::any_of(published_without_copy_.begin(), published_without_copy_.end(), [&](const Publish* p) {
+    return p->type == fact.type && components_.of(p->publisher) == components_.of(fact.publisher);
+  });
+}
+
+Site SiteDescriber::describe(const Advertise& fact) const {
+  Site site = site_of(fact, options_.package_dir);
+  const Decision* publisher = decision_of(fact.publisher);
+  if (!fact.has_data_part || (is(publisher, Outcome::not_needed) && fact.obstacles.empty())) {
+    site.level = Level::not_needed;
+  } else if (is(publisher, Outcome::ported)) {
+    site.rule = fact.rule;
+    site.memory_note = memory_size(fact, options_).note;
+    site.level = publishes_without_copy(fact) ? Level::zero_copy : Level::one_copy;
+  } else if (publisher) {
+    site.flow_path = flow_graph_.path(fact.publisher, publisher->at);
+    refuse(site, publisher->why_not, Level::plain);
+  } else {
+    const Obstacle not_kept{codes::TZC1010, "the publisher is not kept", site.where};
+    refuse(site, fact.obstacles.empty() ? not_kept : fact.obstacles.front(), Level::plain);
+  }
+  return site;
+}
+
+/// Why a subscription's callbacks do not read the very bytes that were published; none: they do.
+std::optional<std::string> SiteDescriber::why_copied(const Subscribe& fact) const {
+  const auto registered = facts_.filter_callbacks.find({fact.scope, fact.type});
+  const bool by_filter =
+      !fact.filter.empty() && registered != facts_.filter_callbacks.end() && registered->second.writes;
+  if (fact.writes || by_filter) return "the callback may write to the message, so it gets a copy of its own";
+  if (const auto write = received_.to_elements(fact))
+    return write->reason + ": pages that it writes to are copied";
+  return {};
+}
+
+Site SiteDescriber::describe(const SiteId& id, const Subscribe& fact) const {
+  Site site = site_of(fact, options_.package_dir);
+  const Decision& decision = *solution_.of(components_.of(id)->id);
+  if (decision.outcome == Outcome::not_needed) {
+    site.level = Level::not_needed;
+  } else if (decision.outcome == Outcome::refused) {
+    refuse(site, decision.why_not, Level::plain);
+  } else {
+    const std::optional<std::string> why = why_copied(fact);
+    site.level = why ? Level::copied : Level::shared;
+    site.rule = fact.rule;
+    site.code = why ? codes::TZC2001 : "";
+    site.reason = why.value_or("");
+  }
+  return site;
+}
+
+void sort_by_place(std::vector<Site>& sites) {
+  std::sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) {
+    return std::tie(a.where.file, a.where.line, a.where.column, a.kind, a.message_type) <
+           std::tie(b.where.file, b.where.line, b.where.column, b.kind, b.message_type);
+  });
+}
+
+/// The sites of one function count up, so that an id does not depend on lines.
+void number_sites(std::vector<Site>& sites) {
+  std::map<std::string, int> count;
+  std::map<std::string, std::set<std::pair<unsigned, unsigned>>> places;
+  for (Site& site : sites) {
+    const std::string base = site.id;
+    const bool another_type = !places[base].insert({site.where.line, site.where.column}).second;
+    if (!another_type) ++count[base];
+    site.id = base + "#" + std::to_string(count[base]) + (another_type ? "<" + site.message_type + ">" : "");
+  }
+}
+
+}  // namespace
+
+std::vector<Site> describe_sites(const Facts& facts, const Components& components,
+                                 const SolveOptions& options, const Solution& solution) {
+  std::vector<Site> sites = SiteDescriber(facts, components, options, solution).run();
+  sort_by_place(sites);
+  number_sites(sites);
+  return sites;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solve/port_edits.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "solve/memory_size.h"
+
+namespace tzc::rewriter {
+namespace {
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+bool is_part_of_name(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ':';
+}
+
+/// tzc::Publisher -> ::tzc::Publisher
+std::string from_global_namespace(std::string text) {
+  const std::string name = "tzc::";
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + name.size()))
+    if (at == 0 || !is_part_of_name(text[at - 1])) {
+      text.insert(at, "::");
+      at += 2;
+    }
+  return text;
+}
+
+class PortEditor {
+ public:
+  PortEditor(const Facts& facts, const Components& components, const Solution& solution,
+             const SolveOptions& options)
+      : facts_(facts), components_(components), solution_(solution), options_(options) {}
+
+  PortEdits run() {
+    for (const Component& component : components_.all())
+      if (is_ported(component))
+        for (const Entity* entity : component.entities)
+          for (const Change& change : entity->changes) add(change, component.id);
+    for (const Use& use : facts_.uses)
+      if (const Component* component = components_.of(use.entity))
+        if (is_ported(*component)) add(use.change, component->id);
+    for (const BoundAllocation& allocation : solution_.allocations) add_allocation(allocation);
+    for (const GivenPublisher& given : solution_.factories) add_parameter(given);
+    for (const auto& item : facts_.advertises) add_advertise(item.second);
+    for (const Component& component : components_.all())
+      if (component.subscription && is_ported(component))
+        for (const Change& change : component.subscription->changes) add(change, component.id);
+    for (const auto& item : facts_.publishes) {
+      add_condition(item.second);
+      add_cloud_adapter(item.second);
+    }
+    if (facts_.shadows_tzc)
+      for (auto& edit : edits_.edits) edit.text = from_global_namespace(std::move(edit.text));
+    return std::move(edits_);
+  }
+
+ private:
+  bool is_ported(const Component& component) const {
+    return solution_.ports(component.id) &&
+           (component.kind != ComponentKind::filter || is_subscribed_through(component));
+  }
+  /// A filter is ported for the sake of its subscriptions.
+  bool is_subscribed_through(const Component& filter) const {
+    return std::any_of(components_.all().begin(), components_.all().end(), [&](const Component& component) {
+      return component.subscription && solution_.ports(component.id) &&
+             components_.of(component.subscription->filter) == &filter;
+    });
+  }
+  /// The component of an entity, when it is ported.
+  const Component* ported(const EntityId& entity) const {
+    const Component* component = components_.of(entity);
+    return component && solution_.ports(component->id) ? component : nullptr;
+  }
+  void add(const Change& change, ComponentId component);
+  void add_allocation(const BoundAllocation& allocation);
+  void add_call(const BoundAllocation& allocation, const InsertedAllocation& how);
+  void add_parameter(const GivenPublisher& given);
+  void add_advertise(const Advertise& site);
+  void add_condition(const Publish& site);
+  void add_cloud_adapter(const Publish& site);
+
+  const Facts& facts_;
+  const Components& components_;
+  const Solution& solution_;
+  const SolveOptions& options_;
+  PortEdits edits_;
+};
+
+void PortEditor::add(const Change& change, ComponentId component) {
+  const Place& where = change.where;
+  edits_.edits.push_back(
+      {where.file, where.begin, where.end - where.begin, change.text, component, change.rule});
+  edits_.headers[where.file].insert(change.headers.begin(), change.headers.end());
+}
+
+void PortEditor::add_allocation(const BoundAllocation& allocation) {
+  const AllocationSite& site = *allocation.site;
+  if (const auto* inserted = std::get_if<InsertedAllocation>(&site.how))
+    return add_call(allocation, *inserted);
+  const auto* adapter = std::get_if<AdapterAllocation>(&site.how);
+  for (Change change : adapter ? adapter->changes : std::get<FactoryAllocation>(site.how).changes) {
+    replace_all(change.text, "$PUB", allocation.publisher);
+    add(change, components_.of(site.entity)->id);
+  }
+}
+
+void PortEditor::add_call(const BoundAllocation& allocation, const InsertedAllocation& how) {
+  const std::string call = allocation.call + "(" + how.object + ");";
+  const std::string space = how.own_line ? "\n" + how.indent : " ";
+  const std::string text = how.before ? call + space : space + call;
+  add({*how.at, text, "allocate", {}}, components_.of(allocation.site->entity)->id);
+}
+
+void PortEditor::add_parameter(const GivenPublisher& given) {
+  const Factory& factory = facts_.factories.at(given.factory);
+  const std::string text =
+      "const " + given.type.name + "& " + factory.parameter + (factory.has_parameters ? ", " : "");
+  for (const Place& at : factory.declarations)
+    add({at, text, "factory", {given.type.header}}, components_.of(given.message)->id);
+}
+
+void PortEditor::add_advertise(const Advertise& site) {
+  const Component* publisher = ported(site.publisher);
+  if (!publisher) return;
+  for (Change change : site.changes) {
+    replace_all(change.text, "$MEM", memory_size(site, options_).text);
+    add(change, publisher->id);
+  }
+}
+
+/// What happens when the segment is full: by default publish() delivers the message anyway.
+void PortEditor::add_condition(const Publish& site) {
+  if (options_.on_exhausted == OnExhausted::deliver || site.statement.file.empty() || site.object.empty())
+    return;
+  const Component* message = site.messages.empty() ? nullptr : ported(site.messages[0]);
+  if (!message || !ported(site.publisher)) return;
+  const std::string allocate = site.publisher_text + "allocate(" + site.object + ")";
+  const bool leave = options_.on_exhausted == OnExhausted::return_from_function && site.in_void_function;
+  const std::string indent(site.statement.column > 0 ? site.statement.column - 1 : 0, ' ');
+  const std::string condition = site.in_block ? "if (" + allocate + ") " : "{ if (" + allocate + ") ";
+  const std::string text = leave && site.in_block ? "if (!" + allocate + ") return;\n" + indent : condition;
+  add({site.statement, text, "on-exhausted", {}}, message->id);
+  // In braces, so that an else that follows keeps its if.
+  if (!site.in_block) add({site.statement_end, " }", "on-exhausted", {}}, message->id);
+}
+
+/// Without the adapter a cloud would go out in wire format.
+void PortEditor::add_cloud_adapter(const Publish& site) {
+  if (site.pcl && site.type == "sensor_msgs/PointCloud2" && ported(site.publisher))
+    edits_.headers[site.where.file].insert("tzc/pcl.h");
+}
+
+}  // namespace
+
+PortEdits edits_of(const Facts& facts, const Components& components, const Solution& solution,
+                   const SolveOptions& options) {
+  return PortEditor(facts, components, solution, options).run();
+}
+
+}  // namespace tzc::rewriter

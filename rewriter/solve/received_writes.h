@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "model/facts.h"
+
+namespace tzc::rewriter {
+
+/// What callbacks do with the messages that they receive as const. A copy of such a message is their own.
+class ReceivedWrites {
+ public:
+  explicit ReceivedWrites(const Facts& facts);
+
+  /// The message itself, or one of its arrays, is made writable: it could be resized. None: it is not.
+  std::optional<Obstacle> to_message(const Subscribe& site) const;
+  /// Elements of its arrays may be written to. None: they are not.
+  std::optional<Obstacle> to_elements(const Subscribe& site) const;
+
+ private:
+  std::set<EntityId> received(const Subscribe& site) const;
+  std::optional<Obstacle> write(const Subscribe& site, bool to_array) const;
+
+  const Facts& facts_;
+  std::multimap<EntityId, EntityId> next_;  ///< where the same message is known by another name
+};
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solve/site_of_fact.h"
+
+namespace tzc::rewriter {
+namespace {
+
+const char* const kinds[] = {"advertise", "publish", "subscribe"};
+
+std::string relative(const std::string& file, const std::string& dir) {
+  return file.rfind(dir + "/", 0) == 0 ? file.substr(dir.size() + 1) : file;
+}
+
+Site site_of(const SiteFact& fact, SiteKind kind, const std::string& package_dir) {
+  Site site;
+  site.kind = kind;
+  site.where = location_of(fact.where);
+  site.message_type = fact.type;
+  site.id = std::string(kinds[static_cast<int>(kind)]) + ":" + relative(fact.where.file, package_dir) + ":" +
+            fact.function;
+  return site;
+}
+
+}  // namespace
+
+Site site_of(const Advertise& fact, const std::string& package_dir) {
+  Site site = site_of(fact, SiteKind::advertise, package_dir);
+  site.topic = fact.topic;
+  return site;
+}
+
+Site site_of(const Publish& fact, const std::string& package_dir) {
+  return site_of(fact, SiteKind::publish, package_dir);
+}
+
+Site site_of(const Subscribe& fact, const std::string& package_dir) {
+  Site site = site_of(fact, SiteKind::subscribe, package_dir);
+  site.topic = fact.topic;
+  return site;
+}
+
+std::optional<std::string> topic_of(const Facts& facts, const FlowGraph& graph, const EntityId& publisher) {
+  const std::set<EntityId> connected = graph.reachable(publisher);
+  std::optional<std::string> topic;
+  for (const auto& item : facts.advertises) {
+    if (connected.count(item.second.publisher) == 0) continue;
+    if (topic || !item.second.topic) return {};
+    topic = item.second.topic;
+  }
+  return topic;
+}
+
+}  // namespace tzc::rewriter

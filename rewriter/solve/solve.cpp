@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solve/solve.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "model/codes.h"
+#include "solve/binding.h"
+#include "solve/flow_graph.h"
+#include "solve/received_writes.h"
+#include "solve/site_of_fact.h"
+#include "solve/soundness.h"
+
+namespace tzc::rewriter {
+namespace {
+
+template <class Fact>
+using ByComponent = std::map<ComponentId, std::vector<const Fact*>>;
+
+template <class Fact>
+const std::vector<const Fact*>& at(const ByComponent<Fact>& facts, ComponentId id) {
+  static const std::vector<const Fact*> none;
+  const auto found = facts.find(id);
+  return found == facts.end() ? none : found->second;
+}
+
+class Solver {
+ public:
+  Solver(const Facts& facts, const Components& components, const SolveOptions& options,
+         const Demotions& demotions)
+      : facts_(facts),
+        components_(components),
+        options_(options),
+        demotions_(demotions),
+        flow_graph_(facts.flows),
+        received_(facts) {
+    index_sites();
+  }
+
+  Solution run() {
+    decide_all(ComponentKind::publisher, &Solver::decide_publisher);
+    decide_all(ComponentKind::filter, &Solver::decide_filter);
+    for (const Component& component : components_.all())
+      if (component.kind == ComponentKind::message && !at(publishes_of_, component.id).empty())
+        solution_.decisions[component.id] = decide_message(component);
+    leave_idle_publishers();
+    decide_all(ComponentKind::subscription, &Solver::decide_subscription);
+    return std::move(solution_);
+  }
+
+ private:
+  void index_sites();
+  void decide_all(ComponentKind kind, Decision (Solver::*decide)(const Component&) const);
+  Decision decide_publisher(const Component& component) const;
+  Decision decide_filter(const Component& component) const;
+  Decision decide_message(const Component& component);
+  Decision decide_subscription(const Component& component) const;
+  void leave_idle_publishers();
+  std::optional<Decision> blocked(const Component& component) const;
+  std::optional<Decision> unwanted(const Component& component) const;
+  std::optional<Decision> contradicted(const Component& component) const;
+  std::optional<Decision> wrong_shape(const Component& component) const;
+  Decision bind_allocations(const Component& component);
+  bool has_data_part(const Component& publisher) const;
+  bool all_local(const Component& component) const;
+
+  const Facts& facts_;
+  const Components& components_;
+  const SolveOptions& options_;
+  const Demotions& demotions_;
+  FlowGraph flow_graph_;
+  ReceivedWrites received_;
+  Solution solution_;
+  ByComponent<Publish> published_by_, publishes_of_;  // by publisher, by message
+  ByComponent<Advertise> advertised_;
+  ByComponent<AllocationSite> allocations_;
+  std::set<ComponentId> filled_;
+};
+
+void Solver::index_sites() {
+  for (const auto& item : facts_.publishes) {
+    const Publish& site = item.second;
+    if (const Component* publisher = components_.of(site.publisher))
+      published_by_[publisher->id].push_back(&site);
+    for (const EntityId& entity : site.messages)
+      if (const Component* message = components_.of(entity)) {
+        auto& sites = publishes_of_[message->id];
+        if (std::find(sites.begin(), sites.end(), &site) == sites.end()) sites.push_back(&site);
+      }
+  }
+  for (const auto& item : facts_.advertises)
+    if (const Component* publisher = components_.of(item.second.publisher))
+      advertised_[publisher->id].push_back(&item.second);
+  for (const AllocationSite& site : facts_.allocations)
+    if (const Component* message = components_.of(site.entity)) allocations_[message->id].push_back(&site);
+  for (const DataUse& use : facts_.data_uses)
+    if (const Component* message = components_.of(use.entity)) filled_.insert(message->id);
+}
+
+void Solver::decide_all(ComponentKind kind, Decision (Solver::*decide)(const Component&) const) {
+  for (const Component& component : components_.all())
+    if (component.kind == kind) solution_.decisions[component.id] = (this->*decide)(component);
+}
+
+std::optional<Decision> Solver::blocked(const Component& component) const {
+  for (const Entity* entity : component.entities)
+    if (!entity->obstacles.empty() && !entity->ported) return refused(entity->obstacles.front(), entity->id);
+  const auto demoted = demotions_.find(component.id);
+  if (demoted == demotions_.end()) return {};
+  return refused(demoted->second, component.entities.front()->id);
+}
+
+std::optional<Decision> Solver::unwanted(const Component& component) const {
+  if (!options_.wanted) return {};
+  const auto left_out = [](const Site& site) {
+    return refused({codes::TZC1016, "left out by --only or --except", site.where});
+  };
+  for (const Publish* fact : at(published_by_, component.id)) {
+    Site site = site_of(*fact, options_.package_dir);
+    site.topic = topic_of(facts_, flow_graph_, fact->publisher);
+    if (!options_.wanted(site)) return left_out(site);
+  }
+  for (const Advertise* fact : at(advertised_, component.id)) {
+    const Site site = site_of(*fact, options_.package_dir);
+    if (!options_.wanted(site)) return left_out(site);
+  }
+  return {};
+}
+
+/// By an earlier run, or by hand.
+bool is_ported_already(const Component& component) {
+  return std::all_of(component.entities.begin(), component.entities.end(),
+                     [](const Entity* entity) { return entity->ported; });
+}
+
+bool Solver::has_data_part(const Component& publisher) const {
+  const auto& published = at(published_by_, publisher.id);
+  const auto& advertised = at(advertised_, publisher.id);
+  return std::any_of(published.begin(), published.end(),
+                     [](const Publish* p) { return p->has_data_part || p->pcl; }) ||
+         std::any_of(advertised.begin(), advertised.end(),
+                     [](const Advertise* a) { return a->has_data_part; });
+}
+
+Decision Solver::decide_publisher(const Component& component) const {
+  if (!has_data_part(component)) return {};
+  if (is_ported_already(component)) return {Outcome::ported, {}, {}};
+  const Entity& first = *component.entities.front();
+  if (options_.max_level == Level::plain)
+    return refused({codes::TZC1015, "this run leaves everything on TCPROS", first.where});
+  if (auto refusal = blocked(component)) return *refusal;
+  if (auto refusal = unwanted(component)) return *refusal;
+  if (at(advertised_, component.id).empty())
+    return refused(
+        {codes::TZC1017, "no advertise call for '" + first.name + "' was found in the package", first.where});
+  return contradicted(component).value_or(Decision{Outcome::ported, {}, {}});
+}
+
+/// One advertise call of a template that each instance would need changed differently.
+std::optional<Decision> Solver::contradicted(const Component& component) const {
+  std::map<std::tuple<std::string, unsigned, unsigned>, std::string> texts;
+  for (const Advertise* site : at(advertised_, component.id))
+    for (const Change& change : site->changes) {
+      const auto [known, is_new] = texts.emplace(
+          std::make_tuple(change.where.file, change.where.begin, change.where.end), change.text);
+      if (is_new || known->second == change.text) continue;
+      return refused({codes::TZC1007, "the instances of a template advertise different types here",
+                      location_of(site->where)});
+    }
+  return {};
+}
+
+Decision Solver::decide_filter(const Component& component) const {
+  return blocked(component).value_or(Decision{Outcome::ported, {}, {}});
+}
+
+/// A publisher all of whose messages are empty stays as it is.
+void Solver::leave_idle_publishers() {
+  for (const auto& [id, sites] : published_by_) {
+    const bool idle = std::all_of(sites.begin(), sites.end(), [&](const Publish* site) {
+      const Component* message = site->messages.empty() ? nullptr : components_.of(site->messages[0]);
+      const Decision* decision = message ? solution_.of(message->id) : nullptr;
+      return decision && decision->outcome == Outcome::not_needed;
+    });
+    if (idle && solution_.ports(id)) solution_.decisions[id] = {};
+  }
+}
+
+std::optional<Decision> Solver::wrong_shape(const Component& component) const {
+  const auto& sites = at(publishes_of_, component.id);
+  const auto nested =
+      std::find_if(sites.begin(), sites.end(), [](const Publish* site) { return site->nested_only; });
+  if (nested != sites.end())
+    return refused(
+        {codes::TZC1018, "its arrays lie inside an array of messages", location_of((*nested)->where)});
+  if (options_.max_level != Level::zero_copy)
+    return refused(
+        {codes::TZC1015, "this run goes no further than one_copy", location_of(sites.front()->where)});
+  return {};
+}
+
+Decision Solver::decide_message(const Component& component) {
+  if (auto refusal = blocked(component)) return *refusal;
+  if (filled_.count(component.id) == 0 && all_local(component)) return {};
+  if (auto refusal = wrong_shape(component)) return *refusal;
+  if (const auto danger = Soundness(facts_, components_).danger(component))
+    return refused(danger->why, danger->at);
+  return bind_allocations(component);
+}
+
+/// Allocated here and nowhere else: what is not seen to be filled is empty.
+bool Solver::all_local(const Component& component) const {
+  const auto& sites = at(allocations_, component.id);
+  const bool filled = std::any_of(sites.begin(), sites.end(), [](const AllocationSite* site) {
+    const auto* inserted = std::get_if<InsertedAllocation>(&site->how);
+    return inserted && inserted->filled;
+  });
+  return !sites.empty() && !filled &&
+         std::all_of(component.entities.begin(), component.entities.end(), [](const Entity* entity) {
+           return entity->storage == Storage::local || entity->storage == Storage::temporary;
+         });
+}
+
+Decision Solver::bind_allocations(const Component& component) {
+  std::set<ComponentId> publishers;
+  for (const Publish* site : at(publishes_of_, component.id))
+    if (const Component* publisher = components_.of(site->publisher))
+      if (solution_.ports(publisher->id)) publishers.insert(publisher->id);
+  if (publishers.empty())
+    return refused({codes::TZC1009, "its publisher stays on TCPROS", component.entities.front()->where});
+  Binder binder(facts_, components_, component, std::move(publishers));
+  if (auto refusal = binder.bind(at(allocations_, component.id))) return *refusal;
+  solution_.allocations.insert(solution_.allocations.end(), binder.allocations().begin(),
+                               binder.allocations().end());
+  solution_.factories.insert(solution_.factories.end(), binder.factories().begin(), binder.factories().end());
+  return {Outcome::ported, {}, {}};
+}
+
+Decision Solver::decide_subscription(const Component& component) const {
+  const Subscribe& site = *component.subscription;
+  if (!site.has_data_part) return {};
+  if (!site.obstacles.empty()) return refused(site.obstacles.front());
+  if (const auto demoted = demotions_.find(component.id); demoted != demotions_.end())
+    return refused(demoted->second);
+  const bool left_out = options_.max_level == Level::plain ||
+                        (options_.wanted && !options_.wanted(site_of(site, options_.package_dir)));
+  if (!site.ported && left_out)
+    return refused({codes::TZC2007, "left out by --only, --except or --level", location_of(site.where)});
+  if (!site.filter.empty()) {
+    const Decision& filter = solution_.decisions.at(components_.of(site.filter)->id);
+    if (filter.outcome == Outcome::refused) return refused(filter.why_not);
+  }
+  // A message that may be resized has to be the callback's own.
+  if (const auto write = received_.to_message(site)) return refused(*write);
+  return {Outcome::ported, {}, {}};
+}
+
+}  // namespace
+
+Solution solve(const Facts& facts, const Components& components, const SolveOptions& options,
+               const Demotions& demotions) {
+  return Solver(facts, components, options, demotions).run();
+}
+
+}  // namespace tzc::rewriter

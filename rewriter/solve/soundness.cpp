@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solve/soundness.h"
+
+#include <algorithm>
+
+namespace tzc::rewriter {
+
+bool Soundness::is_in(const EntityId& key) const {
+  const Component* component = components_.of(key);
+  return component && component->id == component_->id;
+}
+
+bool Soundness::any_in(const std::set<EntityId>& keys) const {
+  return std::any_of(keys.begin(), keys.end(), [&](const EntityId& key) { return is_in(key); });
+}
+
+/// A message that other functions can reach without being given it.
+bool Soundness::outlives_scope(const Component& component) const {
+  return std::any_of(component.entities.begin(), component.entities.end(), [&](const Entity* entity) {
+    return facts_.lasting.count(entity->id) != 0 || entity->storage == Storage::member ||
+           entity->storage == Storage::global;
+  });
+}
+
+/// Functions that publish a message of the component, or call one that does.
+void Soundness::find_publishing() {
+  publishing_.emplace();
+  for (std::size_t known = ~std::size_t{0}; known != publishing_->size();) {
+    known = publishing_->size();
+    for (const auto& [usr, events] : facts_.effects)
+      if (publishing_->count(usr) == 0 &&
+          std::any_of(events.begin(), events.end(), [&](const PublishEvent& e) { return concerns(e); }))
+        publishing_->insert(usr);
+  }
+}
+
+/// What has no body in the package may.
+bool Soundness::may_publish(const std::string& function) {
+  if (!publishing_) find_publishing();
+  return publishing_->count(function) != 0 || facts_.effects.count(function) == 0;
+}
+
+bool Soundness::concerns(const PublishEvent& event) {
+  const bool reaches = lasting_ || any_in(event.messages);
+  switch (event.kind) {
+    case PublishEvent::Kind::publish:
+    case PublishEvent::Kind::exchange:
+      return any_in(event.messages);
+    case PublishEvent::Kind::call:
+      return reaches && may_publish(event.callee);
+    case PublishEvent::Kind::unknown:
+      return reaches;
+  }
+  return true;
+}
+
+bool Soundness::ends_loudly() {
+  return lasting_ ||
+         std::any_of(facts_.loud_tails.begin(), facts_.loud_tails.end(), [&](const LoudTail& tail) {
+           return any_in(tail.event.messages) && concerns(tail.event);
+         });
+}
+
+std::optional<Soundness::Danger> Soundness::danger(const Component& component) {
+  component_ = &component;
+  lasting_ = outlives_scope(component);
+  publishing_.reset();
+  for (const DataHold& hold : facts_.holds)
+    if (is_in(hold.message) && concerns(hold.event)) return Danger{hold.obstacle, hold.message};
+  for (const DataEscape& escape : facts_.escapes)
+    if (is_in(escape.message) && (!escape.ends_with_scope || ends_loudly()))
+      return Danger{escape.obstacle, escape.message};
+  return {};
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include "model/facts.h"
+#include "solve/components.h"
+
+namespace tzc::rewriter {
+
+/// Whether a pointer into the data of a component's messages may live across one of its publishes.
+class Soundness {
+ public:
+  Soundness(const Facts& facts, const Components& components) : facts_(facts), components_(components) {}
+
+  struct Danger {
+    Obstacle why;
+    EntityId at;
+  };
+  /// None: each pointer is known to be gone, or to be harmless.
+  std::optional<Danger> danger(const Component& component);
+
+ private:
+  bool is_in(const EntityId& key) const;
+  bool any_in(const std::set<EntityId>& keys) const;
+  bool outlives_scope(const Component& component) const;
+  bool concerns(const PublishEvent& event);
+  bool may_publish(const std::string& function);
+  void find_publishing();
+  bool ends_loudly();
+
+  const Facts& facts_;
+  const Components& components_;
+  const Component* component_ = nullptr;
+  bool lasting_ = false;
+  std::optional<std::set<std::string>> publishing_;  // functions, for component_
+};
+
+}  // namespace tzc::rewriter

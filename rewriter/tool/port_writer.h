@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tool/undo.h"
+#include "tool/writing.h"
+
+namespace tzc::rewriter {
+
+/// Writes what a run ports, in place or into another folder, and keeps what takes it back.
+class PortWriter {
+ public:
+  /// Opens the places, so that what cannot be written is known before the analysis.
+  static Expected<PortWriter> open(const Options& options, const std::vector<std::string>& packages);
+
+  /// Writes packages one after the other. After an error `ports` holds those that were written.
+  Expected<void> write(std::vector<PackagePort>& ports);
+
+  /// A user's file may have changed: from then on no run ends as if nothing had happened.
+  bool has_written() const { return has_written_; }
+
+  /// The command that takes the port back; empty: there is none.
+  std::string undo_command() const { return undo_ ? undo_->command() : ""; }
+
+  /// Something that the user should know though the run succeeds; empty: nothing.
+  const std::string& warning() const { return warning_; }
+
+ private:
+  explicit PortWriter(const Options& options) : options_(options) {}
+  Expected<void> write_one(const PackagePort& port);
+  Expected<void> save_undo(const PackagePort& port);
+
+  const Options& options_;
+  std::optional<OutDir> out_dir_;
+  std::optional<UndoPatch> undo_;
+  bool has_written_ = false;
+  std::string warning_;
+};
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/printing.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "tool/next_steps.h"
+#include "tool/terminal.h"
+#include "tool/writing.h"
+
+namespace tzc::rewriter {
+namespace {
+
+std::string closing_line(const Options& options, const std::vector<PackagePort>& ports,
+                         const Outcome& outcome) {
+  const auto changed =
+      std::count_if(ports.begin(), ports.end(), [](auto& port) { return !port.contents.empty(); });
+  const bool open = std::any_of(ports.begin(), ports.end(), has_refusal);
+  if (changed == 0) return open ? "no change; some sites stay on TCPROS\n" : "nothing to port\n";
+  switch (options.action) {
+    case Action::apply:
+      return next_steps(ports.front().package_dir) +
+             (outcome.undo.empty() ? "" : "the port is taken back by\n  " + outcome.undo + "\n");
+    case Action::out_dir:
+      return "ported copies are in " + options.out_dir + "\n";
+    case Action::check:
+      return outcome.status != 0 ? "not ported yet; tzc-rewrite --apply does it\n" : "nothing new to port\n";
+    case Action::diff:
+      return "nothing was written; --apply does it\n";
+  }
+  return "";
+}
+
+}  // namespace
+
+bool has_refusal(const PackagePort& port) {
+  const std::vector<Site>& sites = port.result.report.sites;
+  return std::any_of(sites.begin(), sites.end(), is_refusal);
+}
+
+void print_reports(const Options& options, const std::vector<PackagePort>& ports, const Outcome& outcome) {
+  const bool is_diff = options.action == Action::diff;
+  std::FILE* stream = is_diff ? stderr : stdout;
+  TextStyle style;
+  style.colour = wants_colour(is_diff ? STDERR_FILENO : STDOUT_FILENO);
+  if (!options.quiet) {
+    for (const PackagePort& port : ports) fmt::print(stream, "{}\n", to_text(port.result, style));
+    fmt::print(stream, "{}", closing_line(options, ports, outcome));
+    std::fflush(stream);
+  }
+  if (is_diff) fmt::print("{}", diff_of(ports));
+}
+
+}  // namespace tzc::rewriter

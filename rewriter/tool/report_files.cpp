@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/report_files.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "edits/files.h"
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+std::string text_of(const std::string& file, const RunReport& run, const RunInfo& info) {
+  const std::string extension = fs::path(file).extension();
+  return extension == ".json"    ? to_json(run)
+         : extension == ".sarif" ? to_sarif(run, info.version)
+                                 : to_html(run, info);
+}
+
+/// A device or a pipe is written as it is.
+bool is_special(const std::string& file) {
+  std::error_code failed;
+  return fs::exists(file, failed) && !fs::is_regular_file(file, failed);
+}
+
+}  // namespace
+
+Expected<ReportFiles> ReportFiles::open(const std::vector<std::string>& files) {
+  ReportFiles reports;
+  for (const std::string& file : files) {
+    const std::string target = fs::weakly_canonical(file);  // a link stays a link
+    const std::string staged =
+        is_special(file) ? target : target + ".tzc-rewrite-" + std::to_string(::getpid());
+    if (staged != target)
+      if (Expected<void> done = write_file(staged, ""); !done)
+        return Error{done.error().what, file, "name a folder that exists and can be written"};
+    reports.files_.push_back({target, staged});
+  }
+  return reports;
+}
+
+ReportFiles::~ReportFiles() {
+  std::error_code ignored;
+  for (const File& file : files_)
+    if (file.staged != file.target) fs::remove(file.staged, ignored);
+}
+
+Expected<void> ReportFiles::write(const RunReport& run, const RunInfo& info) {
+  while (!files_.empty()) {
+    const File file = files_.back();
+    if (Expected<void> done = write_file(file.staged, text_of(file.target, run, info)); !done) return done;
+    std::error_code failed;
+    if (file.staged != file.target) fs::rename(file.staged, file.target, failed);
+    if (failed) return Error{"cannot be written: " + failed.message(), file.target, ""};
+    files_.pop_back();
+  }
+  return {};
+}
+
+}  // namespace tzc::rewriter

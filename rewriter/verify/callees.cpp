@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verify/callees.h"
+
+#include <clang/AST/RecursiveASTVisitor.h>
+
+#include "parse/names.h"
+#include "parse/source.h"
+
+namespace tzc::rewriter {
+namespace {
+
+class Calls : public clang::RecursiveASTVisitor<Calls> {
+ public:
+  explicit Calls(const Source& source) : source_(source) {}
+  bool shouldVisitTemplateInstantiations() const { return true; }
+  std::vector<PackageCall> calls;
+
+  bool VisitCallExpr(clang::CallExpr* call) {
+    const clang::FunctionDecl* function = call->getDirectCallee();
+    return !function || note(call->getExprLoc(), function);
+  }
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) {
+    const clang::CXXConstructorDecl* constructor = construct->getConstructor();
+    return constructor->isImplicit() || constructor->isCopyOrMoveConstructor() ||
+           note(construct->getExprLoc(), constructor);
+  }
+
+ private:
+  bool note(clang::SourceLocation where, const clang::FunctionDecl* function) {
+    const clang::FunctionDecl* pattern = pattern_of(function);
+    if (!source_.in_package(where) || !source_.in_package(pattern->getLocation())) return true;
+    const Place call = source_.where(where), callee = source_.where(pattern->getLocation());
+    calls.push_back({call.file, call.line, callee.file, callee.line, qualified_name_of(function)});
+    return true;
+  }
+  const Source& source_;
+};
+
+}  // namespace
+
+std::vector<PackageCall> package_calls(clang::ASTContext& ast, const std::string& package_dir) {
+  const Source source(ast, package_dir);
+  Calls visitor(source);
+  for (clang::Decl* decl : ast.getTranslationUnitDecl()->decls())
+    if (source.in_package(decl->getLocation())) visitor.TraverseDecl(decl);
+  return std::move(visitor.calls);
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace clang {
+class ASTContext;
+}
+
+namespace tzc::rewriter {
+
+/// A call of one of the package's functions, as overload resolution picked it.
+struct PackageCall {
+  std::string file;  ///< of the call
+  unsigned line = 0;
+  std::string callee_file;  ///< of the function's first declaration
+  unsigned callee_line = 0;
+  std::string callee;  ///< its name
+};
+
+/// Unit id -> its calls.
+using CallsOfUnits = std::map<std::string, std::vector<PackageCall>>;
+
+/// In the order of the source. Edits must leave it as it is: an edit that makes a call pick another function
+/// would change what the program does, and still compile.
+std::vector<PackageCall> package_calls(clang::ASTContext& ast, const std::string& package_dir);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verify/source_text.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace tzc::rewriter {
+namespace {
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+void blank(std::string& text, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < std::min(end, text.size()); ++i)
+    if (text[i] != '\n') text[i] = ' ';
+}
+
+std::size_t end_of_literal(const std::string& text, std::size_t at) {
+  std::size_t end = at + 1;
+  for (; end < text.size() && text[end] != text[at] && text[end] != '\n'; ++end)
+    if (text[end] == '\\') ++end;
+  return end;
+}
+
+/// Behind the brace that closes the block around `at`, or the block that begins there.
+std::size_t closing_brace(const std::string& text, std::size_t at, int depth) {
+  for (; at < text.size(); ++at) {
+    if (text[at] == '{') ++depth;
+    if (text[at] == '}' && --depth == 0) return at + 1;
+  }
+  return text.size();
+}
+
+}  // namespace
+
+std::string without_comments(const std::string& source) {
+  std::string text = source;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const std::string two = text.substr(at, 2);
+    if (two == "//") {
+      const std::size_t end = std::min(text.find('\n', at), text.size());
+      blank(text, at, end);
+      at = end;
+    } else if (two == "/*") {
+      const std::size_t end = std::min(text.find("*/", at + 2), text.size() - 2) + 2;
+      blank(text, at, end);
+      at = end - 1;
+    } else if (text[at] == '"' || (text[at] == '\'' && (at == 0 || !is_word(text[at - 1])))) {
+      const std::size_t end = end_of_literal(text, at);
+      blank(text, at + 1, end);
+      at = end;
+    }
+  }
+  return text;
+}
+
+std::set<std::string> identifiers_in(const std::string& text) {
+  std::set<std::string> found;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (!is_word(text[at])) continue;
+    std::size_t end = at;
+    while (end < text.size() && is_word(text[end])) ++end;
+    found.insert(text.substr(at, end - at));
+    at = end;
+  }
+  return found;
+}
+
+std::size_t offset_of(const std::string& text, unsigned line, unsigned column) {
+  std::size_t at = 0;
+  for (unsigned i = 1; i < line; ++i) {
+    at = text.find('\n', at);
+    if (at == std::string::npos) return text.size();
+    ++at;
+  }
+  return std::min(text.size(), at + (column > 0 ? column - 1 : 0));
+}
+
+std::size_t end_of_block(const std::string& text, std::size_t offset) {
+  return closing_brace(text, offset, 1);
+}
+
+std::size_t end_of_function(const std::string& text, std::size_t offset) {
+  const std::size_t brace = text.find('{', offset), semicolon = text.find(';', offset);
+  return brace == std::string::npos || semicolon < brace ? offset : closing_brace(text, brace, 0);
+}
+
+std::string function_around(const std::string& text, std::size_t offset) {
+  int depth = 0;
+  std::size_t at = std::min(offset, text.size());
+  while (at > 0) {
+    const char c = text[--at];
+    if (c == ';' || c == '{' || c == '}') return "";
+    if (c == ')') ++depth;
+    if (c == '(' && --depth < 0) break;
+  }
+  if (depth >= 0) return "";
+  while (at > 0 && std::isspace(static_cast<unsigned char>(text[at - 1]))) --at;
+  std::size_t begin = at;
+  while (begin > 0 && is_word(text[begin - 1])) --begin;
+  return text.substr(begin, at - begin);
+}
+
+}  // namespace tzc::rewriter

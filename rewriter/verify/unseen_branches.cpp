@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verify/unseen_branches.h"
+
+#include <algorithm>
+#include <regex>
+#include <utility>
+
+#include "edits/dual.h"
+#include "model/codes.h"
+#include "verify/source_text.h"
+
+namespace tzc::rewriter {
+namespace {
+
+/// Code that no configuration compiles.
+bool is_dead(const std::string& branch) {
+  static const std::regex zero("^\\s*#\\s*(el)?if\\s+(0|false)\\b");
+  return std::regex_search(branch, zero, std::regex_constants::match_continuous);
+}
+
+}  // namespace
+
+UnseenBranches::UnseenBranches(const std::vector<Place>& skipped, const Facts& facts,
+                               const Components& components, const ReadFile& read)
+    : facts_(facts), components_(components) {
+  std::map<std::pair<std::string, unsigned>, std::size_t> times;
+  for (const Place& place : skipped) ++times[{place.file, place.begin}];
+  for (const Place& place : skipped) {
+    const auto users = facts.units_of_file.find(place.file);
+    std::size_t& seen = times[{place.file, place.begin}];
+    const bool compiled_by_one = users != facts.units_of_file.end() && seen < users->second.size();
+    if (std::exchange(seen, 0) == 0 || compiled_by_one) continue;
+    const std::string text = read(place.file).value_or("");
+    if (place.end > text.size() || place.begin >= place.end || in_dual_branch(text, place.line + 1)) continue;
+    const std::string branch = text.substr(place.begin, place.end - place.begin);
+    if (is_dead(branch)) continue;
+    branches_.push_back({place, identifiers_in(without_comments(branch))});
+    texts_[place.file] = without_comments(text);
+  }
+  if (branches_.empty()) return;
+  for (const Component& component : components.all())
+    for (const Entity* entity : component.entities)
+      if (!texts_.count(entity->where.file))
+        texts_[entity->where.file] = without_comments(read(entity->where.file).value_or(""));
+}
+
+bool UnseenBranches::compiled_together(const std::string& file, const std::string& other) const {
+  const auto one = facts_.units_of_file.find(file), two = facts_.units_of_file.find(other);
+  if (one == facts_.units_of_file.end() || two == facts_.units_of_file.end()) return false;
+  return std::any_of(one->second.begin(), one->second.end(),
+                     [&](const std::string& unit) { return two->second.count(unit) != 0; });
+}
+
+std::string UnseenBranches::named_in(const Branch& branch, const Entity& entity) const {
+  if (!compiled_together(branch.where.file, entity.where.file)) return "";
+  const std::string& text = texts_.at(entity.where.file);
+  const std::size_t at = offset_of(text, entity.where.line, entity.where.column);
+  const bool local = entity.storage == Storage::local, parameter = entity.storage == Storage::parameter;
+  const std::string function = parameter ? function_around(text, at) : "";
+  if (!function.empty() && branch.words.count(function)) return function;
+  if (entity.name.empty() || !branch.words.count(entity.name)) return "";
+  if (!local && !parameter) return entity.name;
+  const std::size_t end = local ? end_of_block(text, at) : end_of_function(text, at);
+  const bool in_scope =
+      branch.where.file == entity.where.file && at < branch.where.begin && branch.where.begin < end;
+  return in_scope ? entity.name : "";
+}
+
+std::optional<Obstacle> UnseenBranches::user_of(const Entity& entity) const {
+  for (const Branch& branch : branches_)
+    if (const std::string name = named_in(branch, entity); !name.empty())
+      return Obstacle{codes::TZC3007, "a preprocessor branch that is not compiled here names '" + name + "'",
+                      location_of(branch.where)};
+  return {};
+}
+
+std::map<ComponentId, Obstacle> UnseenBranches::users_of(const Edits& edits) const {
+  std::set<ComponentId> edited;
+  for (const Edit& edit : edits)
+    if (edit.component) edited.insert(*edit.component);
+  std::map<ComponentId, Obstacle> found;
+  if (branches_.empty()) return found;
+  for (const Component& component : components_.all()) {
+    if (!edited.count(component.id)) continue;
+    for (const Entity* entity : component.entities)
+      if (const std::optional<Obstacle> obstacle = user_of(*entity)) found.emplace(component.id, *obstacle);
+  }
+  return found;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <image_transport/image_transport.h>
+#include <image_transport/subscriber_filter.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+#include <tzc/detail/publisher_base.h>
+#include <tzc/detail/shared_message.h>
+#include <tzc/subscribe.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace tzc {
+namespace image_transport {
+
+namespace detail {
+
+/// Shared memory beside the raw transport of `topic`. The compressed transports read the same message.
+inline std::shared_ptr<::tzc::detail::Attachment> attach_raw(const std::string& topic,
+                                                             std::size_t memory_size) {
+  ros::AdvertiseOptions options;
+  options.init<::sensor_msgs::Image>(topic, 1);
+  PublisherOptions publisher_options;
+  publisher_options.memory_size = memory_size;
+  ros::NodeHandle node;
+  return ::tzc::detail::Attachment::create(node, options, ::tzc::detail::make_codec<::sensor_msgs::Image>(),
+                                           publisher_options);
+}
+
+/// Base of both kinds of image publishers. Stock: the image_transport publisher that does the work.
+template <class Stock>
+class ImagePublisherBase : public ::tzc::detail::PublisherBase<Stock> {
+ public:
+  ImagePublisherBase() {}
+  ImagePublisherBase(const Stock& publisher, std::size_t memory_size)
+      : ::tzc::detail::PublisherBase<Stock>(publisher, attach(publisher, memory_size)) {}
+
+ private:
+  static std::shared_ptr<::tzc::detail::Attachment> attach(const Stock& publisher, std::size_t memory_size) {
+    return publisher ? attach_raw(publisher.getTopic(), memory_size) : nullptr;
+  }
+};
+
+}  // namespace detail
+
+/// A drop-in for image_transport::Publisher: the raw transport goes through shared memory, the others work as
+/// before.
+class Publisher : public detail::ImagePublisherBase<::image_transport::Publisher> {
+ public:
+  using detail::ImagePublisherBase<::image_transport::Publisher>::ImagePublisherBase;
+
+  void publish(const ::sensor_msgs::ImageConstPtr& message) const { publisher_.publish(message); }
+  void publish(const ::sensor_msgs::Image& message) const {
+    if (!publish_by_reference<::sensor_msgs::Image>([&] { publisher_.publish(message); }))
+      publish_twin(message);
+  }
+  /// A tzc::sensor_msgs::Image, by reference or pointer.
+  template <class M>
+  void publish(const M& message) const {
+    publish_twin(message);
+  }
+  template <class M>
+  void publish(const boost::shared_ptr<M>& message) const {
+    publish_pointer(message);
+  }
+
+ private:
+  /// Without subscribers it copies and converts nothing, as the library's plugins do.
+  template <class M>
+  void publish_twin(const M& message) const {
+    if (publisher_.getNumSubscribers() == 0) return;
+    ::tzc::detail::publish_as_stock(
+        attachment_.get(), message,
+        [this](const ::sensor_msgs::ImageConstPtr& view) { publisher_.publish(view); });
+  }
+  template <class M>
+  void publish_pointer(const boost::shared_ptr<M>& message) const {
+    publish_twin(*message);
+  }
+  void publish_pointer(const ::sensor_msgs::ImagePtr& message) const { publisher_.publish(message); }
+};
+
+/// A drop-in for image_transport::CameraPublisher. The camera info is small and travels as before.
+class CameraPublisher : public detail::ImagePublisherBase<::image_transport::CameraPublisher> {
+ public:
+  using detail::ImagePublisherBase<::image_transport::CameraPublisher>::ImagePublisherBase;
+
+  std::string getInfoTopic() const { return publisher_.getInfoTopic(); }
+
+  void publish(const ::sensor_msgs::ImageConstPtr& image,
+               const ::sensor_msgs::CameraInfoConstPtr& info) const {
+    publisher_.publish(image, info);
+  }
+  void publish(const ::sensor_msgs::Image& image, const ::sensor_msgs::CameraInfo& info) const {
+    if (!publish_by_reference<::sensor_msgs::Image>([&] { publisher_.publish(image, info); }))
+      publish_image(image, boost::make_shared<::sensor_msgs::CameraInfo>(info));
+  }
+  /// Image and info by reference; either may be its tzc:: type.
+  template <class Image, class Info>
+  void publish(const Image& image, const Info& info) const {
+    publish_image(image, boost::make_shared<::sensor_msgs::CameraInfo>(message::to_stock(info)));
+  }
+  /// A tzc::sensor_msgs::Image by pointer, with the camera info by pointer.
+  template <class Image, class Info>
+  void publish(const boost::shared_ptr<Image>& image, const boost::shared_ptr<Info>& info) const {
+    publish_image_pointer(image, stock_pointer(info));
+  }
+  /// Stamps both, as the stock publisher does.
+  template <class Image, class Info>
+  void publish(Image& image, Info& info, ros::Time stamp) const {
+    image.header.stamp = stamp;
+    info.header.stamp = stamp;
+    publish(static_cast<const Image&>(image), static_cast<const Info&>(info));
+  }
+
+ private:
+  template <class Image>
+  void publish_image(const Image& image, const ::sensor_msgs::CameraInfoConstPtr& info) const {
+    ::tzc::detail::publish_as_stock(attachment_.get(), image, [&](const ::sensor_msgs::ImageConstPtr& view) {
+      publisher_.publish(view, info);
+    });
+  }
+  template <class Image>
+  void publish_image_pointer(const boost::shared_ptr<Image>& image,
+                             const ::sensor_msgs::CameraInfoConstPtr& info) const {
+    publish_image(*image, info);
+  }
+  void publish_image_pointer(const ::sensor_msgs::ImagePtr& image,
+                             const ::sensor_msgs::CameraInfoConstPtr& info) const {
+    publisher_.publish(image, info);
+  }
+  void publish_image_pointer(const ::sensor_msgs::ImageConstPtr& image,
+                             const ::sensor_msgs::CameraInfoConstPtr& info) const {
+    publisher_.publish(image, info);
+  }
+  template <class Info>
+  static ::sensor_msgs::CameraInfoConstPtr stock_pointer(const boost::shared_ptr<Info>& info) {
+    return boost::make_shared<::sensor_msgs::CameraInfo>(message::to_stock(*info));
+  }
+  static ::sensor_msgs::CameraInfoConstPtr stock_pointer(const ::sensor_msgs::CameraInfoPtr& info) {
+    return info;
+  }
+  static ::sensor_msgs::CameraInfoConstPtr stock_pointer(const ::sensor_msgs::CameraInfoConstPtr& info) {
+    return info;
+  }
+};
+
+/// image_transport::ImageTransport::advertise in all its overloads, with shared memory sized by queue and
+/// image.
+template <class... Args>
+Publisher advertise(::image_transport::ImageTransport& transport, Args&&... args) {
+  return Publisher(transport.advertise(std::forward<Args>(args)...), 0);
+}
+template <class... Args>
+Publisher advertise(::image_transport::ImageTransport&& transport, Args&&... args) {
+  return advertise(transport, std::forward<Args>(args)...);
+}
+/// image_transport::ImageTransport::advertiseCamera in all its overloads.
+template <class... Args>
+CameraPublisher advertiseCamera(::image_transport::ImageTransport& transport, Args&&... args) {
+  return CameraPublisher(transport.advertiseCamera(std::forward<Args>(args)...), 0);
+}
+template <class... Args>
+CameraPublisher advertiseCamera(::image_transport::ImageTransport&& transport, Args&&... args) {
+  return advertiseCamera(transport, std::forward<Args>(args)...);
+}
+
+/// Attaches shared memory to an image publisher that other code advertised, for example a library's base
+/// class that keeps a copy of it.
+inline Publisher attach_publisher(const ::image_transport::Publisher& publisher,
+                                  std::size_t memory_size = 0) {
+  return Publisher(publisher, memory_size);
+}
+inline CameraPublisher attach_publisher(const ::image_transport::CameraPublisher& publisher,
+                                        std::size_t memory_size = 0) {
+  return CameraPublisher(publisher, memory_size);
+}
+
+namespace detail {
+
+/// An image transport that subscribes: a variable or a temporary.
+class Transport {
+ public:
+  Transport(::image_transport::ImageTransport& transport) : transport_(transport) {}  // NOLINT: stands for it
+  Transport(::image_transport::ImageTransport&& transport) : transport_(transport) {}  // NOLINT: as above
+  ::image_transport::ImageTransport* operator->() const { return &transport_; }
+
+ private:
+  ::image_transport::ImageTransport& transport_;
+};
+
+template <class Subscriber>
+Subscriber attached(const Subscriber& subscriber) {
+  if (subscriber) attach<::sensor_msgs::Image>(subscriber.getTopic());
+  return subscriber;
+}
+
+}  // namespace detail
+
+/// image_transport::ImageTransport::subscribe in all its overloads. Only the raw transport uses shared
+/// memory.
+inline ::image_transport::Subscriber subscribe(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    const boost::function<void(const ::sensor_msgs::ImageConstPtr&)>& callback,
+    const ros::VoidPtr& tracked_object = ros::VoidPtr(),
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribe(base_topic, queue_size, callback, tracked_object, hints));
+}
+inline ::image_transport::Subscriber subscribe(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    void (*callback)(const ::sensor_msgs::ImageConstPtr&),
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribe(base_topic, queue_size, callback, hints));
+}
+template <class T>
+::image_transport::Subscriber subscribe(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    void (T::*callback)(const ::sensor_msgs::ImageConstPtr&), T* object,
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribe(base_topic, queue_size, callback, object, hints));
+}
+template <class T>
+::image_transport::Subscriber subscribe(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    void (T::*callback)(const ::sensor_msgs::ImageConstPtr&), const boost::shared_ptr<T>& object,
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribe(base_topic, queue_size, callback, object, hints));
+}
+
+/// image_transport::ImageTransport::subscribeCamera in all its overloads.
+inline ::image_transport::CameraSubscriber subscribeCamera(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    const ::image_transport::CameraSubscriber::Callback& callback,
+    const ros::VoidPtr& tracked_object = ros::VoidPtr(),
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(
+      transport->subscribeCamera(base_topic, queue_size, callback, tracked_object, hints));
+}
+inline ::image_transport::CameraSubscriber subscribeCamera(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    void (*callback)(const ::sensor_msgs::ImageConstPtr&, const ::sensor_msgs::CameraInfoConstPtr&),
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribeCamera(base_topic, queue_size, callback, hints));
+}
+template <class T>
+::image_transport::CameraSubscriber subscribeCamera(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    void (T::*callback)(const ::sensor_msgs::ImageConstPtr&, const ::sensor_msgs::CameraInfoConstPtr&),
+    T* object, const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribeCamera(base_topic, queue_size, callback, object, hints));
+}
+template <class T>
+::image_transport::CameraSubscriber subscribeCamera(
+    detail::Transport transport, const std::string& base_topic, std::uint32_t queue_size,
+    void (T::*callback)(const ::sensor_msgs::ImageConstPtr&, const ::sensor_msgs::CameraInfoConstPtr&),
+    const boost::shared_ptr<T>& object,
+    const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  return detail::attached(transport->subscribeCamera(base_topic, queue_size, callback, object, hints));
+}
+
+/// A drop-in for image_transport::SubscriberFilter.
+class SubscriberFilter : public ::image_transport::SubscriberFilter {
+ public:
+  SubscriberFilter() {}
+  SubscriberFilter(::image_transport::ImageTransport& transport, const std::string& base_topic,
+                   std::uint32_t queue_size,
+                   const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+    subscribe(transport, base_topic, queue_size, hints);
+  }
+  void subscribe(::image_transport::ImageTransport& transport, const std::string& base_topic,
+                 std::uint32_t queue_size,
+                 const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+    ::image_transport::SubscriberFilter::subscribe(transport, base_topic, queue_size, hints);
+    attach<::sensor_msgs::Image>(getTopic());
+  }
+};
+
+}  // namespace image_transport
+}  // namespace tzc

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "channel/in_flight_window.h"
+
+#include <memory>
+
+#include "channel/body.h"
+#include "channel/delivery_cursors.h"
+#include "segment/segment.h"
+#include "sync_point/sync_point.h"
+
+namespace tzc {
+namespace channel {
+namespace {
+
+// A record with blocks is retained as bytes: a RecordPtr would keep handles of its blocks.
+void retain(const RecordPtr& record, InFlightRecords::Entry& entry) {
+  if (record->buffers().empty())
+    entry.record = record;
+  else
+    entry.body.assign(record->data(), record->data() + record->size());
+}
+
+}  // namespace
+
+InFlightWindow::InFlightWindow(const SharedPage& page, AnnouncedSegments& segments, bool retains)
+    : page_(page),
+      segments_(segments),
+      retains_(retains),
+      last_sequence_(first_sequence),
+      revoked_through_(first_sequence) {}
+
+void InFlightWindow::push(const RecordPtr& record) {
+  InFlightRecords::Entry& entry = records_.push(++last_sequence_);
+  if (retains_) retain(record, entry);
+  for (const BufferPtr& buffer : record->buffers()) {
+    const segment::BlockName block = segment::Segment::name_of(*buffer);
+    if (segments_.ack_file_of(block.segment)->mark(block.slot, block.generation))
+      entry.marks.push_back(block);
+    sync_point("publish: marked");
+  }
+}
+
+bool InFlightWindow::retire_taken() {
+  const DeliveryCursors cursors = unpack_cursors(page_.cursors().load(std::memory_order_acquire));
+  if (is_after(cursors.taken, last_sequence_)) return false;
+  while (size() > 0 && !is_after(records_.oldest().sequence, cursors.taken)) drop_oldest(false);
+  return true;
+}
+
+bool InFlightWindow::revoke_oldest_down_to(std::size_t most) {
+  if (size() <= most) return true;
+  if (!retire_taken()) return false;
+  while (size() > most) {
+    if (!revoke_through(records_.oldest().sequence)) return false;
+  }
+  return true;
+}
+
+bool InFlightWindow::revoke_block(const segment::BlockName& block) {
+  if (!retire_taken()) return false;
+  const InFlightRecords::Entry* entry = records_.find_last(block);
+  return entry == nullptr || revoke_through(entry->sequence);
+}
+
+bool InFlightWindow::revoke_through(std::uint32_t sequence) {
+  std::uint32_t taken = 0;
+  const bool won = try_revoke(page_.cursors(), sequence, taken);
+  sync_point("publish: revoke decided");
+  if (!won && is_after(sequence, taken)) return false;  // the subscriber keeps changing the word
+  while (size() > 0 && !is_after(records_.oldest().sequence, sequence))
+    drop_oldest(is_after(records_.oldest().sequence, taken));
+  revoked_through_ = sequence;
+  return true;
+}
+
+// A retained record is rebuilt before its marks go: until then the marks keep its blocks.
+bool InFlightWindow::end() {
+  std::uint32_t taken = 0;
+  if (size() > 0) try_revoke(page_.cursors(), last_sequence_, taken);
+  const bool honest = retire_taken();
+  while (size() > 0) {
+    const bool comes_back = retains_ && rebuild(records_.oldest());
+    drop_oldest(true);
+    if (comes_back) --dropped_;
+  }
+  revoked_through_ = last_sequence_;
+  return honest;
+}
+
+bool InFlightWindow::rebuild(const InFlightRecords::Entry& entry) {
+  if (entry.record) {
+    undelivered_.push_back(entry.record);
+    return true;
+  }
+  ParsedBody parsed{};
+  parse_body(entry.body.data(), entry.body.size(), parsed);
+  std::vector<BufferPtr> buffers;
+  for (std::uint32_t i = 0; i < parsed.header.block_count; ++i) {
+    buffers.push_back(segments_.revive(parsed.refs[i]));
+    if (!buffers.back()) return false;
+  }
+  undelivered_.push_back(std::make_shared<const Record>(parsed.header, parsed.control, buffers));
+  return true;
+}
+
+void InFlightWindow::drop_oldest(bool revoked) {
+  if (revoked) {
+    for (const segment::BlockName& block : records_.oldest().marks) segments_.revoke(block);
+    ++dropped_;
+  }
+  records_.drop_oldest();
+}
+
+}  // namespace channel
+}  // namespace tzc

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "channel/announced_segments.h"
+#include "channel/in_flight_records.h"
+#include "channel/record.h"
+#include "channel/shared_page.h"
+#include "posix/hot.h"
+
+namespace tzc {
+namespace channel {
+
+/// The records in flight to one subscriber: their marks in its ack files, and who gets them
+/// (delivery_cursors.h). Not thread-safe; the page and the segments outlive it.
+class InFlightWindow {
+ public:
+  /// `retains`: take_undelivered returns the records that are in flight at the end.
+  InFlightWindow(const SharedPage& page, AnnouncedSegments& segments, bool retains);
+
+  std::size_t size() const { return records_.size(); }
+  std::uint32_t last_sequence() const { return last_sequence_; }
+  /// Records up to this one that were not taken are revoked and need not be sent any more.
+  std::uint32_t revoked_through() const { return revoked_through_; }
+  std::uint64_t dropped() const { return dropped_; }
+
+  /// Marks the record's blocks for the subscriber. Before the record is written: once the subscriber can know of
+  /// a block, the block must be kept for it.
+  TZC_HOT void push(const RecordPtr& record);
+  /// Drops the records that the subscriber took. False: it claims to have taken one that was never sent.
+  TZC_HOT bool retire_taken();
+  /// Revokes the oldest records until at most `most` are left. False: the subscriber does not keep to the protocol.
+  bool revoke_oldest_down_to(std::size_t most);
+  /// Revokes each record that refers to the block, and those before it. False: as above.
+  bool revoke_block(const segment::BlockName& block);
+  /// Revokes everything that the subscriber did not take: it takes nothing more. False: as above.
+  bool end();
+  std::vector<RecordPtr> take_undelivered() { return std::move(undelivered_); }
+
+ private:
+  bool revoke_through(std::uint32_t sequence);
+  void drop_oldest(bool revoked);
+  bool rebuild(const InFlightRecords::Entry& entry);
+
+  const SharedPage& page_;
+  AnnouncedSegments& segments_;
+  const bool retains_;
+  std::uint32_t last_sequence_;
+  std::uint32_t revoked_through_;
+  std::uint64_t dropped_ = 0;
+  InFlightRecords records_;
+  std::vector<RecordPtr> undelivered_;
+};
+
+/// Sequence numbers start shortly before they wrap around, so that every run exercises it (decision 105).
+constexpr std::uint32_t first_sequence = 0xffffffff - 5;
+
+}  // namespace channel
+}  // namespace tzc

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The private half of tzc::Array; include <tzc/array.h>.
+#pragma once
+
+#include <cstring>
+#include <stdexcept>
+
+namespace tzc {
+
+template <class T>
+void Array<T>::copy_from(const Array& other) {
+  if (other.storage_.is_shared()) return storage_.share_with(other.storage_);
+  assign(other.begin(), other.end());
+}
+
+template <class T>
+void Array<T>::take(std::vector<T>& values) {
+  if (detail::can_use_vector_words<std::vector<T> >()) {
+    storage_.adopt(values.data(), values.size(), values.capacity());
+    detail::VectorWords::clear(&values);
+  } else {
+    assign(values.begin(), values.end());
+    values.clear();
+  }
+}
+
+template <class T>
+std::vector<T> Array<T>::release_to_vector() {
+  std::vector<T> values;
+  if (storage_.on_heap() && detail::can_use_vector_words<std::vector<T> >()) {
+    T* const memory = const_cast<T*>(storage_.begin());
+    detail::VectorWords{memory, memory + size(), memory + storage_.heap_capacity()}.write_to(&values);
+    storage_.give_up_heap();
+  } else {
+    values.assign(cbegin(), cend());
+    storage_.reset();
+  }
+  return values;
+}
+
+template <class T>
+bool Array<T>::bound_buffer_has_room(size_type n) const noexcept {
+  return storage_.buffer() && storage_.is_writable() && n <= capacity();
+}
+
+/// Memory for n elements that the caller overwrites; keeps no old element.
+template <class T>
+T* Array<T>::replace(size_type n) {
+  if (n == 0) {
+    clear();
+    return nullptr;
+  }
+  if (n > capacity() || !storage_.is_writable()) storage_.remake(checked(n), 0);
+  storage_.set_size(n);
+  return data();
+}
+
+/// Appends n elements without values and returns the first of them.
+template <class T>
+T* Array<T>::grow_by(size_type n) {
+  const size_type old = size();
+  T* elements = storage_.writable_or_null();
+  if (__builtin_expect(elements == nullptr || n > capacity() - old, 0)) elements = make_room(n);
+  storage_.set_size(old + n);
+  return elements + old;
+}
+
+template <class T>
+T* Array<T>::make_room(size_type n) {
+  if (n > max_size() - size()) checked(max_size() + 1);
+  const size_type needed = size() + n;
+  const size_type doubled = size() <= max_size() / 2 ? size() * 2 : max_size();
+  storage_.remake(needed <= capacity() ? capacity() : std::max(needed, doubled), size());
+  return data();
+}
+
+template <class T>
+typename Array<T>::iterator Array<T>::make_gap(const_iterator position, size_type n) {
+  const difference_type at = position - cbegin();
+  const size_type behind = size() - at;
+  if (n != 0) grow_by(n);
+  const iterator gap = begin() + at;
+  if (n != 0 && behind != 0) std::memmove(static_cast<void*>(gap + n), gap, behind * sizeof(T));
+  return gap;
+}
+
+template <class T>
+template <class It>
+void Array<T>::assign_range(It first, It last, std::input_iterator_tag) {
+  clear();
+  for (; first != last; ++first) push_back(*first);
+}
+
+template <class T>
+template <class It>
+void Array<T>::assign_range(It first, It last, std::forward_iterator_tag) {
+  std::copy(first, last, replace(std::distance(first, last)));
+}
+
+template <class T>
+template <class It>
+typename Array<T>::iterator Array<T>::insert_range(const_iterator position, It first, It last,
+                                                   std::input_iterator_tag) {
+  const Array read(first, last);
+  return insert(position, read.begin(), read.end());
+}
+
+template <class T>
+template <class It>
+typename Array<T>::iterator Array<T>::insert_range(const_iterator position, It first, It last,
+                                                   std::forward_iterator_tag) {
+  const iterator gap = make_gap(position, std::distance(first, last));
+  std::copy(first, last, gap);
+  return gap;
+}
+
+template <class T>
+typename Array<T>::size_type Array<T>::checked(size_type n) const {
+  if (n > max_size()) throw std::length_error("tzc::Array: more elements than max_size()");
+  return n;
+}
+
+template <class T>
+typename Array<T>::size_type Array<T>::in_range(size_type i) const {
+  if (i >= size()) throw std::out_of_range("tzc::Array::at: index not below size()");
+  return i;
+}
+
+}  // namespace tzc

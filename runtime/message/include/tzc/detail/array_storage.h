@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tzc/guard.h>
+#include <tzc/memory.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+namespace tzc {
+namespace detail {
+
+/// Memory for elements: on the heap (`buffer` null, made by std::allocator) or inside a block of a segment.
+template <class T>
+struct ArrayBlock {
+  T* begin = nullptr;
+  std::size_t capacity = 0;
+  BufferPtr buffer;
+};
+
+/// The memory behind a tzc::Array and its copy-on-write rule.
+///
+///   writable_ != null   this object alone owns the elements; they may be written in place
+///   writable_ == null   shared with subscribers and copies (block_.begin != null), or no memory yet although
+///                       capacity_ promises some (block_.begin == null): the next write makes memory first
+///
+/// Only share() happens in const context (publishing); it may run in several threads at once.
+template <class T>
+class ArrayStorage {
+ public:
+  ArrayStorage() = default;
+  ArrayStorage(const ArrayStorage&) = delete;
+  ArrayStorage& operator=(const ArrayStorage&) = delete;
+  ~ArrayStorage() { release(block_); }
+
+  const T* begin() const noexcept { return block_.begin; }
+  std::size_t size() const noexcept { return size_; }
+  std::size_t capacity() const noexcept { return capacity_; }
+  const BufferPtr& buffer() const noexcept { return block_.buffer; }
+  const std::shared_ptr<MemorySource>& memory() const noexcept { return memory_; }
+
+  /// Size without constructing or writing anything; n <= capacity() and, if it grows, is_writable().
+  void set_size(std::size_t n) noexcept { size_ = n; }
+  /// What capacity() reports; never more than the memory behind writable elements.
+  void set_capacity(std::size_t n) noexcept { capacity_ = n; }
+
+  bool is_writable() const noexcept { return __atomic_load_n(&writable_, __ATOMIC_RELAXED) != nullptr; }
+  bool is_shared() const noexcept { return block_.begin != nullptr && !is_writable(); }
+
+  /// The elements for writing; copies them first if they are shared.
+  T* writable() {
+    if (__builtin_expect(writable_ != nullptr, 1)) return writable_;
+    return make_writable();
+  }
+
+  T* writable_or_null() noexcept { return writable_; }
+
+  /// From now on the elements are read by others; the next write through this object gets fresh memory.
+  void share() const noexcept {
+    if (block_.buffer && is_writable())
+      __atomic_store_n(&writable_, static_cast<T*>(nullptr), __ATOMIC_RELAXED);
+  }
+
+  /// Replaces the memory by fresh memory for `capacity` elements and keeps the first `kept` of them.
+  void remake(std::size_t capacity, std::size_t kept) {
+    ArrayBlock<T> fresh = acquire(capacity);
+    if (kept != 0) std::memcpy(static_cast<void*>(fresh.begin), block_.begin, kept * sizeof(T));
+    install(std::move(fresh));
+    capacity_ = capacity;
+  }
+
+  /// Takes over heap memory that std::allocator<T> made.
+  void adopt(T* begin, std::size_t size, std::size_t capacity) {
+    ArrayBlock<T> block;
+    block.begin = begin;
+    block.capacity = capacity;
+    install(std::move(block));
+    size_ = size;
+    capacity_ = capacity;
+  }
+
+  /// Gives heap memory away; the caller frees it with std::allocator<T>. Leaves this object empty.
+  void give_up_heap() noexcept {
+    block_ = ArrayBlock<T>();
+    forget();
+  }
+  bool on_heap() const noexcept { return !block_.buffer; }
+  std::size_t heap_capacity() const noexcept { return block_.capacity; }
+
+  /// Drops the elements and their memory; capacity 0.
+  void reset() noexcept {
+    release(block_);
+    forget();
+  }
+
+  /// Drops shared elements without copying them; capacity() stays, as after std::vector::clear.
+  void drop_elements() noexcept {
+    if (is_shared()) release(block_);
+    size_ = 0;
+  }
+
+  /// Refers to the same shared elements as `other`.
+  void share_with(const ArrayStorage& other) {
+    ArrayBlock<T> same = other.block_;
+    install(std::move(same));
+    writable_ = nullptr;
+    size_ = capacity_ = other.size_;
+  }
+
+  /// Exchanges elements, not the memory source.
+  void swap_elements(ArrayStorage& other) noexcept {
+    std::swap(block_, other.block_);
+    std::swap(writable_, other.writable_);
+    std::swap(size_, other.size_);
+    std::swap(capacity_, other.capacity_);
+  }
+
+  /// Later growth takes memory from `memory`, or from the heap when that is exhausted.
+  void bind(std::shared_ptr<MemorySource> memory) noexcept { memory_ = std::move(memory); }
+  void take_memory_of(ArrayStorage& other) noexcept {
+    memory_ = std::move(other.memory_);
+    spare_ = std::move(other.spare_);
+  }
+
+  /// Elements that allocate() must find memory for; 0 when they are writable in a segment already.
+  std::size_t elements_to_place() const noexcept {
+    if (block_.buffer && is_writable()) return 0;
+    return is_writable() && size_ != 0 ? size_ : capacity_;
+  }
+
+  /// Moves the elements to `at`, inside `buffer`, where elements_to_place() fit. Shared elements are not
+  /// copied yet: the memory is kept for the next write.
+  void place(const BufferPtr& buffer, void* at) {
+    ArrayBlock<T> reserved;
+    reserved.begin = static_cast<T*>(at);
+    reserved.capacity = elements_to_place();
+    reserved.buffer = buffer;
+    spare_ = std::move(reserved);
+    if (is_shared()) return;
+    if (__builtin_expect(guard::active, 0) && block_.begin != nullptr && on_heap()) return retire_heap();
+    remake(spare_.capacity, size_);
+  }
+
+ private:
+  T* make_writable() __attribute__((cold, noinline)) {
+    if (block_.begin != nullptr || capacity_ != 0) remake(capacity_, size_);
+    return writable_;
+  }
+
+  ArrayBlock<T> acquire(std::size_t capacity) {
+    // Room beside an array that was published meanwhile: writing there is right, but guard mode cannot tell.
+    const bool is_watched = __builtin_expect(guard::active, 0) && spare_.buffer && spare_.buffer->sealed();
+    if (spare_.begin != nullptr && spare_.capacity >= capacity && !is_watched)
+      return std::exchange(spare_, ArrayBlock<T>());
+    spare_ = ArrayBlock<T>();
+    ArrayBlock<T> block;
+    if (capacity == 0) return block;
+    block.capacity = capacity;
+    if (memory_) block.buffer = memory_->allocate(capacity * sizeof(T));
+    block.begin = block.buffer ? reinterpret_cast<T*>(block.buffer->data()) : allocate_on_heap(capacity);
+    return block;
+  }
+
+  static T* allocate_on_heap(std::size_t capacity) {
+    void* const guarded =
+        __builtin_expect(guard::active, 0) ? guard::allocate(capacity * sizeof(T)) : nullptr;
+    return guarded != nullptr ? static_cast<T*>(guarded) : std::allocator<T>().allocate(capacity);
+  }
+
+  /// As remake(), in guard mode: pointers into the heap memory are watched.
+  void retire_heap() __attribute__((cold, noinline)) {
+    ArrayBlock<T> old;
+    std::swap(old, block_);
+    ArrayBlock<T> fresh = acquire(spare_.capacity);
+    if (size_ != 0) std::memcpy(static_cast<void*>(fresh.begin), old.begin, size_ * sizeof(T));
+    install(std::move(fresh));
+    capacity_ = block_.capacity;
+    guard::retire(old.begin, old.capacity * sizeof(T), memory_.get());
+  }
+
+  void install(ArrayBlock<T>&& block) noexcept {
+    release(block_);
+    block_ = std::move(block);
+    writable_ = block_.begin;
+  }
+
+  static void release(ArrayBlock<T>& block) noexcept {
+    if (block.begin != nullptr && !block.buffer) std::allocator<T>().deallocate(block.begin, block.capacity);
+    block = ArrayBlock<T>();
+  }
+
+  void forget() noexcept {
+    writable_ = nullptr;
+    size_ = capacity_ = 0;
+  }
+
+  mutable T* writable_ = nullptr;
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
+  ArrayBlock<T> block_;
+  ArrayBlock<T> spare_;
+  std::shared_ptr<MemorySource> memory_;
+};
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What generated message headers (tzc/<package>/<Type>.h) need, and the only place where they meet the
+// runtime.
+#pragma once
+
+#include <tzc/array.h>
+
+#include <ros/builtin_message_traits.h>
+#include <ros/message_operations.h>
+#include <ros/serialization.h>
+#include <ros/types.h>
+
+#include <boost/array.hpp>
+#include <boost/shared_ptr.hpp>
+
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace tzc {
+namespace message {
+
+/// What a generated header states about its message. The primary template serves stock messages, which have no
+/// tzc::Array. A specialisation has what follows; visit_data calls v(array) for each data array, at any depth, in
+/// wire order:
+///
+///     typedef ::pkg::Type Stock;
+///     template <class V> static void visit_data(tzc::pkg::Type&, V&& v);
+///     template <class V> static void visit_data(const tzc::pkg::Type&, V&& v);
+template <class M>
+struct Traits {
+  typedef M Stock;
+  template <class Message, class Visitor>
+  static void visit_data(Message&, Visitor&&) {}
+};
+
+/// The stock type of a tzc:: message, or of a stock message itself.
+template <class M>
+struct StockOf {
+  typedef typename Traits<typename std::remove_cv<M>::type>::Stock type;
+};
+
+/// True for tzc:: messages.
+template <class M>
+struct IsTwin : std::integral_constant<bool, !std::is_same<typename StockOf<M>::type, M>::value> {};
+
+/// A deep copy as the stock type; all of it lies on the heap.
+template <class M>
+typename StockOf<M>::type to_stock(const M& message) {
+  return static_cast<typename StockOf<M>::type>(message);
+}
+
+}  // namespace message
+}  // namespace tzc
+
+namespace ros {
+namespace serialization {
+
+/// The stock wire format of a data array, the same bytes as for std::vector.
+template <class T>
+struct Serializer<tzc::Array<T> > {
+  typedef typename message_traits::IsSimple<T>::type Simple;
+
+  template <class Stream>
+  static void write(Stream& stream, const tzc::Array<T>& array) {
+    stream.next(static_cast<std::uint32_t>(array.size()));
+    write_elements(stream, array, Simple());
+  }
+
+  /// Throws StreamOverrunException before it reserves memory for elements that the stream does not have.
+  template <class Stream>
+  static void read(Stream& stream, tzc::Array<T>& array) {
+    std::uint32_t count;
+    stream.next(count);
+    if (std::uint64_t(count) * element_length() > stream.getLength()) throwStreamOverrun();
+    array.resize(count, tzc::uninitialized);
+    read_elements(stream, array, Simple());
+  }
+
+  static std::uint32_t serializedLength(const tzc::Array<T>& array) {
+    return 4 + static_cast<std::uint32_t>(array.size()) * element_length();
+  }
+
+ private:
+  /// Elements have a fixed length, so a default one tells it.
+  static std::uint32_t element_length() {
+    static const std::uint32_t length = serializationLength(T());
+    return length;
+  }
+
+  template <class Stream>
+  static void write_elements(Stream& stream, const tzc::Array<T>& array, message_traits::TrueType) {
+    const std::uint32_t bytes = static_cast<std::uint32_t>(array.size() * sizeof(T));
+    if (bytes != 0) std::memcpy(stream.advance(bytes), array.data(), bytes);
+  }
+  template <class Stream>
+  static void write_elements(Stream& stream, const tzc::Array<T>& array, message_traits::FalseType) {
+    for (const T& element : array) stream.next(element);
+  }
+
+  template <class Stream>
+  static void read_elements(Stream& stream, tzc::Array<T>& array, message_traits::TrueType) {
+    const std::uint32_t bytes = static_cast<std::uint32_t>(array.size() * sizeof(T));
+    if (bytes != 0) std::memcpy(static_cast<void*>(array.data()), stream.advance(bytes), bytes);
+  }
+  template <class Stream>
+  static void read_elements(Stream& stream, tzc::Array<T>& array, message_traits::FalseType) {
+    std::uninitialized_fill(array.begin(), array.end(), T());
+    for (T& element : array) stream.next(element);
+  }
+};
+
+}  // namespace serialization
+}  // namespace ros

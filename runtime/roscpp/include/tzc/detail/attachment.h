@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/advertise_options.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <tzc/detail/codec.h>
+#include <tzc/options.h>
+
+#include <boost/shared_ptr.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+#include <typeinfo>
+
+namespace tzc {
+namespace detail {
+
+class PublicationEndpoint;
+
+/// The shared memory of a topic, beside roscpp's own publisher. While it lives, subscribers that can use
+/// shared memory are upgraded. Thread-safe.
+class Attachment {
+ public:
+  /// Null when TZC is off for this node or topic, or when the topic could not be advertised. `options.topic`
+  /// is the name that the user gave to `node`, not resolved; the publication must already exist.
+  static std::shared_ptr<Attachment> create(ros::NodeHandle& node, const ros::AdvertiseOptions& options,
+                                            const MessageCodec& codec,
+                                            const PublisherOptions& publisher_options);
+  /// The same for a topic that other code advertised. `options.topic` is resolved already. Null also when the
+  /// topic carries another type.
+  static std::shared_ptr<Attachment> join(const ros::AdvertiseOptions& options, const MessageCodec& codec,
+                                          const PublisherOptions& publisher_options);
+  ~Attachment();
+  Attachment(const Attachment&) = delete;
+  Attachment& operator=(const Attachment&) = delete;
+
+  /// Adds a type that is published by pointer on this topic. Its header.seq is counted if the topic's is.
+  void add_codec(MessageCodec codec);
+  bool knows(const std::type_info& type) const;
+
+  /// Ends the attachment: no further subscriber is upgraded; upgraded ones stay upgraded while the topic
+  /// lives. Idempotent.
+  void shutdown();
+
+  const std::shared_ptr<MemorySource>& memory() const;
+  /// True when a subscriber takes messages of this type by pointer (through shared memory or inside this
+  /// process), so that building a view pays.
+  bool wants_pointer(const std::type_info& type) const;
+  /// Calls `publish`, which publishes by reference, and returns true. When a subscriber takes messages of
+  /// this type by pointer it does nothing and returns false. No subscriber begins to take pointers during the
+  /// call, so the message keeps its place before later ones that go by pointer.
+  bool publish_by_reference(const std::type_info& type, const std::function<void()>& publish) const;
+  /// Hot path: sends an encoded message to its subscribers past roscpp, if all of them take shared memory and
+  /// the topic is not latched. False: it did nothing, publish through roscpp.
+  bool publish_directly(const std::type_info& type, message::Encoded& encoded);
+  /// True when a callback of this process may write to a message of this known type that it gets by pointer.
+  /// Such a callback must not get a view, which borrows what other processes read.
+  bool has_local_writers(const std::type_info& type) const;
+  bool delivers_exhausted() const;
+  /// Counts a message of so many bytes that found no memory and is dropped.
+  void count_dropped(std::size_t bytes);
+  PublisherStatistics statistics() const;
+
+ private:
+  Attachment() = default;
+  std::shared_ptr<PublicationEndpoint> endpoint_;
+  bool has_header_ = false;
+  ros::Publisher observer_;  ///< has TZC's connect callback; ends with this object
+};
+
+/// While it lives, this thread's publish of `message` sends `encoded` instead of encoding it once more.
+class EncodedScope {
+ public:
+  EncodedScope(const void* message, message::Encoded& encoded);
+  ~EncodedScope();
+  EncodedScope(const EncodedScope&) = delete;
+  EncodedScope& operator=(const EncodedScope&) = delete;
+
+ private:
+  const void* previous_message_;
+  message::Encoded* previous_encoded_;
+};
+
+}  // namespace detail
+}  // namespace tzc

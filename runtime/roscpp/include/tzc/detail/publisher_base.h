@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tzc/detail/attachment.h>
+#include <tzc/detail/find_publisher.h>
+#include <tzc/detail/shared_message.h>
+#include <tzc/message.h>
+#include <tzc/options.h>
+
+#include <boost/make_shared.hpp>
+#include <boost/shared_ptr.hpp>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <typeinfo>
+#include <utility>
+
+namespace tzc {
+namespace detail {
+
+/// Base of all publishers: a stock publisher that does the work (ros::Publisher, or one of
+/// image_transport's), and the shared memory attached to it. Copies share both; the last copy ends them.
+/// Thread-safe like the stock publisher.
+template <class Stock>
+class PublisherBase {
+ public:
+  PublisherBase() {}
+  /// `attachment` null: a plain publisher.
+  PublisherBase(const Stock& publisher, std::shared_ptr<Attachment> attachment)
+      : publisher_(publisher), attachment_(std::move(attachment)) {}
+
+  /// Binds the message's arrays to this publisher's shared memory, now or as they grow. May be called before
+  /// or after the sizes are set. False: no memory left (or TZC is off); the message stays usable and
+  /// publish() delivers it.
+  template <class M>
+  bool allocate(M& message) const {
+    return attachment_ && message::allocate(message, attachment_->memory());
+  }
+  template <class M>
+  bool allocate(const boost::shared_ptr<M>& message) const {
+    return allocate(*message);
+  }
+
+  /// The shared memory behind this publisher; null when TZC is off or the publisher is not advertised.
+  std::shared_ptr<MemorySource> memory() const {
+    return attachment_ ? attachment_->memory() : std::shared_ptr<MemorySource>();
+  }
+  /// A read-only stock message over the bytes of a tzc:: message, for code that takes stock messages. Arrays
+  /// outside of this publisher's shared memory are copied there, the others are not copied. Costs as much as
+  /// publishing the message and has the same effect on it: the next write to an array gets fresh memory. Any
+  /// publisher of this process can publish the result without a copy. Never null: without shared memory it is
+  /// a copy. To convert back, `M(stock)` makes a deep copy.
+  template <class M>
+  boost::shared_ptr<const typename message::StockOf<M>::type> stock_view(const M& message) const {
+    typedef typename message::StockOf<M>::type View;
+    SharedMessage<M> shared;
+    if (attachment_ && shared.encode(message, *attachment_->memory()) && shared.make_view(message))
+      return shared.view;
+    return boost::make_shared<View>(message::to_stock(message));
+  }
+
+  PublisherStatistics statistics() const {
+    return attachment_ ? attachment_->statistics() : PublisherStatistics();
+  }
+
+  /// \name As in the stock publisher
+  /// @{
+  void shutdown() {
+    if (attachment_) attachment_->shutdown();
+    publisher_.shutdown();
+    attachment_.reset();
+  }
+  std::string getTopic() const { return publisher_.getTopic(); }
+  std::uint32_t getNumSubscribers() const { return publisher_.getNumSubscribers(); }
+  operator void*() const { return publisher_; }
+  bool operator<(const PublisherBase& rhs) const { return publisher_ < rhs.publisher_; }
+  bool operator==(const PublisherBase& rhs) const { return publisher_ == rhs.publisher_; }
+  bool operator!=(const PublisherBase& rhs) const { return publisher_ != rhs.publisher_; }
+  /// @}
+
+  /// The stock publisher, for interfaces that need one. What is published through it goes to every
+  /// subscriber, too.
+  const Stock& stock() const { return publisher_; }
+
+ protected:
+  /// Calls `publish`, which publishes a message of roscpp type M by reference, and returns true. When a
+  /// subscriber takes such messages by pointer it does nothing and returns false.
+  template <class M, class Publish>
+  bool publish_by_reference(Publish publish) const {
+    if (attachment_)
+      return !attachment_->wants_pointer(typeid(M)) && attachment_->publish_by_reference(typeid(M), publish);
+    publish();
+    return true;
+  }
+
+  Stock publisher_;
+  std::shared_ptr<Attachment> attachment_;
+};
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tzc/detail/attachment.h>
+#include <tzc/message.h>
+
+#include <boost/make_shared.hpp>
+#include <boost/shared_ptr.hpp>
+
+namespace tzc {
+namespace detail {
+
+/// A message that is being published: its partial form, and the stock message over the same shared bytes that
+/// roscpp and subscribers of this process see.
+template <class M>
+struct SharedMessage {
+  typedef typename message::StockOf<M>::type Stock;
+
+  /// False when no shared memory is left.
+  bool encode(const M& message, MemorySource& memory) { return message::encode(message, memory, encoded); }
+  /// Sets `view`; call encode first. False: no view is possible, which does not happen for a valid message.
+  bool make_view(const M& message) {
+    view = message::stock_view(message, encoded);
+    return view != nullptr;
+  }
+  /// The same for subscribers of this process: `view` is a private copy when one of them may write to it.
+  bool make_local_view(const Attachment& attachment, const M& message) {
+    if (!attachment.has_local_writers(typeid(Stock))) return make_view(message);
+    view = message::stock_copy(message, encoded);
+    return view != nullptr;
+  }
+
+  message::Encoded encoded;
+  boost::shared_ptr<const Stock> view;
+};
+
+/// Publishes a message through a publisher that takes only stock pointers: over shared memory if there is
+/// any, otherwise as a stock message on the heap.
+/// @param publish called once with the pointer, or not at all when the message was dropped
+template <class M, class Publish>
+void publish_as_stock(Attachment* attachment, const M& message, Publish publish) {
+  typedef typename message::StockOf<M>::type Stock;
+  SharedMessage<M> shared;
+  if (attachment && shared.encode(message, *attachment->memory()) &&
+      shared.make_local_view(*attachment, message)) {
+    const EncodedScope scope(shared.view.get(), shared.encoded);
+    publish(shared.view);
+  } else if (!attachment || attachment->delivers_exhausted()) {
+    publish(boost::shared_ptr<const Stock>(boost::make_shared<Stock>(message::to_stock(message))));
+  } else {
+    attachment->count_dropped(ros::serialization::serializationLength(message));
+  }
+}
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/callback_queue_interface.h>
+#include <tzc/subscribe.h>
+
+#include <utility>
+
+namespace tzc {
+
+/// A callback queue that needs no spinner. The transport's reader thread calls the callback for a message
+/// from shared memory as soon as it arrives; one further thread does so for messages over TCPROS. This saves
+/// the wake-up of a spinning thread. A slow callback delays only the messages of its own publisher. Callbacks
+/// of one subscription never run concurrently, unless its options allow it. Owned by the library; valid while
+/// the process runs.
+ros::CallbackQueueInterface* direct_dispatch_queue();
+
+/// tzc::subscribe with direct dispatch, in all its overloads: for latency-critical callbacks that are safe on
+/// a thread other than the spinning one. The subscription ends with its ros::Subscriber; `node.shutdown()`
+/// does not end it.
+template <class... M, class... Args>
+ros::Subscriber subscribe_direct(const ros::NodeHandle& node, Args&&... args) {
+  ros::NodeHandle direct(node);
+  direct.setCallbackQueue(direct_dispatch_queue());
+  return subscribe<M...>(direct, std::forward<Args>(args)...);
+}
+
+}  // namespace tzc

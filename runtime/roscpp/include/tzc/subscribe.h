@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/parameter_adapter.h>
+#include <ros/subscribe_options.h>
+#include <ros/subscriber.h>
+#include <tzc/detail/codec.h>
+
+#include <boost/function.hpp>
+#include <string>
+#include <type_traits>
+
+namespace tzc {
+
+namespace detail {
+
+/// Lets publishers of the resolved topic send to this process over shared memory. Idempotent and thread-safe.
+/// A subscription that is already connected asks its publishers for an upgrade.
+void attach_topic(const std::string& resolved_topic, const MessageCodec& codec);
+
+/// Messages of a type without a partial form stay on TCPROS.
+template <class M>
+void attach_type(const std::string& resolved_topic, std::true_type) {
+  attach_topic(resolved_topic, make_codec<M>());
+}
+template <class M>
+void attach_type(const std::string&, std::false_type) {}
+
+/// A node handle that subscribes: a variable or a temporary (`tzc::subscribe(getNodeHandle(), ...)`).
+class Node {
+ public:
+  Node(ros::NodeHandle& handle) : handle_(handle) {}   // NOLINT: stands for the handle
+  Node(ros::NodeHandle&& handle) : handle_(handle) {}  // NOLINT: as above
+  operator ros::NodeHandle&() const { return handle_; }
+  ros::NodeHandle* operator->() const { return &handle_; }
+
+ private:
+  ros::NodeHandle& handle_;
+};
+
+/// The message type of a callback with parameter P.
+template <class P>
+using MessageOf = typename ros::ParameterAdapter<P>::Message;
+
+}  // namespace detail
+
+/// Attaches an existing or future subscription of this process; `node` resolves the topic. M is the stock
+/// message type of the callbacks; they keep their signatures and get views of the shared bytes. Callbacks
+/// that may write to the message (by value, by non-const pointer) get a private copy. Does nothing for types
+/// without a partial form (message::HasPartialForm): topic_tools::ShapeShifter, types with a hand-written
+/// serializer. Thread-safe and idempotent.
+template <class M>
+void attach(const ros::NodeHandle& node, const std::string& topic) {
+  detail::attach_type<M>(node.resolveName(topic), message::HasPartialForm<M>());
+}
+/// The same for a topic name that is already resolved, such as Subscriber::getTopic().
+template <class M>
+void attach(const std::string& resolved_topic) {
+  detail::attach_type<M>(resolved_topic, message::HasPartialForm<M>());
+}
+
+/// \name ros::NodeHandle::subscribe in all its overloads, with shared memory
+/// `nh.subscribe(args...)` becomes `tzc::subscribe(nh, args...)`, and `nh.subscribe<M>(args...)` becomes
+/// `tzc::subscribe<M>(nh, args...)`. The signatures are roscpp's, so that overload resolution is, too.
+/// @{
+
+/// A member function of an object that outlives the subscription.
+template <class P, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(P), T* object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<detail::MessageOf<P>>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+template <class P, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(P) const, T* object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<detail::MessageOf<P>>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+template <class M, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(const boost::shared_ptr<M const>&), T* object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+template <class M, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(const boost::shared_ptr<M const>&) const, T* object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+
+/// A member function of a tracked object: once the object is destroyed the callback is not called any more.
+template <class P, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(P), const boost::shared_ptr<T>& object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<detail::MessageOf<P>>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+template <class P, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(P) const, const boost::shared_ptr<T>& object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<detail::MessageOf<P>>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+template <class M, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(const boost::shared_ptr<M const>&),
+                          const boost::shared_ptr<T>& object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+template <class M, class T>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (T::*callback)(const boost::shared_ptr<M const>&) const,
+                          const boost::shared_ptr<T>& object,
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe(topic, queue_size, callback, object, hints);
+}
+
+/// A function.
+template <class P>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (*callback)(P), const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<detail::MessageOf<P>>(node, topic);
+  return node->subscribe(topic, queue_size, callback, hints);
+}
+template <class M>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          void (*callback)(const boost::shared_ptr<M const>&),
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe(topic, queue_size, callback, hints);
+}
+
+/// Anything that converts to the boost::function; the caller names M.
+template <class M>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          const boost::function<void(const boost::shared_ptr<M const>&)>& callback,
+                          const ros::VoidConstPtr& tracked_object = ros::VoidConstPtr(),
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe<M>(topic, queue_size, callback, tracked_object, hints);
+}
+template <class M, class P>
+ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
+                          const boost::function<void(P)>& callback,
+                          const ros::VoidConstPtr& tracked_object = ros::VoidConstPtr(),
+                          const ros::TransportHints& hints = ros::TransportHints()) {
+  attach<M>(node, topic);
+  return node->subscribe<M, P>(topic, queue_size, callback, tracked_object, hints);
+}
+
+/// By options; the caller names M, the message type that the options were made for.
+template <class M>
+ros::Subscriber subscribe(detail::Node node, ros::SubscribeOptions& options) {
+  attach<M>(node, options.topic);
+  return node->subscribe(options);
+}
+/// @}
+
+}  // namespace tzc

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/publish/link_migration.h"
+
+#include <ros/connection.h>
+#include <ros/console.h>
+#include <ros/publication.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "roscpp/publish/publication_lock.h"
+#include "roscpp/roscpp_access.h"
+#include "sync_point/sync_point.h"
+
+namespace tzc {
+namespace detail {
+namespace {
+
+namespace access = roscpp_access;
+
+/// When to check again a link that waits for another thread or process: at first often, because a move takes
+/// at most a few milliseconds, then less and less often, because a stopped process may keep it waiting for
+/// long.
+std::chrono::microseconds pause_before_look(int looks) {
+  constexpr std::chrono::microseconds first(300), longest(20000);
+  return looks < 16 ? first : std::min(longest, first * (1 << std::min((looks - 16) / 4, 7)));
+}
+
+}  // namespace
+
+void LinkMigration::connected_later(const channel::ConnectionPtr& connection) {
+  worker_.post([weak = weak_from_this(), connection] {
+    if (const std::shared_ptr<LinkMigration> migration = weak.lock()) migration->connected(connection);
+  });
+}
+
+void LinkMigration::disconnected_later(const channel::ConnectionPtr& connection) {
+  worker_.post([weak = weak_from_this(), connection] {
+    if (const std::shared_ptr<LinkMigration> migration = weak.lock()) migration->disconnected(connection);
+  });
+}
+
+void LinkMigration::connected(const channel::ConnectionPtr& connection) {
+  const TcpLink tcp = negotiator_->welcome(connection->hello());
+  const SharedLinkPtr link = tcp ? park(tcp, connection) : SharedLinkPtr();
+  if (!link) return connection->close();
+  by_connection_[connection] = link;
+  link->stream().records().subscribers().add(connection, tcp->getDestinationCallerID());
+  watch(link);
+  ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << tcp->getDestinationCallerID()
+                           << " goes through shared memory");
+  go_live(link, 0);
+}
+
+void LinkMigration::watch(const SharedLinkPtr& link) {
+  const std::weak_ptr<LinkMigration> weak = weak_from_this();
+  const boost::weak_ptr<SharedLink> weak_link = link;
+  link->on_end([weak, weak_link] {
+    const std::shared_ptr<LinkMigration> migration = weak.lock();
+    const SharedLinkPtr gone = weak_link.lock();
+    if (migration && gone) migration->ended(gone);
+  });
+  if (link->parked()->getConnection()->isDropped()) ended(link);  // before the listener was connected
+}
+
+SharedLinkPtr LinkMigration::park(const TcpLink& tcp, const channel::ConnectionPtr& connection) {
+  const ros::PublicationPtr publication = publication_.lock();
+  const std::shared_ptr<PublicationStream> stream = stream_.lock();
+  if (!publication || !stream) return SharedLinkPtr();
+  sync_point("move: begins");
+  const PublicationLock lock(*publication);
+  const auto link = boost::make_shared<SharedLink>(stream, publication, tcp, connection, lock.queued());
+  if (!swap_link_locked(*publication, tcp, link)) return SharedLinkPtr();
+  add_live(*link);
+  ++standing_;
+  sync_point("move: parked");
+  return link;
+}
+
+void LinkMigration::add_live(SharedLink& link) {
+  live_.push_back(&link);
+  link.stream().set_links(live_.size());
+}
+
+void LinkMigration::remove_live(SharedLink& link) {
+  live_.erase(std::remove(live_.begin(), live_.end(), &link), live_.end());
+  link.stream().set_links(live_.size());
+}
+
+void LinkMigration::go_live(const SharedLinkPtr& link, int looks) {
+  if (link->connection()->alive() && !link->try_go_live()) look_again(link, looks, &LinkMigration::go_live);
+}
+
+void LinkMigration::look_again(const SharedLinkPtr& link, int looks, Step step) {
+  const std::weak_ptr<LinkMigration> weak = weak_from_this();
+  const boost::weak_ptr<SharedLink> weak_link = link;
+  const auto again = [weak, weak_link, looks, step] {
+    const std::shared_ptr<LinkMigration> migration = weak.lock();
+    const SharedLinkPtr waiting = weak_link.lock();
+    if (migration && waiting) (migration.get()->*step)(waiting, looks + 1);
+  };
+  worker_.post(again, pause_before_look(looks));
+}
+
+void LinkMigration::disconnected(const channel::ConnectionPtr& connection) {
+  if (const std::shared_ptr<PublicationStream> stream = stream_.lock())
+    stream->records().subscribers().remove(connection);
+  const auto found = by_connection_.find(connection);
+  if (found == by_connection_.end()) return;
+  const SharedLinkPtr link = found->second.lock();
+  by_connection_.erase(found);
+  if (link) come_back(link, 0);
+}
+
+void LinkMigration::come_back(const SharedLinkPtr& link, int looks) {
+  const ros::PublicationPtr publication = publication_.lock();
+  if (!publication || link->parked()->getConnection()->isDropped()) return;
+  if (!try_come_back(*publication, link)) return look_again(link, looks, &LinkMigration::come_back);
+  ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << link->getDestinationCallerID() << " is back on TCPROS");
+  negotiator_->lost(link->parked());
+}
+
+bool LinkMigration::try_come_back(ros::Publication& publication, const SharedLinkPtr& link) {
+  if (!link->has_returned() && !link->hand_back()) return false;
+  const PublicationLock lock(publication);
+  if (!link->has_returned() && link->try_return(lock.queued())) {
+    remove_live(*link);
+    sync_point("move: returned");
+  }
+  if (!link->may_be_replaced()) return false;
+  put_back(publication, link);
+  return true;
+}
+
+void LinkMigration::put_back(ros::Publication& publication, const SharedLinkPtr& link) {
+  remove_live(*link);
+  if (!swap_link_locked(publication, link, link->parked())) return;
+  if (--standing_ == 0) link->stream().forget_queue();
+}
+
+void LinkMigration::ended(const SharedLinkPtr& link) {
+  // With the TCPROS link in its old place, roscpp's own removal calls the user's disconnect callbacks.
+  if (const ros::PublicationPtr publication = publication_.lock()) {
+    {
+      const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(*publication));
+      put_back(*publication, link);
+    }
+    publication->removeSubscriberLink(link->parked());
+  }
+  link->connection()->close();
+}
+
+}  // namespace detail
+}  // namespace tzc

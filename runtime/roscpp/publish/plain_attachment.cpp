@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/publish/plain_attachment.h"
+
+#include <ros/publication.h>
+#include <ros/topic_manager.h>
+
+#include "roscpp/configuration.h"
+#include "roscpp/publish/publication_endpoint.h"
+#include "roscpp/roscpp_access.h"
+#include "roscpp/runtime.h"
+
+namespace tzc {
+namespace detail {
+namespace {
+
+/// State that the hooked callback shares with its copies. Used on the clerk's thread, except for construction
+/// and destruction.
+class PlainAttachment {
+ public:
+  PlainAttachment(std::string topic, const MessageCodec& codec) : topic_(std::move(topic)), codec_(codec) {}
+
+  void on_connect(const ros::SubscriberLinkPtr& link) {
+    if (!endpoint_) endpoint_ = make_endpoint();
+    if (endpoint_) endpoint_->on_connect(ros::SingleSubscriberPublisher(link));
+  }
+
+ private:
+  std::shared_ptr<PublicationEndpoint> make_endpoint() const {
+    const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic_);
+    if (!publication) return nullptr;
+    const std::shared_ptr<PublicationEndpoint> endpoint = PublicationEndpoint::of(
+        publication, configured(PublisherOptions()), runtime().worker, runtime().peers);
+    if (endpoint) endpoint->records().add_codec(codec_);
+    return endpoint;
+  }
+
+  const std::string topic_;
+  const MessageCodec codec_;
+  std::shared_ptr<PublicationEndpoint> endpoint_;
+};
+
+}  // namespace
+
+void hook_advertisement(const std::string& resolved_topic, const MessageCodec& codec,
+                        ros::AdvertiseOptions& options) {
+  if (!is_enabled(resolved_topic)) return;
+  // A node without connect callbacks of its own may not spin the queue that they would use.
+  if (!options.connect_cb && !options.disconnect_cb) options.callback_queue = &runtime().queue;
+  const auto attachment = std::make_shared<PlainAttachment>(resolved_topic, codec);
+  options.connect_cb = [attachment,
+                        users = options.connect_cb](const ros::SingleSubscriberPublisher& subscriber) {
+    const ros::SubscriberLinkPtr link =
+        roscpp_access::link_(const_cast<ros::SingleSubscriberPublisher&>(subscriber));
+    runtime().clerk.post([attachment, link] { attachment->on_connect(link); });
+    if (users) users(subscriber);
+  };
+}
+
+}  // namespace detail
+}  // namespace tzc

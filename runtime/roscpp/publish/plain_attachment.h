@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/advertise_options.h>
+#include <tzc/detail/codec.h>
+
+#include <string>
+
+namespace tzc {
+namespace detail {
+
+/// Prepares an advertisement of other code for shared memory: adds a connect callback to `options`, before
+/// the user's. It attaches the topic when the first subscriber connects. The attachment ends with the
+/// advertisement. Does nothing when TZC is off for the topic.
+void hook_advertisement(const std::string& resolved_topic, const MessageCodec& codec,
+                        ros::AdvertiseOptions& options);
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/publish/publication_endpoint.h"
+
+#include <ros/publication.h>
+#include <ros/this_node.h>
+#include <ros/topic_manager.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "roscpp/descriptor_budget.h"
+#include "roscpp/publish/local_writers.h"
+#include "roscpp/publish/publication_lock.h"
+#include "roscpp/publish/statistics_file.h"
+#include "roscpp/roscpp_access.h"
+#include "roscpp/throttled_warning.h"
+#include "roscpp/upgrade/host_identity.h"
+
+namespace tzc {
+namespace detail {
+
+namespace access = roscpp_access;
+
+namespace {
+
+/// Endpoints by publication: two publishers of one topic share one.
+struct Endpoints {
+  std::mutex mutex;
+  std::map<const ros::Publication*, std::weak_ptr<PublicationEndpoint>> endpoints;
+};
+
+Endpoints& endpoints() {
+  static auto* const instance = new Endpoints;  // outlives every publication
+  return *instance;
+}
+
+/// The fields of an offer that are the same for every subscriber.
+Offer offer_of(const ros::Publication& publication) {
+  Offer offer;
+  offer.topic = publication.getName();
+  offer.md5sum = publication.getMD5Sum();
+  offer.publisher = ros::this_node::getName();
+  offer.identity = host_identity();
+  return offer;
+}
+
+MemoryOptions memory_options(ros::Publication& publication, const PublisherOptions& options) {
+  MemoryOptions memory;
+  memory.size = options.memory_size;
+  memory.queue_size = publication.getMaxQueue();
+  memory.policy = options.policy;
+  memory.prefault = options.prefault;
+  memory.name = publication.getName();
+  return memory;
+}
+
+}  // namespace
+
+std::shared_ptr<PublicationEndpoint> PublicationEndpoint::of(const ros::PublicationPtr& publication,
+                                                             const PublisherOptions& options, Worker& worker,
+                                                             PeerPool& peers) {
+  // No endpoint may end under this lock: its destructor takes it.
+  const std::lock_guard<std::mutex> lock(endpoints().mutex);
+  std::weak_ptr<PublicationEndpoint>& known = endpoints().endpoints[publication.get()];
+  if (std::shared_ptr<PublicationEndpoint> endpoint = known.lock()) return endpoint;
+  Expected<std::shared_ptr<SegmentMemory>> segments =
+      SegmentMemory::create(memory_options(*publication, options));
+  if (!segments) {
+    TZC_WARN_THROTTLED(60,
+                       "TZC: " << publication->getName() << " stays on TCPROS: " << segments.error().text());
+    return nullptr;
+  }
+  std::shared_ptr<PublicationEndpoint> endpoint(
+      new PublicationEndpoint(publication, *segments, options.on_exhausted, worker, peers));
+  // An alias: the links keep the endpoint with the stream, the migration keeps neither.
+  endpoint->migration_->send_from(std::shared_ptr<PublicationStream>(endpoint, &endpoint->stream_));
+  known = endpoint;
+  return endpoint;
+}
+
+PublicationEndpoint::PublicationEndpoint(const ros::PublicationPtr& publication,
+                                         std::shared_ptr<SegmentMemory> memory, OnExhausted on_exhausted,
+                                         Worker& worker, PeerPool& peers)
+    : publication_(publication),
+      topic_(publication->getName()),
+      segments_(std::move(memory)),
+      memory_(segments_),
+      worker_(worker),
+      stream_(publication, segments_, on_exhausted),
+      negotiator_(std::make_shared<UpgradeNegotiator>(offer_of(*publication), peers)),
+      migration_(std::make_shared<LinkMigration>(publication, negotiator_, worker)) {}
+
+PublicationEndpoint::~PublicationEndpoint() {
+  {
+    const std::lock_guard<std::mutex> lock(endpoints().mutex);
+    for (auto it = endpoints().endpoints.begin(); it != endpoints().endpoints.end();)
+      it = it->second.expired() ? endpoints().endpoints.erase(it) : std::next(it);
+  }
+  append_statistics(topic_, statistics());
+  // Ending a channel waits for its callbacks, which take roscpp's locks; and the thread that ends an endpoint may hold those.
+  worker_.post([channel = std::move(channel_)]() mutable { channel.reset(); });
+}
+
+// Made with the first invitation: a topic without subscribers costs no socket.
+bool PublicationEndpoint::is_listening() {
+  const std::lock_guard<std::mutex> lock(channel_mutex_);
+  if (channel_) return true;
+  const ros::PublicationPtr publication = publication_.lock();
+  return publication && listen(publication->getMaxQueue());
+}
+
+bool PublicationEndpoint::listen(std::size_t queue_size) {
+  const std::weak_ptr<PublicationEndpoint> weak = weak_from_this();
+  const std::weak_ptr<LinkMigration> migration = migration_;
+  channel::PublisherOptions options;
+  options.queue_size = queue_size;
+  options.memory = segments_;
+  options.keeps_undelivered = true;
+  options.authorize = [weak](const channel::Credentials& peer, const std::string& hello) {
+    const std::shared_ptr<PublicationEndpoint> endpoint = weak.lock();
+    return endpoint && endpoint->authorizes(peer, hello);
+  };
+  options.on_connect = [migration](const channel::ConnectionPtr& connection) {
+    if (const auto alive = migration.lock()) alive->connected_later(connection);
+  };
+  options.on_disconnect = [migration](const channel::ConnectionPtr& connection) {
+    if (const auto alive = migration.lock()) alive->disconnected_later(connection);
+  };
+  Expected<std::shared_ptr<channel::Publisher>> channel = channel::Publisher::create(std::move(options));
+  if (!channel) {
+    TZC_WARN_THROTTLED(60, "TZC: " << topic_ << " stays on TCPROS: " << channel.error().text());
+    return false;
+  }
+  channel_ = *channel;
+  negotiator_->listens_at(channel_->address());
+  return true;
+}
+
+bool PublicationEndpoint::authorizes(const channel::Credentials& peer, const std::string& token) {
+  if (!negotiator_->expects(token)) return false;
+  const bool is_ours = peer.uid == geteuid();
+  if (is_ours && has_spare_descriptors()) return true;
+  negotiator_->turn_away(token, is_ours ? descriptor_advice() : "it belongs to another user");
+  return false;
+}
+
+void PublicationEndpoint::on_connect(const ros::SingleSubscriberPublisher& subscriber) {
+  const ros::SubscriberLinkPtr& link = access::link_(const_cast<ros::SingleSubscriberPublisher&>(subscriber));
+  if (const auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link)) invite(tcp);
+}
+
+void PublicationEndpoint::invite(const TcpLink& link) {
+  if (has_spare_descriptors() && is_listening()) return negotiator_->invite(link);
+  if (!has_spare_descriptors())
+    TZC_WARN_THROTTLED(60, "TZC: further subscribers of "
+                               << topic_ << " and other topics stay on TCPROS: " << descriptor_advice());
+}
+
+void PublicationEndpoint::offer_again(const std::string& caller_id) {
+  const ros::PublicationPtr publication = publication_.lock();
+  if (!publication) return;
+  ros::V_SubscriberLink links;
+  {
+    const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(*publication));
+    links = access::subscriber_links_(*publication);
+  }
+  for (const ros::SubscriberLinkPtr& link : links) {
+    const auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link);
+    if (tcp && tcp->getDestinationCallerID() == caller_id) invite(tcp);
+  }
+}
+
+PublisherStatistics PublicationEndpoint::statistics() const {
+  PublisherStatistics statistics = stream_.records().statistics();
+  statistics.shared_subscribers = stream_.links();
+  const std::lock_guard<std::mutex> lock(channel_mutex_);
+  if (channel_) statistics.revoked = channel_->stats().dropped;
+  return statistics;
+}
+
+bool PublicationEndpoint::wants_pointer(const std::type_info& type) const {
+  if (stream_.links() > 0 && stream_.records().knows(type)) return true;  // spares the walk over all links
+  const ros::PublicationPtr publication = publication_.lock();
+  bool serialize = false, by_pointer = false;
+  if (publication) publication->getPublishTypes(serialize, by_pointer, type);
+  return by_pointer;
+}
+
+bool PublicationEndpoint::has_local_writers(const std::type_info& type) const {
+  const ros::PublicationPtr publication = publication_.lock();
+  const MessageCodec* const codec = stream_.records().find(type);
+  return publication && codec && detail::has_local_writers(*publication, *codec);
+}
+
+bool PublicationEndpoint::publish_directly(const std::type_info& type, message::Encoded& encoded) {
+  const ros::PublicationPtr publication = publication_.lock();
+  if (!publication || publication->isLatched() || !RecordEncoder::fits(encoded)) return false;
+  const PublicationLock lock(*publication);
+  const std::vector<SharedLink*>& live = migration_->live_links();
+  if (live.empty() || access::subscriber_links_(*publication).size() != live.size() || lock.queued() != 0)
+    return false;
+  const OutgoingMessage message = stream_.of_encoded(type, encoded);
+  for (SharedLink* link : live) link->deliver(message);
+  return true;
+}
+
+std::shared_ptr<PublicationEndpoint> find_endpoint(const std::string& topic) {
+  const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
+  const std::lock_guard<std::mutex> lock(endpoints().mutex);
+  const auto found = endpoints().endpoints.find(publication.get());
+  return found == endpoints().endpoints.end() ? nullptr : found->second.lock();
+}
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/single_subscriber_publisher.h>
+#include <ros/transport_subscriber_link.h>
+#include <tzc/channel.h>
+#include <tzc/options.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "roscpp/publish/link_migration.h"
+#include "roscpp/publish/publication_stream.h"
+#include "roscpp/upgrade/upgrade_negotiator.h"
+#include "roscpp/worker.h"
+
+namespace tzc {
+namespace detail {
+
+/// The shared-memory side of one publication of this process: its memory, its channel, and the invited
+/// subscribers.
+///
+///   connect callback -> offer (UpgradeNegotiator) -> the subscriber connects to the channel -> LinkMigration
+///   publish -> SharedLink -> PublicationStream: one record for all links -> channel
+///
+/// Thread-safe. Locks, outermost first: roscpp's advertised_topics_mutex_, publish_queue_mutex_,
+/// subscriber_links_mutex_; the link's; the channel's. The worker moves links, and may wait for those locks
+/// while another thread publishes; the channel's thread must not.
+class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpoint> {
+ public:
+  /// The endpoint of a publication, made with the first attachment and shared by all of the process. Null, with a
+  /// warning, when there is no memory for it.
+  static std::shared_ptr<PublicationEndpoint> of(const ros::PublicationPtr& publication,
+                                                 const PublisherOptions& options, Worker& worker,
+                                                 PeerPool& peers);
+  ~PublicationEndpoint();
+
+  const std::shared_ptr<MemorySource>& memory() const { return memory_; }
+  OnExhausted on_exhausted() const { return stream_.records().on_exhausted(); }
+  RecordEncoder& records() { return stream_.records(); }
+  PublisherStatistics statistics() const;
+  bool wants_pointer(const std::type_info& type) const;
+  bool has_local_writers(const std::type_info& type) const;
+
+  /// Sends an encoded message of a known type to all subscribers, past roscpp's own publish, without building
+  /// a view. Does nothing and returns false unless every link of the publication is a SharedLink and nothing
+  /// waits in its queue.
+  bool publish_directly(const std::type_info& type, message::Encoded& encoded);
+
+  /// roscpp's connect callback: offers shared memory to the subscriber.
+  void on_connect(const ros::SingleSubscriberPublisher& subscriber);
+  /// A subscriber of that name requests an offer.
+  void offer_again(const std::string& caller_id);
+
+ private:
+  using TcpLink = ros::TransportSubscriberLinkPtr;
+
+  PublicationEndpoint(const ros::PublicationPtr& publication, std::shared_ptr<SegmentMemory> memory,
+                      OnExhausted on_exhausted, Worker& worker, PeerPool& peers);
+  bool is_listening();
+  bool listen(std::size_t queue_size);
+  bool authorizes(const channel::Credentials& peer, const std::string& token);
+  void invite(const TcpLink& link);
+
+  const ros::PublicationWPtr publication_;
+  const std::string topic_;
+  const std::shared_ptr<SegmentMemory> segments_;
+  const std::shared_ptr<MemorySource> memory_;
+  Worker& worker_;
+  PublicationStream stream_;
+  const std::shared_ptr<UpgradeNegotiator> negotiator_;
+  const std::shared_ptr<LinkMigration> migration_;
+  mutable std::mutex channel_mutex_;             ///< guards channel_; innermost, but for the channel's own
+  std::shared_ptr<channel::Publisher> channel_;  ///< null until the first subscriber is invited
+};
+
+/// The endpoint of a topic that this process advertises; null when there is none.
+std::shared_ptr<PublicationEndpoint> find_endpoint(const std::string& topic);
+
+}  // namespace detail
+}  // namespace tzc

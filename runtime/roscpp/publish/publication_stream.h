@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/publication.h>
+#include <ros/subscriber_link.h>
+#include <tzc/options.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+#include "roscpp/publish/record_encoder.h"
+#include "roscpp/publish/sequence_numbers.h"
+
+namespace tzc {
+namespace detail {
+
+/// The messages of one topic as records with sequence numbers: encoded once, sent by each SharedLink. Calls
+/// happen under Publication::subscriber_links_mutex_, except where another rule is given.
+class PublicationStream {
+ public:
+  PublicationStream(const ros::PublicationPtr& publication, const std::shared_ptr<SegmentMemory>& memory,
+                    OnExhausted on_exhausted);
+
+  /// Any thread.
+  RecordEncoder& records() { return records_; }
+  const RecordEncoder& records() const { return records_; }
+  /// Number of links that take what is published. Any thread.
+  std::size_t links() const { return links_; }
+  /// Bytes of the memory that the views of one subscriber may hold. Any thread.
+  std::uint64_t most_held_bytes() const;
+
+  /// \name The record of a message; each link calls this once
+  /// @{
+  OutgoingMessage of_pointer(const ros::SerializedMessage& message);
+  OutgoingMessage of_bytes(const ros::SerializedMessage& message) {
+    return records_.of_bytes(message, links_);
+  }
+  /// For one subscriber alone.
+  OutgoingMessage of_bytes_alone(const ros::SerializedMessage& message) {
+    return records_.of_bytes(message, 1);
+  }
+  OutgoingMessage of_encoded(const std::type_info& type, message::Encoded& encoded);
+  /// @}
+
+  /// roscpp has numbered a message and passes it to the links as bytes.
+  void saw_serialized(const ros::SerializedMessage& message);
+  /// Sets the number of links that take what is published. With the first one the stream begins to follow
+  /// roscpp's queue.
+  void set_links(std::size_t links);
+  /// The last link is gone, including those that returned to TCPROS.
+  void forget_queue() { skip(numbers_.forget()); }
+
+ private:
+  std::uint32_t take_number(const ros::SerializedMessage& message);
+  void skip(std::size_t numbers);
+
+  const ros::PublicationWPtr publication_;
+  const std::shared_ptr<SegmentMemory> memory_;
+  RecordEncoder records_;
+  SequenceNumbers numbers_;
+  std::atomic<std::size_t> links_{0};
+};
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/serialized_message.h>
+#include <tzc/channel.h>
+#include <tzc/detail/codec.h>
+#include <tzc/options.h>
+
+#include <atomic>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "roscpp/publish/outgoing_message.h"
+#include "roscpp/publish/publish_cache.h"
+#include "roscpp/publish/subscriber_names.h"
+#include "roscpp/throttled_warning.h"
+
+namespace tzc {
+namespace detail {
+
+/// Turns the messages of one topic into channel records, each message once, however many links send it. Calls
+/// happen under Publication::subscriber_links_mutex_, except where another rule is given.
+class RecordEncoder {
+ public:
+  RecordEncoder(std::string topic, std::shared_ptr<SegmentMemory> memory, OnExhausted on_exhausted)
+      : topic_(std::move(topic)), memory_(std::move(memory)), on_exhausted_(on_exhausted) {}
+
+  OnExhausted on_exhausted() const { return on_exhausted_; }
+  /// Any thread.
+  void add_codec(const MessageCodec& codec);
+  /// Any thread.
+  bool knows(const std::type_info& type) const { return find(type) != nullptr; }
+  /// Null when the type is not known; otherwise valid while this object lives. Any thread.
+  const MessageCodec* find(const std::type_info& type) const;
+
+  /// The record of a message of a known type that is published by pointer; null when it was dropped because
+  /// no memory was left. Each of `links` links calls this once for each message. The first call calls
+  /// `number`, which takes the sequence number that TCPROS would give the message.
+  template <class Number>
+  OutgoingMessage of_pointer(const ros::SerializedMessage& message, std::size_t links, Number number) {
+    if (!by_pointer_.is(message.message.get())) {
+      const std::uint32_t sequence = number();
+      by_pointer_.start(message.message, encode(message, sequence), links);
+    }
+    return by_pointer_.take();
+  }
+  /// The record of a message of a known type that is encoded already, with its sequence number written into it. Empty
+  /// when it fits no record (fits()).
+  OutgoingMessage of_encoded(const std::type_info& type, message::Encoded& encoded, std::uint32_t sequence) {
+    return control_record(*find(type), encoded, sequence);
+  }
+  /// Whether a record can hold the message's block references and control part; otherwise the message must be
+  /// serialized.
+  static bool fits(const message::Encoded& encoded);
+  /// The record of a message that roscpp has serialized and numbered.
+  OutgoingMessage of_bytes(const ros::SerializedMessage& message, std::size_t links);
+
+  /// A record of this topic as TCPROS sends it. Any thread.
+  ros::SerializedMessage to_stock_bytes(const channel::RecordPtr& record) const;
+
+  /// Any thread.
+  void count_sent(const OutgoingMessage& message) {
+    ++(message.shared ? counters_.shared : counters_.serialized);
+  }
+  /// Counts a message that found no memory and was dropped before it was encoded. Any thread.
+  void count_dropped(std::size_t bytes);
+  /// The names of the subscribers, for warnings. Any thread.
+  SubscriberNames& subscribers() { return subscribers_; }
+  /// Any thread.
+  PublisherStatistics statistics() const;
+
+ private:
+  struct Counters {
+    std::atomic<std::uint64_t> messages{0}, shared{0}, serialized{0}, copied_bytes{0}, exhausted{0},
+        dropped{0}, control_bytes{0};
+  };
+
+  OutgoingMessage encode(const ros::SerializedMessage& message, std::uint32_t sequence);
+  /// Empty, and nothing is counted, when the message fits no record.
+  OutgoingMessage control_record(const MessageCodec& codec, message::Encoded& encoded,
+                                 std::uint32_t sequence);
+  OutgoingMessage too_scattered(const MessageCodec& codec, const void* message, std::uint32_t sequence,
+                                std::size_t blocks);
+  OutgoingMessage exhausted(const MessageCodec& codec, const void* message, std::uint32_t sequence);
+  OutgoingMessage whole_record(const std::uint8_t* bytes, std::size_t size);
+  void warn_exhausted(std::size_t bytes);
+  OutgoingMessage inline_record(const std::uint8_t* bytes, std::size_t size);
+
+  const std::string topic_;
+  const std::shared_ptr<SegmentMemory> memory_;
+  const OnExhausted on_exhausted_;
+  SubscriberNames subscribers_;
+  Throttle exhausted_warning_{std::chrono::seconds(10)};
+  mutable std::mutex codecs_mutex_;
+  std::deque<MessageCodec> codecs_;  ///< only ever grows, so addresses stay valid
+  PublishCache by_pointer_, by_bytes_;
+  Counters counters_;
+};
+
+}  // namespace detail
+}  // namespace tzc

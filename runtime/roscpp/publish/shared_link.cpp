@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/publish/shared_link.h"
+
+#include <ros/connection.h>
+#include <ros/publication.h>
+
+#include <utility>
+#include <vector>
+
+#include "roscpp/publish/parked_link.h"
+#include "roscpp/throttled_warning.h"
+#include "roscpp/upgrade/offer.h"
+#include "sync_point/sync_point.h"
+
+namespace tzc {
+namespace detail {
+
+SharedLink::SharedLink(std::shared_ptr<PublicationStream> stream, const ros::PublicationPtr& publication,
+                       ros::TransportSubscriberLinkPtr parked, channel::ConnectionPtr connection,
+                       std::size_t queued)
+    : stream_(std::move(stream)),
+      parked_(std::move(parked)),
+      connection_(std::move(connection)),
+      queue_size_(publication->getMaxQueue()),
+      queued_for_tcpros_(queued),
+      waiting_(queue_size_) {
+  parent_ = publication;
+  topic_ = parked_->getTopic();
+  destination_caller_id_ = parked_->getDestinationCallerID();
+  connection_id_ = parked_->getConnectionID();
+}
+
+SharedLink::~SharedLink() {
+  parked_->getConnection()->removeDropListener(drop_listener_);
+  connection_->close();
+}
+
+void SharedLink::on_end(std::function<void()> ended) {
+  drop_listener_ = parked_->getConnection()->addDropListener(
+      [ended = std::move(ended)](const ros::ConnectionPtr&, ros::Connection::DropReason) { ended(); });
+}
+
+void SharedLink::drop() {
+  parked_->drop();
+}
+
+std::string SharedLink::getTransportInfo() {
+  return "TZC shared memory, beside a parked " + parked_->getTransportInfo();
+}
+
+void SharedLink::getPublishTypes(bool& ser, bool& nocopy, const std::type_info& type) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  nocopy = state_ != State::returned && stream_->records().knows(type);
+  ser = !nocopy;
+}
+
+void SharedLink::enqueueMessage(const ros::SerializedMessage& message, bool ser, bool nocopy) {
+  if (!ser)
+    publish_by_pointer(message);
+  else if (!nocopy)
+    publish_bytes(message);
+  else
+    publish_alone(message);
+}
+
+void SharedLink::publish_by_pointer(const ros::SerializedMessage& message) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (state_ == State::returned) return;  // it needs bytes, and roscpp will pass them
+  }
+  if (stream_->records().knows(*message.type_info)) deliver(stream_->of_pointer(message));
+}
+
+void SharedLink::publish_bytes(const ros::SerializedMessage& message) {
+  stream_->saw_serialized(message);
+  const bool went_by_pointer = message.type_info && stream_->records().knows(*message.type_info);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (goes_to_tcpros(went_by_pointer)) return parked_->enqueueMessage(message, true, false);
+    if (state_ == State::returned) return;
+  }
+  if (!went_by_pointer) deliver(stream_->of_bytes(message));
+}
+
+void SharedLink::publish_alone(const ros::SerializedMessage& message) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (state_ == State::returned) return parked_->enqueueMessage(message, true, true);
+  }
+  deliver(stream_->of_bytes_alone(message));
+}
+
+bool SharedLink::goes_to_tcpros(bool went_by_pointer) {
+  if (queued_for_tcpros_ > 0) {
+    --queued_for_tcpros_;
+    return true;
+  }
+  if (state_ != State::returned) return false;
+  if (queued_at_return_ == 0) return true;
+  --queued_at_return_;
+  return !went_by_pointer;
+}
+
+void SharedLink::deliver(const OutgoingMessage& message) {
+  if (!message.record) return;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (state_ != State::live || !send(message.record)) waiting_.push(message.record);
+  }
+  stats_.messages_sent_++;
+  stats_.bytes_sent_ += message.bytes;
+  stats_.message_data_sent_ += message.bytes;
+  stream_->records().count_sent(message);
+}
+
+bool SharedLink::send(const channel::RecordPtr& record) {
+  if (connection_->send(record)) return true;
+  state_ = State::broken;
+  if (!connection_->alive()) return false;  // the channel's own thread handles the end
+  TZC_WARN_THROTTLED(10, "TZC: " << topic_ << " to " << destination_caller_id_
+                                 << " goes back to TCPROS: " << connection_->last_failure().text());
+  connection_->close();
+  return false;
+}
+
+bool SharedLink::try_go_live() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (state_ != State::draining) return true;
+  if (!switched_) {
+    if (queued_for_tcpros_ > 0 || !is_drained(*parked_)) return false;
+    const std::uint64_t most_bytes = stream_->most_held_bytes();
+    switched_ = connection_->send(channel::make_record(kSwitch, &most_bytes, sizeof(most_bytes), {}));
+  }
+  send_what_waits();
+  return state_ != State::draining;
+}
+
+// Not all at once: the channel would revoke what exceeds the queue. TCPROS keeps the excess in its sockets.
+void SharedLink::send_what_waits() {
+  while (!waiting_.empty() && (queue_size_ == 0 || connection_->in_flight() < queue_size_)) {
+    if (!send(waiting_.front())) return;
+    waiting_.pop();
+  }
+  if (waiting_.empty()) state_ = State::live;
+}
+
+void SharedLink::collect_undelivered() {
+  state_ = State::broken;
+  waiting_.push_before(connection_->take_undelivered());
+}
+
+bool SharedLink::hand_back() {
+  while (const channel::RecordPtr record = next_to_hand_back()) {
+    const ros::SerializedMessage message = stream_->records().to_stock_bytes(record);
+    sync_point("return: serialized");
+    if (drop_waiting(record) && message.buf) parked_->enqueueMessage(message, true, false);
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return waiting_.empty() && queued_for_tcpros_ == 0;
+}
+
+// What was in flight to a dead process need not be serialized: its TCPROS connection ends in a moment.
+channel::RecordPtr SharedLink::next_to_hand_back() {
+  if (peer_is_gone(*parked_)) return nullptr;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  collect_undelivered();
+  const bool ready = queued_for_tcpros_ == 0 && !waiting_.empty() && has_room(*parked_, queue_size_);
+  return ready ? waiting_.front() : nullptr;
+}
+
+/// False: it was dropped as the oldest while it was serialized.
+bool SharedLink::drop_waiting(const channel::RecordPtr& record) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (waiting_.empty() || waiting_.front() != record) return false;
+  waiting_.pop();
+  return true;
+}
+
+bool SharedLink::try_return(std::size_t queued) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (state_ == State::returned) return true;
+  collect_undelivered();
+  if (queued_for_tcpros_ > 0 || !waiting_.empty()) return false;
+  queued_at_return_ = queued;
+  state_ = State::returned;
+  return true;
+}
+
+bool SharedLink::may_be_replaced() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return state_ == State::returned && queued_at_return_ == 0;
+}
+
+bool SharedLink::has_returned() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return state_ == State::returned;
+}
+
+}  // namespace detail
+}  // namespace tzc

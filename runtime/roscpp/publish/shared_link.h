@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/subscriber_link.h>
+#include <ros/transport_subscriber_link.h>
+#include <tzc/channel.h>
+
+#include <boost/signals2/connection.hpp>
+#include <functional>
+#include <memory>
+#include <mutex>
+
+#include "roscpp/publish/publication_stream.h"
+#include "roscpp/publish/waiting_records.h"
+
+namespace tzc {
+namespace detail {
+
+/// The link of a subscriber on shared memory. It takes the place of the TCPROS link in
+/// Publication::subscriber_links_ and keeps that link parked. To roscpp it is an intraprocess link, because
+/// only those get messages by pointer.
+///
+///   draining   what was queued for TCPROS goes there, what is newer waits here
+///      v
+///   live       straight into the channel
+///      v       the channel breaks
+///   broken     what is published waits here
+///      v       the subscriber has delivered all that it took
+///   returned   what it did not take goes over TCPROS, then what waited here, then what comes; LinkMigration puts
+///              the TCPROS link back
+///
+/// From each of them the link may end with its TCPROS link.
+class SharedLink : public ros::SubscriberLink {
+ public:
+  /// @param queued messages in Publication::publish_queue_ that belong to the TCPROS link; the caller holds
+  ///        the publication's locks
+  SharedLink(std::shared_ptr<PublicationStream> stream, const ros::PublicationPtr& publication,
+             ros::TransportSubscriberLinkPtr parked, channel::ConnectionPtr connection, std::size_t queued);
+  ~SharedLink() override;
+
+  /// \name ros::SubscriberLink
+  /// @{
+  /// roscpp's three ways: (ser, nocopy) = (0,1) publish by pointer; (1,0) the poll thread, with bytes; (1,1)
+  /// bytes for this subscriber alone (SingleSubscriberPublisher). Never blocks.
+  void enqueueMessage(const ros::SerializedMessage& message, bool ser, bool nocopy) override;
+  void drop() override;
+  std::string getTransportType() override { return "TZC"; }
+  std::string getTransportInfo() override;
+  bool isIntraprocess() override { return true; }
+  void getPublishTypes(bool& ser, bool& nocopy, const std::type_info& type) override;
+  /// @}
+
+  /// Sends the message, or keeps it while draining. Under subscriber_links_mutex_; never blocks.
+  void deliver(const OutgoingMessage& message);
+
+  /// Goes live when TCPROS has sent everything that it was given; what waits is sent as fast as the
+  /// subscriber takes it. False: not done yet, call again.
+  bool try_go_live();
+
+  /// Call it when the channel has broken and the subscriber has delivered all that it took: serializes the
+  /// rest for TCPROS, as fast as TCPROS sends. One thread at a time, which holds no lock of roscpp's:
+  /// serializing takes long. False: not done yet, call again.
+  bool hand_back();
+  /// Call it after hand_back(): from now on everything goes over TCPROS. The caller holds the publication's
+  /// locks. False: messages were published since; call hand_back() again.
+  /// @param queued messages in Publication::publish_queue_
+  bool try_return(std::size_t queued);
+  /// True when the link has returned and none of the messages that it got by pointer waits in roscpp's queue:
+  /// the TCPROS link can take its place.
+  bool may_be_replaced() const;
+  bool has_returned() const;
+
+  /// Calls `ended` once, when the TCPROS link is dropped (the subscriber or the publisher ended the
+  /// connection).
+  void on_end(std::function<void()> ended);
+
+  PublicationStream& stream() const { return *stream_; }
+  const ros::TransportSubscriberLinkPtr& parked() const { return parked_; }
+  const channel::ConnectionPtr& connection() const { return connection_; }
+
+ private:
+  void publish_by_pointer(const ros::SerializedMessage& message);
+  void publish_bytes(const ros::SerializedMessage& message);
+  void publish_alone(const ros::SerializedMessage& message);
+  enum class State { draining, live, broken, returned };
+
+  /// \name Under mutex_
+  /// @{
+  /// False: the channel does not take it, nor any later message.
+  bool send(const channel::RecordPtr& record);
+  void send_what_waits();
+  void collect_undelivered();
+  bool goes_to_tcpros(bool went_by_pointer);
+  /// @}
+  channel::RecordPtr next_to_hand_back();
+  bool drop_waiting(const channel::RecordPtr& record);
+
+  const std::shared_ptr<PublicationStream> stream_;  ///< keeps the publication's endpoint, too
+  const ros::TransportSubscriberLinkPtr parked_;
+  const channel::ConnectionPtr connection_;
+  const std::size_t queue_size_;
+  boost::signals2::connection drop_listener_;
+
+  /// Guards what follows; innermost, but for the channel's and the TCPROS link's own.
+  mutable std::mutex mutex_;
+  State state_ = State::draining;
+  bool switched_ = false;             ///< the subscriber was told that shared records follow
+  std::size_t queued_for_tcpros_;     ///< draining: messages of roscpp's queue that belong to TCPROS
+  std::size_t queued_at_return_ = 0;  ///< returned: messages of roscpp's queue that may have gone by pointer
+  WaitingRecords waiting_;
+};
+typedef boost::shared_ptr<SharedLink> SharedLinkPtr;
+
+}  // namespace detail
+}  // namespace tzc

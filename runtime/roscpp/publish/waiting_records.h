@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tzc/channel.h>
+
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+#include "roscpp/publish/to_stock_bytes.h"
+
+namespace tzc {
+namespace detail {
+
+/// Records that wait in a SharedLink for TCPROS or for the channel, oldest first. Holds as many as a TCPROS connection
+/// would: the queue's, and besides them those that fit its socket buffers. Not thread-safe.
+class WaitingRecords {
+ public:
+  /// `queue_size` 0: no limit.
+  explicit WaitingRecords(std::size_t queue_size) : queue_size_(queue_size) {}
+
+  bool empty() const { return records_.empty(); }
+  const channel::RecordPtr& front() const { return records_.front(); }
+
+  /// Drops the oldest records beyond the limit.
+  void push(const channel::RecordPtr& record) {
+    records_.push_back(record);
+    bytes_ += size_of(record);
+    while (queue_size_ != 0 && records_.size() > queue_size_ && bytes_ > kBufferedBytes) pop();
+  }
+
+  /// Puts older records before the others, and drops none.
+  void push_before(const std::vector<channel::RecordPtr>& older) {
+    records_.insert(records_.begin(), older.begin(), older.end());
+    for (const channel::RecordPtr& record : older) bytes_ += size_of(record);
+  }
+
+  void pop() {
+    bytes_ -= size_of(records_.front());
+    records_.pop_front();
+  }
+
+ private:
+  /// What the socket buffers of a TCPROS connection hold, in bytes.
+  static constexpr std::size_t kBufferedBytes = 4 << 20;
+
+  const std::size_t queue_size_;
+  std::deque<channel::RecordPtr> records_;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/subscribe/subscription_endpoint.h"
+
+#include <ros/connection.h>
+
+#include <cstring>
+
+#include "roscpp/roscpp_access.h"
+#include "roscpp/subscribe/direct_call.h"
+#include "roscpp/subscribe/direct_queue.h"
+#include "roscpp/subscribe/tcpros_drain.h"
+#include "roscpp/throttled_warning.h"
+#include "roscpp/upgrade/offer.h"
+
+namespace tzc {
+namespace detail {
+namespace {
+
+namespace access = roscpp_access;
+
+/// The bytes of a received message as roscpp passes buffers around; they stay where they are.
+ros::SerializedMessage borrow(const channel::MessagePtr& message, const std::uint8_t* bytes,
+                              std::size_t size) {
+  const boost::shared_array<std::uint8_t> buffer(
+      const_cast<std::uint8_t*>(bytes),
+      [hold = channel::MessagePtr(message)](std::uint8_t*) mutable { hold.reset(); });
+  ros::SerializedMessage borrowed(buffer, size);
+  borrowed.message_start = buffer.get();
+  return borrowed;
+}
+
+bool has_writers(ros::Subscription& subscription) {
+  const boost::mutex::scoped_lock lock(access::callbacks_mutex_(subscription));
+  return access::nonconst_callbacks_(subscription) != 0;
+}
+
+}  // namespace
+
+void SubscriptionEndpoint::take(const channel::MessagePtr& message) {
+  // The first record is kSwitch, unless a short queue has dropped it. Messages that arrived over TCPROS come
+  // before any record.
+  if (!tcpros_drained_) wait_until_drained(*link_->getConnection());
+  tcpros_drained_ = true;
+  if (message->tag() == kSwitch) return take_switch(*message);
+  const ros::SubscriptionPtr subscription = subscription_.lock();
+  if (!subscription || subscription->isDropped()) return;
+  counted().messages_received_++;
+  counted().bytes_received_ += message->control_size();
+  if (message->tag() == kControlPart && take_directly(*subscription, message)) return;
+  {
+    const DirectReaderScope scope;
+    if (message->tag() == kControlPart) take_control_part(*subscription, message);
+    if (message->tag() == kWholeMessage) take_whole_message(*subscription, message);
+  }
+  run_direct_callbacks();
+}
+
+ros::PublisherLink::Stats& SubscriptionEndpoint::counted() const {
+  return const_cast<ros::PublisherLink::Stats&>(link_->getStats());
+}
+
+void SubscriptionEndpoint::take_switch(const channel::Message& message) {
+  std::uint64_t most_bytes = 0;  // a publisher of the previous release sends nothing
+  if (message.control_size() < sizeof(most_bytes)) return;
+  std::memcpy(&most_bytes, message.control(), sizeof(most_bytes));
+  limit_.set_most_bytes(most_bytes);
+}
+
+bool SubscriptionEndpoint::may_hold(const channel::Message& message) const {
+  if (limit_.allows(message)) return true;
+  TZC_WARN_THROTTLED(60, "TZC: " << topic_ << ": this node holds " << limit_.held_messages() << " messages ("
+                                 << limit_.held_bytes() << " bytes) in the shared memory of "
+                                 << link_->getCallerID() << ", of which one subscriber may hold "
+                                 << limit_.most_bytes() << " bytes; further ones are copied. Call its "
+                                 << "callbacks more often, keep fewer messages, or raise the publisher's "
+                                 << "~tzc/memory_size");
+  return false;
+}
+
+boost::shared_ptr<void> SubscriptionEndpoint::decode(const channel::MessagePtr& message,
+                                                     bool may_write) const {
+  const bool copied = may_write || !may_hold(*message);
+  const boost::shared_ptr<void> decoded =
+      copied
+          ? codec_.copy(message->control(), message->control_size(), message->blocks())
+          : codec_.view(message->control(), message->control_size(), message->blocks(), limit_.hold(message));
+  if (!decoded) {
+    TZC_WARN_THROTTLED(
+        10, "TZC: a malformed message on " << topic_ << " from " << link_->getCallerID() << " is dropped");
+  }
+  return decoded;
+}
+
+bool SubscriptionEndpoint::take_directly(ros::Subscription& subscription,
+                                         const channel::MessagePtr& message) {
+  return call_directly(subscription,
+                       {*codec_.type, link_->isLatched(), link_->getConnection()->getHeader().getValues(),
+                        [&](bool writes) { return decode(message, writes); }});
+}
+
+void SubscriptionEndpoint::take_control_part(ros::Subscription& subscription,
+                                             const channel::MessagePtr& message) {
+  const boost::shared_ptr<void> decoded = decode(message, has_writers(subscription));
+  if (!decoded) return;
+  bool ser = false, nocopy = false;
+  subscription.getPublishTypes(ser, nocopy, *codec_.type);
+  // Callbacks of another C++ type, and those that subscribe to a latched topic later, need the stock wire
+  // format: one serialization here. Otherwise only topic statistics need bytes, the header, and the control
+  // part begins with it.
+  const bool needs_wire = ser || link_->isLatched();
+  ros::SerializedMessage given = needs_wire ? codec_.serialize(decoded.get())
+                                            : borrow(message, message->control(), message->control_size());
+  given.message = decoded;
+  given.type_info = codec_.type;
+  give(subscription, given, ser, true);
+}
+
+void SubscriptionEndpoint::take_whole_message(ros::Subscription& subscription,
+                                              const channel::MessagePtr& message) {
+  if (message->blocks().empty())
+    return give(subscription, borrow(message, message->control(), message->control_size()), true, false);
+  const ConstBlock& block = message->blocks().front();
+  std::uint64_t size = 0;
+  if (message->control_size() == sizeof(size)) std::memcpy(&size, message->control(), sizeof(size));
+  if (size <= block.size) give(subscription, borrow(message, block.data, size), true, false);
+}
+
+void SubscriptionEndpoint::give(ros::Subscription& subscription, const ros::SerializedMessage& message,
+                                bool ser, bool nocopy) {
+  counted().drops_ += subscription.handleMessage(message, ser, nocopy,
+                                                 link_->getConnection()->getHeader().getValues(), link_);
+}
+
+}  // namespace detail
+}  // namespace tzc

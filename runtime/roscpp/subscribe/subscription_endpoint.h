@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/publisher_link.h>
+#include <ros/subscription.h>
+#include <ros/transport_publisher_link.h>
+#include <tzc/channel.h>
+#include <tzc/detail/codec.h>
+
+#include <memory>
+#include <mutex>
+
+#include "roscpp/subscribe/hold_limit.h"
+
+namespace tzc {
+namespace detail {
+
+/// Passes one publisher's shared messages to a subscription of this process, under the name of the parked
+/// TCPROS link: latching, statistics, connection headers and queues stay roscpp's. Runs on the channel's
+/// reader thread.
+class SubscriptionEndpoint {
+ public:
+  SubscriptionEndpoint(const ros::SubscriptionPtr& subscription, ros::TransportPublisherLinkPtr link,
+                       MessageCodec codec)
+      : topic_(subscription->getName()),
+        subscription_(subscription),
+        link_(std::move(link)),
+        codec_(std::move(codec)) {}
+
+  void take(const channel::MessagePtr& message);
+
+ private:
+  void take_switch(const channel::Message& message);
+  void take_control_part(ros::Subscription& subscription, const channel::MessagePtr& message);
+  void take_whole_message(ros::Subscription& subscription, const channel::MessagePtr& message);
+  void give(ros::Subscription& subscription, const ros::SerializedMessage& message, bool ser, bool nocopy);
+  bool take_directly(ros::Subscription& subscription, const channel::MessagePtr& message);
+  /// Adds to the parked link's counters, which topic statistics and getBusStats show. The poll thread, which
+  /// owns them, counts nothing while the link is parked.
+  ros::PublisherLink::Stats& counted() const;
+  /// A view of the message, or a copy: for a callback that may write, or a subscription that holds too much
+  /// of the publisher's memory.
+  boost::shared_ptr<void> decode(const channel::MessagePtr& message, bool may_write) const;
+  bool may_hold(const channel::Message& message) const;
+
+  const std::string topic_;
+  const ros::SubscriptionWPtr subscription_;
+  const ros::TransportPublisherLinkPtr link_;
+  const MessageCodec codec_;
+  bool tcpros_drained_ = false;  ///< reader thread
+  HoldLimit limit_;
+};
+
+}  // namespace detail
+}  // namespace tzc

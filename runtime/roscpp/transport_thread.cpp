@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/transport_thread.h"
+
+#include <pthread.h>
+
+#include <signal.h>
+
+#include <exception>
+#include <system_error>
+#include <utility>
+
+#include "roscpp/throttled_warning.h"
+
+namespace tzc {
+namespace detail {
+namespace {
+
+void block_signals() {
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
+}  // namespace
+
+bool start_transport_thread(std::thread& thread, std::function<void()> body) {
+  try {
+    thread = std::thread([body = std::move(body)] {
+      block_signals();
+      body();
+    });
+    return true;
+  } catch (const std::system_error& error) {
+    TZC_WARN_THROTTLED(60, "TZC: connections stay on TCPROS: no thread can be started ("
+                               << error.what()
+                               << "); raise the limit (ulimit -u, or pids.max of the cgroup)");
+    return false;
+  }
+}
+
+void run_job(const std::function<void()>& job) {
+  try {
+    job();
+  } catch (const std::exception& error) {
+    TZC_WARN_THROTTLED(60, "TZC: a connection stays on TCPROS: " << error.what());
+  }
+}
+
+}  // namespace detail
+}  // namespace tzc

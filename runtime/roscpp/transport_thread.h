@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <thread>
+
+namespace tzc {
+namespace detail {
+
+/// Starts a thread of the transport. It blocks all signals: they belong to the user's threads, as with
+/// roscpp's own threads. False, with a throttled warning, when the system gives no thread.
+bool start_transport_thread(std::thread& thread, std::function<void()> body);
+
+/// Runs one job of such a thread. An exception (no memory, no descriptor) ends the job, with a throttled warning, and
+/// not the node.
+void run_job(const std::function<void()>& job);
+
+}  // namespace detail
+}  // namespace tzc

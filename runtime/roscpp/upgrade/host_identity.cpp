@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/upgrade/host_identity.h"
+
+#include <sys/stat.h>
+
+#include <fstream>
+
+namespace tzc {
+namespace detail {
+namespace {
+
+std::string read_identity() {
+  std::string boot;
+  std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;
+  struct stat network;
+  if (boot.empty() || stat("/proc/self/ns/net", &network) != 0) return std::string();
+  return boot + "/" + std::to_string(network.st_dev) + ":" + std::to_string(network.st_ino);
+}
+
+}  // namespace
+
+const std::string& host_identity() {
+  static const std::string identity = read_identity();
+  return identity;
+}
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace tzc {
+namespace detail {
+
+/// Names the machine (its boot) and the network namespace of this process: two processes with equal identities reach
+/// each other's abstract sockets. Empty where the system does not tell; empty identities never match.
+const std::string& host_identity();
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/upgrade/upgrade_negotiator.h"
+
+#include <ros/connection.h>
+
+#include <ros/master.h>
+#include <ros/this_node.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+
+#include "roscpp/configuration.h"
+#include "roscpp/throttled_warning.h"
+#include "roscpp/upgrade/connection_name.h"
+#include "roscpp/upgrade/host_identity.h"
+#include "roscpp/upgrade/other_version.h"
+#include "roscpp/upgrade/retry_policy.h"
+#include "roscpp/upgrade/xmlrpc_call.h"
+#include "sync_point/sync_point.h"
+
+namespace tzc {
+namespace detail {
+namespace {
+
+/// The pause before a new invitation: a channel that broke would often break again at once.
+constexpr std::chrono::milliseconds kAfterLoss(5000);
+/// A subscriber that was on shared memory for this long starts with the full number of tries.
+constexpr std::chrono::minutes kLasting(1);
+
+/// 128 bits that cannot be guessed. Needs no descriptor; throws when the kernel has no entropy yet.
+std::string random_token() {
+  std::uint64_t bits[2];
+  if (getentropy(bits, sizeof bits) != 0) throw std::runtime_error("the kernel gives no random numbers");
+  return std::to_string(bits[0]) + "." + std::to_string(bits[1]);
+}
+
+/// The URI where a node answers XMLRPC calls. When it cannot be found: empty, with the reason in `trouble`.
+std::string node_uri(const std::string& node, std::string& trouble) {
+  XmlRpc::XmlRpcValue params;
+  params[0] = ros::this_node::getName();
+  params[1] = node;
+  const std::string& master = ros::master::getURI();
+  XmlRpcReply reply = call_node(master, "lookupNode", params, kCallTimeout);
+  if (reply.succeeded() && reply.value.getType() == XmlRpc::XmlRpcValue::TypeString)
+    return static_cast<std::string>(reply.value);
+  trouble = "the master at " + master + " does not say where that node is (" + reply.status +
+            "); see that it runs and knows it: rosnode info " + node;
+  return std::string();
+}
+
+bool is_gone(const UpgradeNegotiator::TcpLink& link) {
+  return !link || link->getConnection()->isDropped();
+}
+
+bool is_same(const boost::weak_ptr<ros::TransportSubscriberLink>& one,
+             const UpgradeNegotiator::TcpLink& other) {
+  return !one.owner_before(other) && !other.owner_before(one);
+}
+
+}  // namespace
+
+void UpgradeNegotiator::invite(const TcpLink& link) {
+  if (link->getTransportType() != "TCPROS" || host_identity().empty()) return;
+  const InvitationPtr invitation = invitation_of(link);
+  int round = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (invitation->token.empty()) {
+      invitation->tries = 0;
+      invitation->token = random_token();
+    }
+    round = ++invitation->round;
+  }
+  post(invitation, round, std::chrono::milliseconds(0), &UpgradeNegotiator::begin);
+}
+
+void UpgradeNegotiator::begin(const InvitationPtr& invitation, int round) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (invitation->token.empty() || invitation->round != round) return;
+  }
+  try_once(invitation);
+}
+
+// Never lock() a link under mutex_: dropping the last reference runs user callbacks.
+UpgradeNegotiator::InvitationPtr UpgradeNegotiator::invitation_of(const TcpLink& link) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto is_over = [](const InvitationPtr& one) { return one->link.expired(); };
+  invitations_.erase(std::remove_if(invitations_.begin(), invitations_.end(), is_over), invitations_.end());
+  for (const InvitationPtr& one : invitations_)
+    if (is_same(one->link, link)) return one;
+  invitations_.push_back(std::make_shared<Invitation>());
+  invitations_.back()->link = link;
+  invitations_.back()->subscriber = link->getDestinationCallerID();
+  return invitations_.back();
+}
+
+UpgradeNegotiator::InvitationPtr UpgradeNegotiator::find(const std::string& token) const {
+  for (const InvitationPtr& one : invitations_)
+    if (!token.empty() && one->token == token) return one;
+  return nullptr;
+}
+
+bool UpgradeNegotiator::expects(const std::string& token) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return find(token) != nullptr;
+}
+
+UpgradeNegotiator::TcpLink UpgradeNegotiator::welcome(const std::string& token) {
+  InvitationPtr invitation;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    invitation = find(token);
+    if (!invitation) return TcpLink();
+    invitation->came = Clock::now();
+    invitation->token.clear();
+  }
+  return invitation->link.lock();
+}
+
+void UpgradeNegotiator::turn_away(const std::string& token, const std::string& why) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (const InvitationPtr invitation = find(token)) invitation->token.clear();
+  }
+  ROS_DEBUG_STREAM("TZC: a subscriber of " << offer_.topic << " stays on TCPROS: " << why);
+}
+
+void UpgradeNegotiator::lost(const TcpLink& link) {
+  if (is_gone(link)) return;
+  const InvitationPtr invitation = invitation_of(link);
+  std::chrono::milliseconds pause;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (Clock::now() - invitation->came > kLasting) invitation->tries = 0;
+    invitation->token = random_token();
+    invitation->trouble = "it came, and the channel broke again; the warnings of both nodes say why";
+    pause = std::max(kAfterLoss, pause_after(invitation->tries));
+  }
+  look_later(invitation, pause);
+}
+
+void UpgradeNegotiator::try_once(const InvitationPtr& invitation) {
+  const TcpLink link = invitation->link.lock();
+  if (is_gone(link)) return;
+  const std::string& subscriber = link->getDestinationCallerID();
+  const Offer offer = next_offer(*invitation, link);
+  const Answer answer = ask(subscriber, offer);
+  if (answer.refused && answer.text == kOtherVersionStatus) warn_of_other_version(subscriber, offer.topic);
+  if (answer.refused) return turn_away(offer.token, subscriber + ": " + answer.text);
+  int tries = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    invitation->trouble = answer.text;
+    tries = invitation->tries;
+  }
+  ROS_DEBUG_STREAM("TZC: " << offer_.topic << " to " << subscriber << ", try " << tries
+                           << "; if it does not come: " << answer.text);
+  look_later(invitation, pause_after(tries));
+  sync_point("offer: waits");
+}
+
+Offer UpgradeNegotiator::next_offer(Invitation& invitation, const TcpLink& link) {
+  const std::string connection = connection_name(*link->getConnection(), End::publisher);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Offer offer = offer_;
+  offer.connection = connection;
+  ++invitation.tries;
+  offer.token = invitation.token;
+  return offer;
+}
+
+UpgradeNegotiator::Answer UpgradeNegotiator::ask(const std::string& subscriber, const Offer& offer) {
+  if (offer.connection.empty()) return {false, "its TCPROS connection has no endpoints"};
+  std::string trouble;
+  const std::string uri = node_uri(subscriber, trouble);
+  if (uri.empty()) return {false, trouble};
+  sync_point("offer: calls");
+  const XmlRpcReply reply = call_node(uri, kOfferMethod, to_xmlrpc(offer), kCallTimeout);
+  if (reply.succeeded())
+    return {false, "it took the offer and did not come; its log says why, at debug level"};
+  if (reply.unknown || reply.answered) return {true, reply.status};
+  return {false, reply.status + "; does this address lead to it (ROS_IP, ROS_HOSTNAME), and does it run?"};
+}
+
+void UpgradeNegotiator::look_later(const InvitationPtr& invitation, std::chrono::milliseconds pause) {
+  int round = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    round = ++invitation->round;
+  }
+  post(invitation, round, pause, &UpgradeNegotiator::look);
+}
+
+void UpgradeNegotiator::post(const InvitationPtr& invitation, int round, std::chrono::milliseconds pause,
+                             void (UpgradeNegotiator::*act)(const InvitationPtr&, int)) {
+  const std::weak_ptr<UpgradeNegotiator> weak = weak_from_this();
+  const auto job = [weak, invitation, round, act] {
+    if (const std::shared_ptr<UpgradeNegotiator> negotiator = weak.lock())
+      (negotiator.get()->*act)(invitation, round);
+  };
+  peers_.post(invitation->subscriber, job, pause);
+}
+
+void UpgradeNegotiator::look(const InvitationPtr& invitation, int round) {
+  const TcpLink link = invitation->link.lock();
+  if (is_gone(link)) return;
+  bool was_last = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (invitation->token.empty() || invitation->round != round) return;
+    was_last = invitation->tries >= most_upgrade_attempts();
+    if (was_last) invitation->token.clear();
+  }
+  was_last ? give_up(*invitation, link->getDestinationCallerID()) : try_once(invitation);
+}
+
+void UpgradeNegotiator::give_up(const Invitation& invitation, const std::string& subscriber) const {
+  TZC_WARN_THROTTLED(10, "TZC: " << offer_.topic << " to " << subscriber << " stays on TCPROS after "
+                                 << invitation.tries << " tries: " << invitation.trouble
+                                 << ". Its messages arrive, but serialized; it is asked again when it "
+                                    "subscribes anew");
+}
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/upgrade/upgrade_responder.h"
+
+#include <ros/connection.h>
+
+#include <ros/this_node.h>
+#include <ros/topic_manager.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "roscpp/configuration.h"
+#include "roscpp/descriptor_budget.h"
+#include "roscpp/roscpp_access.h"
+#include "roscpp/subscribe/subscription_endpoint.h"
+#include "roscpp/subscribe/write_warning.h"
+#include "roscpp/throttled_warning.h"
+#include "roscpp/upgrade/connection_name.h"
+#include "roscpp/upgrade/host_identity.h"
+#include "roscpp/upgrade/other_version.h"
+#include "roscpp/upgrade/retry_policy.h"
+#include "roscpp/upgrade/xmlrpc_call.h"
+#include "sync_point/sync_point.h"
+
+namespace tzc {
+namespace detail {
+namespace {
+
+namespace access = roscpp_access;
+
+/// The offer may arrive before roscpp knows the connection, so the link is searched for a few times.
+constexpr int kLooks = 100;
+constexpr std::chrono::milliseconds kLookAgain(5);
+
+ros::SubscriptionPtr find_subscription(const std::string& topic) {
+  ros::TopicManager& topics = *ros::TopicManager::instance();
+  const boost::mutex::scoped_lock lock(access::subs_mutex_(topics));
+  for (const ros::SubscriptionPtr& subscription : access::subscriptions_(topics))
+    if (subscription->getName() == topic && !subscription->isDropped()) return subscription;
+  return ros::SubscriptionPtr();
+}
+
+/// The TCPROS links of a subscription.
+std::vector<ros::TransportPublisherLinkPtr> tcp_links(ros::Subscription& subscription) {
+  std::vector<ros::TransportPublisherLinkPtr> links;
+  const boost::mutex::scoped_lock lock(access::publisher_links_mutex_(subscription));
+  for (const ros::PublisherLinkPtr& link : access::publisher_links_(subscription))
+    if (const auto tcp = boost::dynamic_pointer_cast<ros::TransportPublisherLink>(link)) links.push_back(tcp);
+  return links;
+}
+
+/// The link of the offer's connection, not any link of that publisher: roscpp may still know the link of an
+/// earlier subscription, and messages of both would arrive twice. Does not read the link's TCPROS header,
+/// which may not have arrived; it has when the first record is taken (kSwitch waits for it).
+ros::TransportPublisherLinkPtr find_link(ros::Subscription& subscription, const Offer& offer) {
+  for (const ros::TransportPublisherLinkPtr& link : tcp_links(subscription)) {
+    ros::Connection& connection = *link->getConnection();
+    if (!connection.isDropped() && connection_name(connection, End::subscriber) == offer.connection)
+      return link;
+  }
+  return ros::TransportPublisherLinkPtr();
+}
+
+}  // namespace
+
+void UpgradeResponder::attach(const std::string& topic, const MessageCodec& codec) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::vector<MessageCodec>& codecs = topics_[topic];
+    const bool known = std::any_of(codecs.begin(), codecs.end(),
+                                   [&](const MessageCodec& other) { return *other.type == *codec.type; });
+    if (known) return;
+    codecs.push_back(codec);
+  }
+  clerk_.post([this, topic] { ask_publishers(topic); });
+}
+
+std::string UpgradeResponder::reason_to_refuse(const Offer& offer) {
+  if (!has_spare_descriptors()) return "the subscriber: " + descriptor_advice();
+  if (offer.identity != host_identity()) return "this node is on another machine or network namespace";
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (foreign_uids_.erase(offer.token) != 0) return "the publisher is a process of another user";
+  const auto found = topics_.find(offer.topic);
+  if (found == topics_.end()) return "this node has not attached " + offer.topic;
+  const bool fits = std::any_of(found->second.begin(), found->second.end(),
+                                [&](const MessageCodec& codec) { return codec.md5sum == offer.md5sum; });
+  return fits ? std::string() : "this node expects another message type on " + offer.topic;
+}
+
+void UpgradeResponder::answer(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& result) {
+  Offer offer;
+  if (is_other_version(params, offer)) warn_of_other_version(offer.publisher, offer.topic);
+  const std::string refusal =
+      from_xmlrpc(params, offer) ? reason_to_refuse(offer) : std::string(kOtherVersionStatus);
+  if (!refusal.empty()) {
+    result = response(0, refusal);
+    return;
+  }
+  clerk_.post([this, offer] { accept(offer, kLooks); });
+  result = response(1, "coming");
+}
+
+// When the search ends without a link, the publisher tries again.
+void UpgradeResponder::accept(const Offer& offer, int looks_left) {
+  const ros::SubscriptionPtr subscription = find_subscription(offer.topic);
+  const LinkPtr link = subscription ? find_link(*subscription, offer) : LinkPtr();
+  if (link) return peers_.post(offer.publisher, [this, offer] { connect(offer); });
+  if (looks_left > 0)
+    clerk_.post([this, offer, looks_left] { accept(offer, looks_left - 1); }, kLookAgain);
+  else
+    ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher << ": the offer is for connection "
+                             << offer.connection << ", which is not there");
+}
+
+bool UpgradeResponder::connected(const LinkPtr& link) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return channels_.count(link) != 0;
+}
+
+bool UpgradeResponder::codec_for(const Offer& offer, ros::Subscription& subscription,
+                                 MessageCodec& codec) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  bool found = false;
+  for (const MessageCodec& candidate : topics_.at(offer.topic)) {
+    if (candidate.md5sum != offer.md5sum) continue;
+    bool ser = false, is_wanted = false;
+    subscription.getPublishTypes(ser, is_wanted, *candidate.type);
+    if (!found || is_wanted) codec = candidate;
+    found = true;
+    if (is_wanted) break;
+  }
+  return found;
+}
+
+void UpgradeResponder::connect(const Offer& offer) {
+  const ros::SubscriptionPtr subscription = find_subscription(offer.topic);
+  const LinkPtr link = subscription ? find_link(*subscription, offer) : LinkPtr();
+  MessageCodec codec;
+  if (!link || connected(link) || !codec_for(offer, *subscription, codec)) return;
+  const auto endpoint = std::make_shared<SubscriptionEndpoint>(subscription, link, codec);
+  const auto is_foreign_uid = std::make_shared<bool>(false);
+  channel::SubscriberOptions options;
+  options.address = offer.address;
+  options.hello = offer.token;
+  options.on_message = [endpoint](const channel::MessagePtr& message) { endpoint->take(message); };
+  options.on_disconnect = [this, link](const std::string&) { clerk_.post([this, link] { forget(link); }); };
+  options.private_writes = private_writes();
+  options.on_write = [this, topic = offer.topic] { clerk_.post([topic] { warn_of_write(topic); }); };
+  options.authorize = [is_foreign_uid](const channel::Credentials& peer) {
+    *is_foreign_uid =
+        peer.uid != geteuid() && peer.uid != 0;  // root can read everything of this process anyway
+    return !*is_foreign_uid;
+  };
+  Expected<std::shared_ptr<channel::Subscriber>> channel = channel::Subscriber::create(std::move(options));
+  if (!channel) return connection_failed(offer, channel.error(), *is_foreign_uid);
+  ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher << " comes through shared memory");
+  if ((*channel)->stats().copies_blocks) warn_of_copies(offer.topic);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  channels_[link] = *channel;
+}
+
+// The publisher will offer again, and stops when it gets a refusal.
+void UpgradeResponder::connection_failed(const Offer& offer, const Error& error, bool is_foreign_uid) {
+  ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher
+                           << " stays on TCPROS: " << error.text());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (is_foreign_uid) foreign_uids_.insert(offer.token);
+}
+
+void UpgradeResponder::forget(const LinkPtr& link) {
+  std::shared_ptr<channel::Subscriber> ended;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = channels_.find(link);
+  if (found == channels_.end()) return;
+  ended = std::move(found->second);
+  channels_.erase(found);
+}
+
+void UpgradeResponder::ask_publishers(const std::string& topic) {
+  const ros::SubscriptionPtr subscription = find_subscription(topic);
+  if (!subscription) return;
+  for (const LinkPtr& link : tcp_links(*subscription))
+    peers_.post(link->getPublisherXMLRPCURI(), [this, link, topic] { ask(link, topic, 1); });
+}
+
+// A publisher that does not know the method has no TZC, or attaches the topic later and offers then.
+void UpgradeResponder::ask(const LinkPtr& link, const std::string& topic, int tries) {
+  if (connected(link) || link->getConnection()->isDropped()) return;
+  XmlRpc::XmlRpcValue params;
+  params[0] = kOfferVersion;
+  params[1] = topic;
+  params[2] = ros::this_node::getName();
+  sync_point("request: calls");
+  const XmlRpcReply reply = call_node(link->getPublisherXMLRPCURI(), kRequestMethod, params, kCallTimeout);
+  if (reply.answered || reply.unknown) return;
+  ROS_DEBUG_STREAM("TZC: " << topic << ", try " << tries << ": " << reply.status);
+  const boost::weak_ptr<ros::TransportPublisherLink> weak = link;
+  const auto again = [this, weak, topic, tries] {
+    if (const LinkPtr waiting = weak.lock()) ask(waiting, topic, tries + 1);
+  };
+  if (tries < most_upgrade_attempts())
+    peers_.post(link->getPublisherXMLRPCURI(), again, pause_after(tries));
+  else
+    TZC_WARN_THROTTLED(10, "TZC: " << topic << " stays on TCPROS after " << tries
+                                   << " tries: " << reply.status
+                                   << "; does the publisher run, and does this address lead to it "
+                                      "(ROS_IP, ROS_HOSTNAME)?");
+  sync_point("request: waits");
+}
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment/ack_file.h"
+
+#include <new>
+
+#include "segment/ack_word.h"
+
+namespace tzc {
+namespace segment {
+namespace {
+
+std::size_t round_to_pages(std::size_t bytes) {
+  const std::size_t page = posix::page_size();
+  return (bytes + page - 1) / page * page;
+}
+
+}  // namespace
+
+AckFile::AckFile(std::uint32_t slots) : reader_(slots), sent_(new std::atomic<std::uint32_t>[slots]()) {}
+
+Expected<std::shared_ptr<AckFile>> AckFile::create(std::uint32_t slots) {
+  const auto sharing = posix::Sharing::peers_write;
+  auto file =
+      posix::create_memory_file("tzc-acknowledgements", round_to_pages(ack_file_bytes(slots)), sharing);
+  if (!file) return file.error();
+  auto mapping = posix::Mapping::map(file->descriptor.get(), file->size, posix::Access::read_write);
+  if (!mapping) return mapping.error();
+  const Status reserved = posix::reserve(*file, 0, file->size);  // a word must never fault on a full tmpfs
+  if (!reserved) return reserved.error();
+  const Status sealed = posix::seal(*file, sharing);
+  if (!sealed) return sealed.error();
+
+  auto ack_file = std::make_shared<AckFile>(slots);
+  ack_file->file_ = std::move(*file);
+  ack_file->mapping_ = std::move(*mapping);
+  ack_file->acks_ = AckView(ack_file->mapping_.data(), slots);
+  new (ack_file->mapping_.data()) AckHeader{ack_magic, layout_version, slots, {0}};
+  return ack_file;
+}
+
+// Relaxed: a caller of holds() for this generation has synchronised with the sender through the last
+// BufferPtr.
+bool AckFile::mark(std::uint32_t slot, std::uint32_t generation) {
+  sent_[slot].store(generation, std::memory_order_relaxed);
+  return mark_in_flight(acks_.word(slot), generation);
+}
+
+void AckFile::revoke(std::uint32_t slot, std::uint32_t generation) {
+  revoke_in_flight(acks_.word(slot), generation);
+}
+
+bool AckFile::holds(std::uint32_t slot, std::uint32_t generation) const {
+  if (sent_[slot].load(std::memory_order_relaxed) != generation) return false;
+  return !is_idle(acks_.word(slot).load(std::memory_order_acquire), generation);
+}
+
+bool AckFile::taken(std::uint32_t slot, std::uint32_t generation) const {
+  if (sent_[slot].load(std::memory_order_relaxed) != generation) return false;
+  const AckCounts counts = unpack(acks_.word(slot).load(std::memory_order_acquire));
+  return counts.generation == generation && counts.taken > 0;
+}
+
+bool AckFile::idle() const {
+  bool idle = true;
+  for_each_sent(
+      [&](std::uint32_t slot) { idle = idle && !holds(slot, sent_[slot].load(std::memory_order_relaxed)); });
+  return idle;
+}
+
+std::uint32_t AckFile::next_released() {
+  return reader_.next(acks_.released(), [this](std::uint32_t leaf) -> auto& { return acks_.leaf(leaf); });
+}
+
+}  // namespace segment
+}  // namespace tzc

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment/holders.h"
+
+#include <algorithm>
+
+namespace tzc {
+namespace segment {
+
+void Holders::attach(const std::shared_ptr<AckFile>& ack_file, const std::weak_ptr<Revoker>& revoker) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  holders_.push_back(Holder{ack_file, revoker});
+}
+
+void Holders::detach(const std::shared_ptr<AckFile>& ack_file) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto gone = std::remove_if(holders_.begin(), holders_.end(),
+                                   [&ack_file](const Holder& holder) { return holder.ack_file == ack_file; });
+  holders_.erase(gone, holders_.end());
+}
+
+bool Holders::hold(const BlockName& block) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::any_of(holders_.begin(), holders_.end(), [&block](const Holder& holder) {
+    return holder.ack_file->holds(block.slot, block.generation);
+  });
+}
+
+bool Holders::have_taken(const BlockName& block) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::any_of(holders_.begin(), holders_.end(), [&block](const Holder& holder) {
+    return holder.ack_file->taken(block.slot, block.generation);
+  });
+}
+
+// Copied first: a connection locks itself, and one that sends takes mutex_ while it is locked.
+void Holders::revoke(const BlockName& block) const {
+  std::vector<std::weak_ptr<Revoker>> revokers;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const Holder& holder : holders_) revokers.push_back(holder.revoker);
+  }
+  for (const auto& weak : revokers) {
+    if (const auto revoker = weak.lock()) revoker->revoke(block);
+  }
+}
+
+std::uint32_t Holders::next_released() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (std::size_t i = 0; i < holders_.size(); ++i) {
+    next_ = next_ + 1 < holders_.size() ? next_ + 1 : 0;
+    const std::uint32_t slot = holders_[next_].ack_file->next_released();
+    if (slot != no_slot) return slot;
+  }
+  return no_slot;
+}
+
+std::size_t Holders::count() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return holders_.size();
+}
+
+}  // namespace segment
+}  // namespace tzc

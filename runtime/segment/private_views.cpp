@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment/private_views.h"
+
+#include <sys/mman.h>
+
+#include <cstring>
+#include <mutex>
+#include <utility>
+
+#include "posix/fork_epoch.h"
+#include "posix/memory_file.h"
+
+namespace tzc {
+namespace segment {
+namespace {
+
+constexpr std::uint32_t written = 0x80000000;  // in a run: its pages are writable
+
+std::size_t pages_of(std::uint64_t bytes, std::size_t page) {
+  return static_cast<std::size_t>((bytes + page - 1) / page);
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<PrivateViews>> PrivateViews::map(int fd, std::size_t size, WriteListener* listener) {
+  auto mapping = posix::Mapping::map(fd, size, posix::Access::read_private);
+  if (!mapping) return mapping.error();
+  std::unique_ptr<PrivateViews> views(new PrivateViews(std::move(*mapping), listener));
+  if (views->runs_) return {std::move(views)};
+  Error error;
+  error.what = "keep account of the pages of a received segment: out of memory";
+  return error;
+}
+
+// calloc: pages of the account that are not needed are never touched.
+PrivateViews::PrivateViews(posix::Mapping mapping, WriteListener* listener)
+    : mapping_(std::move(mapping)),
+      page_(posix::page_size()),
+      listener_(listener),
+      runs_(static_cast<Run*>(std::calloc(pages_of(mapping_.size(), page_), sizeof(Run)))) {
+  if (runs_) watched_ = posix::watch_write_faults(mapping_.data(), mapping_.size(), *this);
+}
+
+PrivateViews::~PrivateViews() {
+  if (watched_) posix::forget_write_faults(mapping_.data());
+}
+
+bool PrivateViews::begin(std::uint64_t offset, std::uint64_t bytes) {
+  std::uint32_t none = 0;
+  const auto pages = static_cast<std::uint32_t>(pages_of(bytes, page_));
+  if (!watched_) return false;
+  if (!runs_[offset / page_].compare_exchange_strong(none, pages, std::memory_order_acq_rel)) return false;
+  posix::keep_watching_write_faults();
+  return true;
+}
+
+bool PrivateViews::end(std::uint64_t offset, std::uint64_t bytes) {
+  Run& run = runs_[offset / page_];
+  const bool was_written = (run.load(std::memory_order_acquire) & written) != 0;
+  if (was_written) restore(mapping_.data() + offset, pages_of(bytes, page_) * page_);
+  run.store(0, std::memory_order_release);
+  return was_written;
+}
+
+// Locked pages (mlockall) are not dropped: they are unlocked for that.
+void PrivateViews::restore(std::uint8_t* begin, std::size_t bytes) const {
+  ::mprotect(begin, bytes, PROT_READ);
+  if (::madvise(begin, bytes, MADV_DONTNEED) == 0) return;
+  ::munlock(begin, bytes);
+  ::madvise(begin, bytes, MADV_DONTNEED);
+  ::mlock(begin, bytes);
+}
+
+bool PrivateViews::make_writable(const posix::WriteFault& fault) noexcept {
+  const auto faulted = static_cast<std::size_t>(fault.address - mapping_.data()) / page_;
+  for (std::size_t first = faulted + 1; first-- > 0;) {
+    const std::uint32_t run = runs_[first].load(std::memory_order_acquire);
+    if (run == 0) continue;
+    const std::size_t pages = run & ~written;
+    if (faulted - first >= pages) return false;
+    runs_[first].fetch_or(written, std::memory_order_acq_rel);
+    if (listener_ != nullptr) listener_->first_write();
+    return ::mprotect(mapping_.data() + first * page_, pages * page_, PROT_READ | PROT_WRITE) == 0;
+  }
+  return false;
+}
+
+namespace {
+
+// Without a fault, at which a debugger would stop in every program: what a system may refuse are the other steps.
+bool write_and_drop(const posix::MemoryFile& file, const std::uint8_t* original) {
+  auto views = PrivateViews::map(file.shared_fd(), file.size, nullptr);
+  if (!views || !(*views)->begin(0, file.size)) return false;
+  auto* view = const_cast<std::uint8_t*>((*views)->data());
+  if (view[0] != 1 || !(*views)->make_writable(posix::WriteFault{view, nullptr})) return false;
+  view[0] = 2;
+  if (original[0] != 1) return false;
+  return (*views)->end(0, file.size) && view[0] == 1;
+}
+
+bool try_private_pages() {
+  auto file = posix::create_memory_file("tzc-self-check", posix::page_size(), posix::Sharing::peers_read);
+  if (!file || !posix::reserve(*file, 0, file->size)) return false;
+  const auto mapping = posix::Mapping::map(file->descriptor.get(), file->size, posix::Access::read_write);
+  if (!mapping || !posix::seal(*file, posix::Sharing::peers_read)) return false;
+  mapping->data()[0] = 1;
+  return write_and_drop(*file, mapping->data());
+}
+
+}  // namespace
+
+// A forked child may have entered a sandbox since.
+bool can_make_private_pages() {
+  static std::mutex mutex;
+  static bool possible = try_private_pages();
+  static std::uint32_t epoch = posix::fork_epoch();
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (posix::forked_since(epoch)) possible = try_private_pages();
+  epoch = posix::fork_epoch();
+  return possible;
+}
+
+}  // namespace segment
+}  // namespace tzc

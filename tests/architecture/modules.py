@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The modules and what each may use: docs/architecture.md as data. The checks read it; change both together."""
+
+# Module -> the modules whose headers it may include besides its own. A folder that is not here has no module: an error.
+USES = {
+    "runtime/posix": [],
+    "runtime/sync_point": [],
+    "runtime/segment": ["runtime/posix", "runtime/sync_point"],
+    "runtime/channel": ["runtime/segment", "runtime/posix", "runtime/sync_point"],
+    "runtime/message": ["runtime/segment"],
+    "runtime/roscpp": ["runtime/channel", "runtime/message", "runtime/segment", "runtime/sync_point"],
+    "runtime/adapters": ["runtime/roscpp", "runtime/message", "runtime/segment"],
+    "runtime/preload": ["runtime/roscpp"],
+
+    "msggen/model": [],
+    "msggen/parse": ["msggen/model"],
+    "msggen/emit": ["msggen/model"],
+    "msggen/tool": ["msggen/model", "msggen/parse", "msggen/emit"],
+
+    "rewriter/model": [],
+    "rewriter/edits": ["rewriter/model"],
+    "rewriter/transaction": ["rewriter/model", "rewriter/edits"],
+    "rewriter/report": ["rewriter/model", "rewriter/edits"],
+    "rewriter/cache": ["rewriter/model", "rewriter/edits"],
+    "rewriter/buildfiles": ["rewriter/model", "rewriter/edits"],
+    "rewriter/proof": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles"],
+    "rewriter/rules": [],
+    "rewriter/solve": ["rewriter/model"],
+    "rewriter/parse": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles"],
+    "rewriter/facts": ["rewriter/model", "rewriter/rules", "rewriter/parse"],
+    "rewriter/verify": ["rewriter/model", "rewriter/edits", "rewriter/parse", "rewriter/solve"],
+    "rewriter/engine": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles", "rewriter/report",
+                        "rewriter/parse", "rewriter/facts", "rewriter/solve", "rewriter/verify"],
+    "rewriter/format": ["rewriter/edits"],
+    "rewriter/tool": ["rewriter/model", "rewriter/edits", "rewriter/transaction", "rewriter/report", "rewriter/cache", "rewriter/buildfiles",
+                      "rewriter/proof", "rewriter/engine", "rewriter/format"],
+
+    # The benchmark measures the runtime, so it alone uses another product.
+    "bench": [],
+    "bench/core": ["bench", "runtime/channel"],
+    "bench/roscpp": ["bench", "bench/core", "runtime/roscpp"],
+    # tzc-compare needs no ROS to compare; its recorder is a ROS node.
+    "compare/wire": [],
+    "compare/pairing": ["compare/wire"],
+    "compare/engine": ["compare/wire", "compare/pairing"],
+    "compare/run": ["compare/pairing", "compare/engine"],
+    "compare/report": ["compare/engine", "compare/run"],
+    "compare/tool": ["compare/engine", "compare/run", "compare/report"],
+    "compare/recorder": ["compare/wire", "runtime/preload", "runtime/roscpp"],
+}
+
+# Folders in which `#include "folder/file.h"` is looked up; a runtime module's include/ is one, too.
+INCLUDE_ROOTS = ["runtime", "msggen", "rewriter", "bench", "compare"]
+
+ROS = r"(ros|rosconsole|xmlrpcpp|cv_bridge|image_transport|message_filters|pcl_conversions|[a-z0-9_]+_msgs)/"
+SERIALIZATION = (r"ros/(serialization|serialized_message|message_traits|message_operations|builtin_message_traits|types|"
+                 r"time|duration)\.h|[a-z0-9_]+_msgs/")
+
+# Headers of other projects: name -> (pattern, the modules that may include them).
+FOREIGN = {
+    "ROS's nodes and topics": (rf"(?!{SERIALIZATION}){ROS}",
+                               ["runtime/roscpp", "runtime/adapters", "runtime/preload", "bench/roscpp",
+                                "compare/recorder"]),
+    "ROS's messages": (SERIALIZATION, ["runtime/message", "runtime/roscpp", "runtime/adapters", "runtime/preload",
+                                       "bench/roscpp", "compare/recorder"]),
+    "Boost": (r"boost/", ["runtime/message", "runtime/roscpp", "runtime/adapters", "bench/roscpp"]),
+    "Clang": (r"(clang|clang-c|llvm)/", ["rewriter/parse", "rewriter/facts", "rewriter/verify", "rewriter/engine",
+                                       "rewriter/format"]),
+}
+
+# Modules that must not reach Clang through any chain of includes.
+CLANG_FREE = [module for module in USES if module not in FOREIGN["Clang"][1]]
+
+
+def module_of(path):
+    """The module of a source file, by its folder; None when the folder belongs to no module."""
+    folders = path.split("/")[:-1]
+    for module in ("/".join(folders[:2]), "/".join(folders)):
+        if module in USES:
+            return module
+    return None

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# The lists of packages: one for each supported distribution, names only, no name twice, and every name of this
+# distribution's list exists. usage: test_setup.sh SOURCE_DIR
+set -euo pipefail
+cd "$1"
+for distribution in debian-12 ubuntu-20.04 ubuntu-22.04 ubuntu-24.04; do
+  names=$(scripts/setup --list "$distribution")
+  [ "$(wc -l <<<"$names")" -gt 15 ] || { echo "$distribution: the list is too short"; exit 1; }
+  ! grep -vxE '[a-z0-9][a-z0-9.+-]+' <<<"$names" || { echo "$distribution: not a package's name"; exit 1; }
+  twice=$(sort <<<"$names" | uniq -d)
+  [ -z "$twice" ] || { echo "$distribution: twice: $twice"; exit 1; }
+  grep -qE '^libclang-cpp[0-9]+-dev$' <<<"$names" || { echo "$distribution: no Clang"; exit 1; }
+done
+if scripts/setup --list plan9-4 >/dev/null 2>&1; then echo "an unknown distribution has a list"; exit 1; fi
+if grep -q 'VERSION_ID="12"' /etc/os-release; then
+  mapfile -t names < <(scripts/setup --list; sed -e 's/#.*//' -e '/^$/d' scripts/packages.d/debian-12-full.txt)
+  known=$(apt-cache pkgnames)
+  missing=$(printf '%s\n' "${names[@]}" | grep -vxF -f <(printf '%s\n' "$known") || true)
+  [ -z "$missing" ] || { echo "Debian 12 has no package $missing"; exit 1; }
+fi
+echo "the lists are sound"

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the engine asks of those who judge a port, and what it makes of their answers.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "edits/files.h"
+#include "golden/case.h"
+
+namespace tzc::rewriter {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::string includes = "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n";
+
+/// A function that publishes an image.
+std::string publisher(const std::string& name) {
+  return includes + "void " + name +
+         "(ros::NodeHandle& nh) {\n  ros::Publisher pub = nh.advertise<sensor_msgs::Image>(\"" + name +
+         "\", 10);\n  sensor_msgs::Image image;\n  image.data.resize(10);\n  pub.publish(image);\n}\n";
+}
+
+class JudgesTest : public ::testing::Test {
+ protected:
+  Expected<PortPlan> plan(const std::map<std::string, std::string>& files) {
+    package.emplace(files);
+    EngineOptions options = package->options({});
+    options.judges = judges;
+    options.strict = strict;
+    return plan_port(options);
+  }
+  std::string path(const std::string& file) const { return package->dir() + "/" + file; }
+
+  static std::string levels(const PortPlan& plan) {
+    std::string text;
+    for (const Site& site : plan.report.sites)
+      if (site.kind == SiteKind::publish)
+        text += (site.level == Level::zero_copy ? "zero_copy "
+                 : site.level == Level::plain   ? "plain "
+                                                : "one_copy ") +
+                site.code + "\n";
+    return text;
+  }
+
+  std::optional<test::Package> package;
+  Judges judges;
+  bool strict = false;
+};
+
+TEST_F(JudgesTest, what_is_judged_is_what_is_written) {
+  std::string judged;
+  judges.written_text = [](const std::string&, const std::string&, const std::string& edited) {
+    return edited + "// formatted\n";
+  };
+  judges.compiler = [&](const FileContents& contents, const std::set<std::string>&) {
+    judged = contents.begin()->second;
+    return std::vector<CompilerError>();
+  };
+  const auto port = plan({{"src/node.cpp", publisher("run")}});
+  ASSERT_TRUE(port);
+  EXPECT_THAT(judged, HasSubstr("// formatted"));
+  EXPECT_EQ(port->contents.at(path("src/node.cpp")), judged);
+}
+
+/// Formatting may break what the edits alone would not.
+TEST_F(JudgesTest, text_that_does_not_compile_is_noticed_although_the_edits_do) {
+  judges.written_text = [](const std::string&, const std::string&, std::string edited) {
+    const std::size_t at = edited.find("tzc::sensor_msgs::Image image");
+    return at == std::string::npos ? edited : edited.insert(at, "not_a_type ");
+  };
+  const auto port = plan({{"src/node.cpp", publisher("run")}});
+  ASSERT_TRUE(port) << to_string(port.error());
+  EXPECT_EQ(levels(*port), "one_copy TZC1009\n");
+}
+
+TEST_F(JudgesTest, the_compilers_errors_demote_what_stands_on_their_line) {
+  judges.compiler = [&](const FileContents& contents, const std::set<std::string>& units) {
+    std::vector<CompilerError> errors;
+    for (const auto& [file, content] : contents) {
+      const std::size_t at = content.find("tzc::sensor_msgs::Image image");
+      if (at == std::string::npos || file != path("src/one.cpp")) continue;
+      const auto line = 1 + std::count(content.begin(), content.begin() + static_cast<long>(at), '\n');
+      errors.push_back({*units.begin(), {file, static_cast<unsigned>(line), 1}, "GCC does not like it", {}});
+    }
+    return errors;
+  };
+  const auto port = plan({{"src/one.cpp", publisher("one")}, {"src/two.cpp", publisher("two")}});
+  ASSERT_TRUE(port);
+  EXPECT_EQ(levels(*port), "one_copy TZC1009\nzero_copy \n");
+  EXPECT_THAT(port->report.sites[1].reason, HasSubstr("GCC does not like it"));
+}
+
+TEST_F(JudgesTest, a_unit_is_judged_again_only_when_its_text_changed) {
+  std::vector<std::set<std::string>> asked;
+  judges.compiler = [&](const FileContents& contents, const std::set<std::string>& units) {
+    asked.push_back(units);
+    std::vector<CompilerError> errors;
+    const std::string one = path("src/one.cpp");
+    if (contents.at(one).find("tzc::sensor_msgs::Image image") != std::string::npos)
+      errors.push_back({one, {one, 0, 0}, "an error without a place", {}});
+    return errors;
+  };
+  const auto port = plan({{"src/one.cpp", publisher("one")}, {"src/two.cpp", publisher("two")}});
+  ASSERT_TRUE(port);
+  EXPECT_EQ(levels(*port), "one_copy TZC1009\nzero_copy \n");
+  ASSERT_FALSE(asked.empty());
+  EXPECT_EQ(asked[0].size(), 2u);
+  for (std::size_t i = 1; i < asked.size(); ++i) EXPECT_THAT(asked[i], ElementsAre(path("src/one.cpp"))) << i;
+  EXPECT_LE(asked.size(), 5u);
+}
+
+TEST_F(JudgesTest, a_unit_that_the_compiler_refuses_too_is_left_out) {
+  judges.original_errors = [](const std::string& unit) {
+    return std::vector<CompilerError>{{unit, {unit, 1, 1}, "'missing' was not declared", {}}};
+  };
+  const std::map<std::string, std::string> files = {{"src/bad.cpp", publisher("bad") + "int x = missing;\n"},
+                                                    {"src/good.cpp", publisher("good")}};
+  const auto port = plan(files);
+  ASSERT_TRUE(port) << to_string(port.error());
+  EXPECT_EQ(levels(*port), "zero_copy \n");
+  ASSERT_EQ(port->report.notes.size(), 1u);
+  EXPECT_EQ(port->report.notes[0].code, "TZC3003");
+  EXPECT_THAT(port->report.notes[0].text, HasSubstr("'missing' was not declared"));
+  EXPECT_THAT(port->report.notes[0].text, HasSubstr("possible sites in lines 4, 7"));
+  strict = true;
+  EXPECT_FALSE(plan(files));
+}
+
+TEST_F(JudgesTest, a_unit_that_only_clang_refuses_is_an_error) {
+  judges.original_errors = [](const std::string&) { return std::vector<CompilerError>(); };
+  const auto port = plan({{"src/bad.cpp", "int x = missing;\n"}, {"src/good.cpp", publisher("good")}});
+  ASSERT_FALSE(port);
+  EXPECT_THAT(port.error().what, HasSubstr("does not parse"));
+}
+
+TEST_F(JudgesTest, when_no_unit_compiles_that_is_an_error) {
+  judges.original_errors = [](const std::string& unit) {
+    return std::vector<CompilerError>{{unit, {}, "no", {}}};
+  };
+  EXPECT_FALSE(plan({{"src/bad.cpp", "int x = missing;\n"}}));
+}
+
+/// The build names the package by a symbolic link; the port is judged at that path, too.
+TEST_F(JudgesTest, a_linked_package_is_judged_with_its_edits) {
+  const std::string aggregate =
+      includes +
+      "struct Frame {\n  sensor_msgs::Image image;\n  int n;\n};\nvoid run(ros::NodeHandle& nh) {\n"
+      "  ros::Publisher pub = nh.advertise<sensor_msgs::Image>(\"image\", 10);\n"
+      "  sensor_msgs::Image image;\n  image.data.resize(10);\n  Frame frame{image, 1};\n"
+      "  pub.publish(frame.image);\n}\n";
+  package.emplace(std::map<std::string, std::string>{{"src/node.cpp", aggregate}});
+  EngineOptions options = package->options({});
+  const auto real = plan_port(options);
+  ASSERT_TRUE(real);
+  const tzc::test::TempDir elsewhere;
+  fs::create_directory_symlink(package->dir(), elsewhere / "linked");
+  std::string commands = *read_file(path("build/compile_commands.json"));
+  const std::string named = path("src/node.cpp");
+  for (std::size_t at; (at = commands.find(named)) != std::string::npos;)
+    commands.replace(at, named.size(), elsewhere / "linked/src/node.cpp");
+  write_file(path("build/compile_commands.json"), commands).operator bool();
+  const auto linked = plan_port(options);
+  ASSERT_TRUE(linked) << to_string(linked.error());
+  EXPECT_EQ(levels(*linked), levels(*real));
+  EXPECT_EQ(levels(*linked), "one_copy TZC1009\n");
+}
+
+TEST_F(JudgesTest, a_unity_build) {
+  package.emplace(std::map<std::string, std::string>{{"src/one.cpp", publisher("one")},
+                                                     {"src/two.cpp", publisher("two")}});
+  const std::string unity = path("build/demo/Unity/unity_0_cxx.cxx");
+  fs::create_directories(fs::path(unity).parent_path());
+  std::string commands = *read_file(path("build/compile_commands.json"));
+  ASSERT_TRUE(write_file(
+      unity, "#include \"" + path("src/one.cpp") + "\"\n#include \"" + path("src/two.cpp") + "\"\n"));
+  const std::size_t second = commands.find("},{");
+  commands = commands.substr(0, second) + "}]";
+  for (std::size_t at; (at = commands.find(path("src/one.cpp"))) != std::string::npos;)
+    commands.replace(at, path("src/one.cpp").size(), unity);
+  ASSERT_TRUE(write_file(path("build/compile_commands.json"), commands));
+  const auto port = plan_port(package->options({}));
+  ASSERT_TRUE(port) << to_string(port.error());
+  EXPECT_EQ(levels(*port), "zero_copy \nzero_copy \n");
+  EXPECT_THAT(port->report.notes, IsEmpty());
+  EXPECT_THAT(port->ported_targets_files, ElementsAre(unity));
+}
+
+}  // namespace
+}  // namespace tzc::rewriter

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "facts/collect_unit.h"
+#include "parse/parse.h"
+#include "support/temp_dir.h"
+
+namespace tzc::rewriter::test {
+
+/// The facts of one source. It has to parse.
+inline Facts facts_of(const std::string& code) {
+  const tzc::test::TempDir package;
+  const std::string file =
+      package.write("src/node.cpp", "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n" + code);
+  const CompileUnit unit{file, "/", {"c++", "-std=c++17", "-I" TZC_FAKES, "-c", file}};
+  const RuleSet rules = all_rules();
+  const CollectOptions options{package.path(), package / "build", {}, &rules, {}, {}};
+  Facts facts;
+  const ParseResult parsed =
+      parse(unit, ParseOptions(), [&](clang::ASTContext& ast) { facts = collect_unit(ast, unit, options); });
+  if (!parsed.errors.empty()) throw std::runtime_error("does not parse: " + parsed.errors[0].text);
+  return facts;
+}
+
+}  // namespace tzc::rewriter::test

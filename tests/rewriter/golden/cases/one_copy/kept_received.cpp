@@ -1,0 +1,33 @@
+// A received message is kept and published later.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  Node() {
+    pub_ = nh_.advertise<sensor_msgs::Image>("out", 1);
+    sub_ = nh_.subscribe("in", 1, &Node::callback, this);
+  }
+  void callback(const sensor_msgs::ImageConstPtr& image) { last_ = image; }
+  void publish() { pub_.publish(last_); }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  ros::Subscriber sub_;
+  sensor_msgs::ImageConstPtr last_;
+};
+//--- expected
+// advertise src/node.cpp:8 sensor_msgs/Image one_copy 'out'
+// subscribe src/node.cpp:9 sensor_msgs/Image shared 'in'
+// publish src/node.cpp:12 sensor_msgs/Image one_copy 'out' TZC1004 it comes in through the callback 'callback'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -    pub_ = nh_.advertise<sensor_msgs::Image>("out", 1);
+// -    sub_ = nh_.subscribe("in", 1, &Node::callback, this);
+// +    pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "out", 1, 0);
+// +    sub_ = tzc::subscribe(nh_, "in", 1, &Node::callback, this);
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;

@@ -1,0 +1,19 @@
+// Code of another package fills the message: one copy.
+#include <other/library.h>
+
+void publish(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(10);
+  other::rotate(image);
+  pub.publish(image);
+}
+//--- expected
+// advertise src/node.cpp:5 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:9 sensor_msgs/Image one_copy 'image' TZC1002 it is passed to 'other::rotate', which is not part of the package
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

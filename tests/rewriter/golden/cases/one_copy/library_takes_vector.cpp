@@ -1,0 +1,18 @@
+// A library function that takes the vector: would not compile, so it stays stock.
+#include <other/library.h>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  other::decode(image.data);
+  pub.publish(image);
+}
+//--- expected
+// advertise src/node.cpp:5 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:8 sensor_msgs/Image one_copy 'image' TZC1009 ported, it would not compile: non-const lvalue reference to type 'std::vector<uint8_t>' (aka 'vector<unsigned char>') cannot bind to a value of unrelated type '::tzc::Array<uint8_t>' (aka 'Array<unsigned char>')
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

@@ -1,0 +1,19 @@
+// A library template that takes anything.
+#include <other/library.h>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(1);
+  other::log(image);
+  pub.publish(image);
+}
+//--- expected
+// advertise src/node.cpp:5 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:9 sensor_msgs/Image one_copy 'image' TZC1002 it is passed to 'other::log', which is not part of the package
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

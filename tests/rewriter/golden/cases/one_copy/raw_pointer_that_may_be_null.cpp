@@ -1,0 +1,25 @@
+// A raw pointer may hold anything where it is not used: it cannot be asked earlier.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+void publish(ros::Publisher* pub, bool wanted) {
+  sensor_msgs::Image image;
+  image.data.resize(1);
+  if (wanted) pub->publish(image);
+}
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 1);
+  publish(&pub, true);
+}
+//--- expected
+// publish src/node.cpp:8 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// advertise src/node.cpp:12 sensor_msgs/Image one_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -void publish(ros::Publisher* pub, bool wanted) {
+// +void publish(tzc::Publisher* pub, bool wanted) {
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 1);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1, 0);

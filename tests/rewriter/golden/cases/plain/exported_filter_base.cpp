@@ -1,0 +1,21 @@
+// An exported class is a filter.
+#include <node/node.h>
+
+Node::Node() { ros::NodeHandle nh; subscribe(nh, "image", 1); }
+//--- include/node/node.h
+#pragma once
+#include <message_filters/subscriber.h>
+#include <sensor_msgs/Image.h>
+class Node : public message_filters::Subscriber<sensor_msgs::Image> {
+ public:
+  Node();
+};
+//--- CMakeLists.txt
+cmake_minimum_required(VERSION 3.5)
+project(node)
+find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs)
+catkin_package(INCLUDE_DIRS include)
+include_directories(include)
+add_library(node src/node.cpp)
+//--- expected
+// subscribe src/node.cpp:4 sensor_msgs/Image plain 'image' TZC2009 what holds the filter cannot be given another type

@@ -1,0 +1,19 @@
+// A base class of another package advertises, and a macro calls it: plain.
+#include <other/library.h>
+#define ADVERTISE(nh, type, name) advertise<type>(nh, name, 1)
+
+class Child : public other::Nodelet {
+ public:
+  explicit Child(ros::NodeHandle& nh) { images_ = ADVERTISE(nh, sensor_msgs::Image, "image"); }
+  void poll() {
+    sensor_msgs::Image image;
+    image.data.resize(10);
+    images_.publish(image);
+  }
+
+ private:
+  ros::Publisher images_;
+};
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image plain 'image' TZC1006 the advertise call comes from a macro
+// publish src/node.cpp:11 sensor_msgs/Image plain 'image' TZC1006 the advertise call comes from a macro

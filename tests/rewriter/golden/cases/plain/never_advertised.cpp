@@ -1,0 +1,11 @@
+// A publisher that is never advertised in the package.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+void send(const ros::Publisher& pub) {
+  sensor_msgs::Image image;
+  image.data.resize(10);
+  pub.publish(image);
+}
+//--- expected
+// publish src/node.cpp:8 sensor_msgs/Image plain TZC1017 no advertise call for 'pub' was found in the package

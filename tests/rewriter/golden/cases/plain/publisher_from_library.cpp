@@ -1,0 +1,11 @@
+// The publisher comes from another package: plain.
+#include <other/library.h>
+
+void run() {
+  ros::Publisher pub = other::connect();
+  sensor_msgs::Image image;
+  image.data.resize(10);
+  pub.publish(image);
+}
+//--- expected
+// publish src/node.cpp:8 sensor_msgs/Image plain TZC1017 it starts as 'other::connect()', which code outside the package builds

@@ -1,0 +1,26 @@
+// A function of the package reads a shared cv::Mat.
+#include <cv_bridge/cv_bridge.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+int look(const cv::Mat& mat) { return mat.rows; }
+
+class Node {
+ public:
+  Node() { sub_ = nh_.subscribe("image", 1, &Node::callback, this); }
+  void callback(const sensor_msgs::ImageConstPtr& image) {
+    cv::Mat mat = cv_bridge::toCvShare(image)->image;
+    look(mat);
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Subscriber sub_;
+};
+//--- expected
+// subscribe src/node.cpp:10 sensor_msgs/Image shared 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  Node() { sub_ = nh_.subscribe("image", 1, &Node::callback, this); }
+// +  Node() { sub_ = tzc::subscribe(nh_, "image", 1, &Node::callback, this); }

@@ -1,0 +1,22 @@
+// An algorithm returns an iterator.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <algorithm>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  auto brightest = std::max_element(image.data.begin(), image.data.end());
+  pub.publish(image);
+  *brightest = 0;
+}
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:11 sensor_msgs/Image one_copy 'image' TZC1003 'brightest' points into its data and is used after the message may have been published
+//
+// +++ src/node.cpp
+// +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

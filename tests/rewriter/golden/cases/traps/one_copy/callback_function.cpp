@@ -1,0 +1,23 @@
+// std::function keeps it.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <functional>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  uint8_t* first = &image.data[0];
+  std::function<void()> write = [first] { *first = 1; };
+  pub.publish(image);
+  write();
+}
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:12 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is held by a closure
+//
+// +++ src/node.cpp
+// +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

@@ -1,0 +1,22 @@
+// A thread gets it.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <thread>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  std::thread writer([](uint8_t* p) { *p = 1; }, &image.data[0]);
+  pub.publish(image);
+  writer.join();
+}
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:11 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is kept in a 'std::thread'
+//
+// +++ src/node.cpp
+// +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

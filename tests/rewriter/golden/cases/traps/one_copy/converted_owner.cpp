@@ -1,0 +1,27 @@
+// new T(pointer).
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+struct Holder {
+  explicit Holder(uint8_t* p) : pixels(p) {}
+  uint8_t* pixels;
+};
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  auto* holder = new Holder(&image.data[0]);
+  pub.publish(image);
+  *holder->pixels = 1;
+  delete holder;
+}
+//--- expected
+// advertise src/node.cpp:11 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:15 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is kept in a member
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

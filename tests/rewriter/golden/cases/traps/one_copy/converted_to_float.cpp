@@ -1,0 +1,21 @@
+// As a pointer to another type.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  float* values = reinterpret_cast<float*>(&image.data[0]);
+  pub.publish(image);
+  values[1] = 1;
+}
+//--- expected
+// advertise src/node.cpp:6 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:10 sensor_msgs/Image one_copy 'image' TZC1003 'values' points into its data and is used after the message may have been published
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

@@ -1,0 +1,20 @@
+// The address as a number.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  image.height = static_cast<uint32_t>(reinterpret_cast<std::uintptr_t>(&image));
+  pub.publish(image);
+}
+//--- expected
+// advertise src/node.cpp:6 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:10 sensor_msgs/Image one_copy 'image' TZC1001 it is cast to 'std::uintptr_t'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

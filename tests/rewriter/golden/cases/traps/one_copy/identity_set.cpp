@@ -1,0 +1,23 @@
+// The address in a set.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <set>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  std::set<const void*> seen;
+  seen.insert(&image);
+  image.height = seen.size();
+  pub.publish(image);
+}
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:13 sensor_msgs/Image one_copy 'image' TZC1001 its address is kept as 'value_type'
+//
+// +++ src/node.cpp
+// +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

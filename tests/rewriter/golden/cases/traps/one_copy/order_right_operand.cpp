@@ -1,0 +1,29 @@
+// An element is the right operand, an unknown function the left one.
+#include <other/library.h>
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+  void send() {
+    image_.data.resize(100);
+    int x = other::gamma(3, 2) + image_.data[0];
+    image_.height = x;
+    pub_.publish(image_);
+  }
+  void again() { pub_.publish(image_); }
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  sensor_msgs::Image image_;
+};
+//--- expected
+// advertise src/node.cpp:6 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:11 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is used after the message may have been published
+// publish src/node.cpp:13 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is used after the message may have been published
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;

@@ -1,0 +1,35 @@
+// Another thread may publish while this one waits.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <mutex>
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+  void send() {
+    std::lock_guard<std::mutex> lock(mutex_);
+    pub_.publish(image_);
+  }
+  void draw() {
+    uint8_t* first = &image_.data[0];
+    std::lock_guard<std::mutex> lock(mutex_);
+    *first = 1;
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  sensor_msgs::Image image_;
+  std::mutex mutex_;
+};
+//--- expected
+// advertise src/node.cpp:8 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:11 sensor_msgs/Image one_copy 'image' TZC1003 'first' points into its data and is used after the message may have been published
+//
+// +++ src/node.cpp
+// +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/ros.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;

@@ -1,0 +1,32 @@
+// A function of another file.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+  void send();
+  void publish() {
+    image_.data.resize(100);
+    uint8_t* first = &image_.data[0];
+    send();
+    *first = 1;
+    pub_.publish(image_);
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  sensor_msgs::Image image_;
+};
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1003 'first' points into its data and is used after the message may have been published
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;

@@ -1,0 +1,22 @@
+// A lambda returns a reference.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  auto at = [&](int i) -> uint8_t& { return image.data[i]; };
+  uint8_t& first = at(0);
+  pub.publish(image);
+  first = 1;
+}
+//--- expected
+// advertise src/node.cpp:6 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:11 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is returned
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

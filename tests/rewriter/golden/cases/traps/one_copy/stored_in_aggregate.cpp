@@ -1,0 +1,25 @@
+// In a struct, used after the publish.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+struct Context {
+  uint8_t* pixels;
+};
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  Context context{&image.data[0]};
+  pub.publish(image);
+  context.pixels[0] = 1;
+}
+//--- expected
+// advertise src/node.cpp:10 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data becomes part of an aggregate
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

@@ -1,0 +1,23 @@
+// In a global.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+static uint8_t* last = nullptr;
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  last = &image.data[0];
+  pub.publish(image);
+  *last = 1;
+}
+//--- expected
+// advertise src/node.cpp:8 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:12 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is kept in 'last'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

@@ -1,0 +1,25 @@
+// A file is read into it.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <fstream>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  std::ifstream file("x");
+  file.read(reinterpret_cast<char*>(&image.data[0]), image.data.size());
+  pub.publish(image);
+}
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:12 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// -  sensor_msgs::Image image;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);

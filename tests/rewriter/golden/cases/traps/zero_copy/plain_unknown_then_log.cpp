@@ -1,0 +1,28 @@
+// Only plain statements follow.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+void library(uint8_t* pixels);
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  library(&image.data[0]);
+  pub.publish(image);
+  ROS_INFO("sent");
+  int sent = 1;
+  ++sent;
+}
+//--- expected
+// advertise src/node.cpp:8 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:12 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// -  sensor_msgs::Image image;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);

@@ -1,0 +1,22 @@
+// auto with make_shared.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  auto image = boost::make_shared<sensor_msgs::Image>();
+  image->data.resize(100);
+  pub.publish(image);
+}
+//--- expected
+// advertise src/node.cpp:6 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:9 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// -  auto image = boost::make_shared<sensor_msgs::Image>();
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  auto image = boost::make_shared<tzc::sensor_msgs::Image>();
+// +  pub.allocate(*image);

@@ -1,0 +1,33 @@
+// A loop with structured bindings over publishers.
+#include <map>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <string>
+
+class Node {
+ public:
+  Node() { pubs_["a"] = nh_.advertise<sensor_msgs::Image>("image", 10); }
+  void send() {
+    for (auto& [name, pub] : pubs_) {
+      sensor_msgs::Image image;
+      image.data.resize(100);
+      pub.publish(image);
+    }
+  }
+  ros::NodeHandle nh_;
+  std::map<std::string, ros::Publisher> pubs_;
+};
+//--- expected
+// advertise src/node.cpp:9 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:14 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/ros.h>
+// -  Node() { pubs_["a"] = nh_.advertise<sensor_msgs::Image>("image", 10); }
+// +  Node() { pubs_["a"] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// -      sensor_msgs::Image image;
+// +      tzc::sensor_msgs::Image image;
+// +      pub.allocate(image);
+// -  std::map<std::string, ros::Publisher> pubs_;
+// +  std::map<std::string, tzc::Publisher> pubs_;

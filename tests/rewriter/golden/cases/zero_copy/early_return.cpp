@@ -1,0 +1,32 @@
+// An early return between filling and publishing.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+  void publish(bool really) {
+    sensor_msgs::Image image;
+    image.data.resize(100);
+    if (!really) return;
+    pub_.publish(image);
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+};
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:12 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// -    sensor_msgs::Image image;
+// +    tzc::sensor_msgs::Image image;
+// +    pub_.allocate(image);
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;

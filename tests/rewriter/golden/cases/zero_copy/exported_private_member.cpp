@@ -1,0 +1,46 @@
+// A private publisher of an exported class.
+#include <node/node.h>
+
+void Node::run() {
+  pub_ = nh_.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  pub_.publish(image);
+}
+//--- include/node/node.h
+#pragma once
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  void run();
+
+ private:
+  ros::Publisher pub_;
+  ros::NodeHandle nh_;
+};
+//--- CMakeLists.txt
+cmake_minimum_required(VERSION 3.5)
+project(node)
+find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs)
+catkin_package(INCLUDE_DIRS include)
+include_directories(include)
+add_library(node src/node.cpp)
+//--- expected
+// advertise src/node.cpp:5 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:8 sensor_msgs/Image zero_copy 'image'
+//
+// +++ include/node/node.h
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  pub_ = nh_.advertise<sensor_msgs::Image>("image", 10);
+// -  sensor_msgs::Image image;
+// +  pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0);
+// +  tzc::sensor_msgs::Image image;
+// +  pub_.allocate(image);

@@ -1,0 +1,25 @@
+// A source that no target compiles is reported.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(10);
+  pub.publish(image);
+}
+//--- src/unused.cc
+void nothing() {}
+//--- expected
+// advertise src/node.cpp:6 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:9 sensor_msgs/Image zero_copy 'image'
+// note src/unused.cc:1 TZC3001
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// -  sensor_msgs::Image image;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);

@@ -1,0 +1,25 @@
+// Publisher captured by a lambda that builds and publishes.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  auto send = [&pub](int n) {
+    sensor_msgs::Image image;
+    image.data.resize(n);
+    pub.publish(image);
+  };
+  send(10);
+}
+//--- expected
+// advertise src/node.cpp:6 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:10 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// -    sensor_msgs::Image image;
+// +    tzc::sensor_msgs::Image image;
+// +    pub.allocate(image);

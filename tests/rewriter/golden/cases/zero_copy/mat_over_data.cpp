@@ -1,0 +1,24 @@
+// A cv::Mat over the data that ends before the publish.
+#include <cv_bridge/cv_bridge.h>
+#include <ros/ros.h>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(10);
+  cv::Mat view(1, 1, CV_8UC3, &image.data[0]);
+  cv::flip(view, view, 1);
+  pub.publish(image);
+}
+//--- expected
+// advertise src/node.cpp:6 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:11 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// -  sensor_msgs::Image image;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);

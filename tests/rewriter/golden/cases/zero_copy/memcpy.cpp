@@ -1,0 +1,27 @@
+// memcpy into the array.
+#include <cstring>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  static const uint8_t pixels[100] = {1};
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  memcpy(&image.data[0], pixels, 100);
+  pub.publish(image);
+}
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:12 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// -  sensor_msgs::Image image;
+// -  image.data.resize(100);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);
+// +  image.data.resize(100, tzc::uninitialized);

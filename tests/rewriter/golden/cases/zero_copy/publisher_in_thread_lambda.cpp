@@ -1,0 +1,30 @@
+// A thread's lambda publishes.
+#include <functional>
+#include <future>
+#include <map>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <thread>
+#include <vector>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  std::thread thread([pub]() mutable {
+    sensor_msgs::Image image;
+    image.data.resize(100);
+    pub.publish(image);
+  });
+  thread.join();
+}
+//--- expected
+// advertise src/node.cpp:11 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:15 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// -    sensor_msgs::Image image;
+// +    tzc::sensor_msgs::Image image;
+// +    pub.allocate(image);

@@ -1,0 +1,34 @@
+// A raw pointer to a member publisher.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 1); }
+  void publish() {
+    ros::Publisher* pub = &pub_;
+    sensor_msgs::Image image;
+    image.data.resize(1);
+    pub->publish(image);
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+};
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:12 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 1); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1, 0); }
+// -    ros::Publisher* pub = &pub_;
+// -    sensor_msgs::Image image;
+// +    tzc::Publisher* pub = &pub_;
+// +    tzc::sensor_msgs::Image image;
+// +    pub->allocate(image);
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;

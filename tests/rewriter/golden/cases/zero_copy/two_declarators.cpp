@@ -1,0 +1,26 @@
+// Two messages of one declaration.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image left, right;
+  left.data.resize(100);
+  right.data.resize(100);
+  pub.publish(left);
+  pub.publish(right);
+}
+//--- expected
+// advertise src/node.cpp:6 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:10 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:11 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// -  sensor_msgs::Image left, right;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::sensor_msgs::Image left, right;
+// +  pub.allocate(left);
+// +  pub.allocate(right);

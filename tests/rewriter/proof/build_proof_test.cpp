@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// CMake judges the edited build files, in a scratch copy; the user's build, devel and install stay as they are.
+#include "proof/build_proof.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "edits/files.h"
+#include "support/temp_dir.h"
+
+namespace tzc::rewriter {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using tzc::test::TempDir;
+
+constexpr const char* head = "cmake_minimum_required(VERSION 3.13)\nproject(demo CXX)\n";
+
+/// A plain CMake package, configured by its user, and an installation of TZC that CMake can find.
+class BuildProof : public ::testing::Test {
+ protected:
+  BuildProof() {
+    put("package.xml", "<package/>");
+    put("src/node.cpp", "int main() {}\n");
+    put("src/lib.cpp", "int lib() { return 1; }\n");
+    folder.write("tzc/include/tzc/ros.h", "inline int tzc_answer() { return 42; }\n");
+    folder.write("tzc/lib/libtzc_roscpp.so", "");
+    folder.write("tzc/share/tzc/cmake/tzcConfig.cmake", "set(tzc_INCLUDE_DIRS " + (folder / "tzc/include") +
+                                                            ")\nset(tzc_LIBRARIES " +
+                                                            (folder / "tzc/lib/libtzc_roscpp.so") + ")\n");
+  }
+
+  void put(const std::string& name, const std::string& content) const {
+    folder.write("demo/" + name, content);
+  }
+
+  /// Configures the package as its user did.
+  void configure(const std::string& cmake, const std::string& options = "") const {
+    put("CMakeLists.txt", head + cmake);
+    const std::string command =
+        "cmake -S " + (folder / "demo") + " -B " + (folder / "build") +
+        " -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_INSTALL_PREFIX=" + (folder / "install") + " " +
+        options + " > " + (folder / "log") + " 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0) << folder.read("log");
+  }
+
+  /// Why the package with these files is refused; "" when it is proved.
+  std::string prove(const std::map<std::string, std::string>& files, bool build = false,
+                    const std::set<std::string>& units = {"src/node.cpp"}) {
+    PortedPackage package{"demo", folder / "demo", {}, {}};
+    for (const auto& [name, content] : files) package.contents[folder / ("demo/" + name)] = content;
+    for (const std::string& unit : units) package.units.insert(folder / ("demo/" + unit));
+    const std::unique_ptr<UserBuild> user = UserBuild::find(folder / "build");
+    if (!user) return "no build";
+    const auto failures = unproved_packages(*user, {package}, {{folder / "tzc"}, build, nullptr, 1, {}});
+    return failures.empty() ? "" : to_string(failures.at(folder / "demo"));
+  }
+  std::string prove_cmake(const std::string& cmake) { return prove({{"CMakeLists.txt", head + cmake}}); }
+
+  /// Path -> content of every file below a folder.
+  std::map<std::string, std::string> files_in(const std::string& name) const {
+    std::map<std::string, std::string> files;
+    if (!fs::exists(folder / name)) return files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder / name))
+      if (entry.is_regular_file()) files[entry.path()] = read_file(entry.path()).operator*();
+    return files;
+  }
+
+  TempDir folder;
+  const std::string plain = "add_executable(node src/node.cpp)\n";
+  const std::string with_tzc =
+      "find_package(tzc REQUIRED)\nadd_executable(node src/node.cpp)\n"
+      "target_include_directories(node PRIVATE ${tzc_INCLUDE_DIRS})\ntarget_link_libraries(node "
+      "${tzc_LIBRARIES})\n";
+};
+
+TEST_F(BuildProof, include_folder_standard_and_library) {
+  configure(plain);
+  EXPECT_EQ(prove_cmake(with_tzc), "");
+  EXPECT_THAT(prove_cmake(plain),
+              HasSubstr("for the target node, TZC's headers are in none of its include folders"));
+  EXPECT_THAT(prove_cmake("find_package(tzc REQUIRED)\n" + plain +
+                          "target_include_directories(node PRIVATE ${tzc_INCLUDE_DIRS})\n"),
+              HasSubstr("the target node does not link TZC's libraries"));
+  EXPECT_THAT(prove_cmake("set(STD 11)\nset(CMAKE_CXX_STANDARD ${STD})\n" + with_tzc),
+              HasSubstr("-std=gnu++11, TZC's headers need C++14"));
+}
+
+TEST_F(BuildProof, nothing_of_the_users_trees_is_touched) {
+  configure(
+      "configure_file(package.xml ${CMAKE_BINARY_DIR}/copy.xml)\ninstall(FILES package.xml DESTINATION x)\n" +
+      plain);
+  folder.write("install/mine", "1");
+  const auto build = files_in("build"), install = files_in("install"), package = files_in("demo");
+  EXPECT_EQ(prove({{"CMakeLists.txt", head + with_tzc}}, true), "");
+  EXPECT_EQ(files_in("build"), build);
+  EXPECT_EQ(files_in("install"), install);
+  EXPECT_EQ(files_in("demo"), package);
+}
+
+TEST_F(BuildProof, the_users_cache_counts) {
+  configure("if(NOT WITH_NODE)\n  message(FATAL_ERROR \"no node\")\nendif()\n" + plain, "-DWITH_NODE=ON");
+  EXPECT_EQ(prove_cmake("if(NOT WITH_NODE)\n  message(FATAL_ERROR \"no node\")\nendif()\n" + with_tzc), "");
+  configure(plain, "-DCMAKE_CXX_STANDARD=11");
+  EXPECT_THAT(prove_cmake(with_tzc), HasSubstr("TZC's headers need C++14"));
+}
+
+TEST_F(BuildProof, a_path_of_the_build_tree_in_the_cache_leads_to_the_copy) {
+  configure("set(OUT ${CMAKE_BINARY_DIR}/out CACHE PATH \"\")\n" + plain);
+  const std::string cmake = "file(WRITE ${OUT}/written \"x\")\n" + with_tzc;
+  EXPECT_EQ(prove_cmake(cmake), "");
+  EXPECT_FALSE(fs::exists(folder / "build/out"));
+}
+
+TEST_F(BuildProof, an_included_file_and_a_function_with_keywords) {
+  const std::string function =
+      "function(demo_program name)\n  add_executable(${name} ${ARGN})\n"
+      "  target_include_directories(${name} SYSTEM PRIVATE ${tzc_INCLUDE_DIRS})\n"
+      "  target_link_libraries(${name} PRIVATE ${tzc_LIBRARIES})\nendfunction()\n";
+  put("cmake/programs.cmake", function);
+  configure("include(cmake/programs.cmake)\ndemo_program(node src/node.cpp)\n");
+  EXPECT_EQ(
+      prove_cmake(
+          "find_package(tzc REQUIRED)\ninclude(cmake/programs.cmake)\ndemo_program(node src/node.cpp)\n"),
+      "");
+  EXPECT_THAT(
+      prove_cmake(
+          "find_package(tzc REQUIRED)\ninclude(cmake/programs.cmake)\ndemo_program(node src/node.cpp)\n"
+          "target_link_libraries(node ${tzc_LIBRARIES})\n"),
+      HasSubstr("keyword signature"));
+  EXPECT_THAT(prove_cmake("include(cmake/programs.cmake)\ndemo_program(node src/node.cpp)\n"),
+              HasSubstr("TZC's headers are in none"));
+}
+
+TEST_F(BuildProof, targets_made_in_a_loop) {
+  const std::string loop =
+      "foreach(name node other)\n  add_executable(${name} src/node.cpp)\n"
+      "  target_link_libraries(${name} ${tzc_LIBRARIES})\nendforeach()\n";
+  configure(loop);
+  EXPECT_EQ(prove_cmake("find_package(tzc REQUIRED)\ninclude_directories(${tzc_INCLUDE_DIRS})\n" + loop), "");
+  EXPECT_THAT(prove_cmake("find_package(tzc REQUIRED)\n" + loop +
+                          "target_include_directories(node PRIVATE ${tzc_INCLUDE_DIRS})\n"),
+              HasSubstr("for the target other"));
+}
+
+TEST_F(BuildProof, libraries_are_judged_where_they_are_linked) {
+  const std::string object =
+      "find_package(tzc REQUIRED)\ninclude_directories(${tzc_INCLUDE_DIRS})\n"
+      "add_library(objects OBJECT src/lib.cpp)\nadd_library(archive STATIC src/lib.cpp)\n"
+      "add_executable(node src/node.cpp $<TARGET_OBJECTS:objects>)\n";
+  configure(plain);
+  const std::set<std::string> units = {"src/lib.cpp"};
+  EXPECT_THAT(prove({{"CMakeLists.txt", head + object}}, false, units),
+              HasSubstr("the target node does not link TZC's libraries"));
+  EXPECT_EQ(prove({{"CMakeLists.txt", head + object + "target_link_libraries(node ${tzc_LIBRARIES})\n"}},
+                  false, units),
+            "");
+  const std::string archive =
+      "find_package(tzc REQUIRED)\ninclude_directories(${tzc_INCLUDE_DIRS})\n"
+      "add_library(archive STATIC src/lib.cpp)\nadd_executable(node src/node.cpp)\n"
+      "target_link_libraries(node archive)\n";
+  EXPECT_THAT(prove({{"CMakeLists.txt", head + archive}}, false, units),
+              HasSubstr("the target node does not link"));
+  EXPECT_EQ(prove({{"CMakeLists.txt", head + archive + "target_link_libraries(archive ${tzc_LIBRARIES})\n"}},
+                  false, units),
+            "");
+}
+
+TEST_F(BuildProof, unity_builds_and_precompiled_headers) {
+  put("include/pch.h", "#include <vector>\n");
+  const std::string more =
+      "set_target_properties(node PROPERTIES UNITY_BUILD ON)\n"
+      "target_precompile_headers(node PRIVATE include/pch.h)\n";
+  configure(plain + more);
+  EXPECT_EQ(prove_cmake(with_tzc + more), "");
+  EXPECT_THAT(prove_cmake(plain + more), HasSubstr("TZC's headers are in none"));
+}
+
+TEST_F(BuildProof, a_unit_that_no_target_compiles_any_more) {
+  configure(plain);
+  EXPECT_THAT(prove_cmake("find_package(tzc REQUIRED)\nadd_executable(other src/lib.cpp)\n"),
+              HasSubstr("src/node.cpp: no target of the configured copy compiles it"));
+}
+
+TEST_F(BuildProof, what_cmake_refuses_is_said_in_the_users_paths) {
+  configure(plain);
+  const std::string why = prove_cmake(with_tzc + "include(missing)\n");
+  EXPECT_THAT(why, HasSubstr("CMake Error at CMakeLists.txt"));
+  EXPECT_THAT(why, HasSubstr("missing"));
+  EXPECT_THAT(why, ::testing::Not(HasSubstr("tzc-rewrite-")));
+}
+
+TEST_F(BuildProof, a_workspace_that_cannot_be_configured_without_the_port_either) {
+  configure(plain);
+  put("CMakeLists.txt", std::string(head) + "include(missing)\n");
+  EXPECT_THAT(prove_cmake(with_tzc + "include(missing)\n"), HasSubstr("even without the port"));
+}
+
+TEST_F(BuildProof, the_copy_is_built_on_request) {
+  configure(plain);
+  const std::string own =
+      "find_package(tzc REQUIRED)\ninclude_directories(${tzc_INCLUDE_DIRS})\n"
+      "add_library(tzc_roscpp SHARED src/lib.cpp)\n" +
+      plain + "target_link_libraries(node tzc_roscpp)\n";
+  const std::string good = "#include <tzc/ros.h>\nint main() { return tzc_answer(); }\n";
+  EXPECT_EQ(prove({{"CMakeLists.txt", head + own}, {"src/node.cpp", good}}, true), "");
+  EXPECT_THAT(
+      prove({{"CMakeLists.txt", head + own}, {"src/node.cpp", "int lib(int);\nint main() { lib(1); }\n"}},
+            true),
+      HasSubstr("the build of the scratch copy fails"));
+}
+
+TEST_F(BuildProof, no_cache_no_proof) {
+  EXPECT_EQ(prove_cmake(with_tzc), "no build");
+}
+
+TEST_F(BuildProof, of_two_packages_the_one_that_fails_is_left_out) {
+  folder.write("ws/src/CMakeLists.txt", std::string(head) + "add_subdirectory(one)\nadd_subdirectory(two)\n");
+  std::vector<PortedPackage> packages;
+  for (const char* name : {"one", "two"}) {
+    const std::string package = std::string("ws/src/") + name;
+    folder.write(package + "/package.xml", "<package/>");
+    folder.write(package + "/" + name + ".cpp", "int main() {}\n");
+    folder.write(package + "/CMakeLists.txt", "add_executable(" + std::string(name) + " " + name + ".cpp)\n");
+    const std::string ported =
+        "find_package(tzc REQUIRED)\ninclude_directories(${tzc_INCLUDE_DIRS})\nadd_executable(" +
+        std::string(name) + " " + name + ".cpp)\ntarget_link_libraries(" + name + " ${tzc_LIBRARIES})\n";
+    packages.push_back({name,
+                        folder / package,
+                        {{folder / (package + "/CMakeLists.txt"), ported}},
+                        {folder / (package + "/" + name + ".cpp")}});
+  }
+  const std::string command = "cmake -S " + (folder / "ws/src") + " -B " + (folder / "build") +
+                              " -G Ninja > " + (folder / "log") + " 2>&1";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  packages[1].contents.begin()->second += "include(missing)\n";
+  const auto failures = unproved_packages(*UserBuild::find(folder / "build"), packages,
+                                          {{folder / "tzc"}, false, nullptr, 1, {}});
+  EXPECT_EQ(failures.size(), 1u);
+  EXPECT_EQ(failures.count(folder / "ws/src/two"), 1u);
+}
+
+}  // namespace
+}  // namespace tzc::rewriter

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole tool on real catkin workspaces: what CMake and GCC say about the port decides.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "proof/process.h"
+#include "support/temp_dir.h"
+
+namespace tzc::rewriter {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const char* const node =
+    "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n\nint main(int argc, char** argv) {\n"
+    "  ros::init(argc, argv, \"node\");\n  ros::NodeHandle nh;\n"
+    "  ros::Publisher pub = nh.advertise<sensor_msgs::Image>(\"image\", 10);\n  sensor_msgs::Image image;\n"
+    "  image.data.resize(640 * 480);\n  pub.publish(image);\n}\n";
+
+class Catkin : public ::testing::Test {
+ protected:
+  Catkin() {
+    put("demo/package.xml",
+        "<package format=\"2\">\n  <name>demo</name>\n  <version>1.0.0</version>\n  "
+        "<description>d</description>\n"
+        "  <maintainer email=\"a@example.org\">a</maintainer>\n  <license>BSD</license>\n"
+        "  <buildtool_depend>catkin</buildtool_depend>\n  <depend>roscpp</depend>\n  "
+        "<depend>sensor_msgs</depend>\n"
+        "</package>\n");
+    put("demo/src/node.cpp", node);
+    fs::create_symlink("/usr/share/catkin/cmake/toplevel.cmake", folder_ / "ws/src/CMakeLists.txt");
+  }
+
+  void put(const std::string& file, const std::string& content) const {
+    folder_.write("ws/src/" + file, content);
+  }
+
+  /// Configures the workspace as catkin_make does.
+  void configure(const std::string& cmake, const std::vector<std::string>& options = {}) const {
+    put("demo/CMakeLists.txt", "cmake_minimum_required(VERSION 3.0.2)\nproject(demo)\n" + cmake);
+    std::vector<std::string> words = {"cmake",
+                                      "-S",
+                                      folder_ / "ws/src",
+                                      "-B",
+                                      folder_ / "ws/build",
+                                      "-G",
+                                      "Unix Makefiles",
+                                      "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
+                                      "-DPYTHON_EXECUTABLE=/usr/bin/python3",
+                                      "-DCATKIN_DEVEL_PREFIX=" + (folder_ / "ws/devel"),
+                                      "-DCMAKE_INSTALL_PREFIX=" + (folder_ / "ws/install")};
+    words.insert(words.end(), options.begin(), options.end());
+    const ProcessResult result = run_process(words);
+    ASSERT_EQ(result.status, 0) << result.errors;
+  }
+
+  ProcessResult rewrite(std::vector<std::string> words) const {
+    words.insert(words.begin(), {TZC_REWRITE, "--report", folder_ / "report.json"});
+    words.push_back(folder_ / "ws/src/demo");
+    return run_process(words);
+  }
+  json summary() const { return json::parse(folder_.read("report.json"))["summary"]; }
+  std::string source() const { return folder_.read("ws/src/demo/src/node.cpp"); }
+
+  std::map<std::string, std::string> files_in(const std::string& name) const {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / name))
+      if (entry.is_regular_file()) {
+        std::ifstream file(entry.path(), std::ios::binary);
+        std::ostringstream content;
+        content << file.rdbuf();
+        files[entry.path()] = content.str();
+      }
+    return files;
+  }
+
+  test::TempDir folder_;
+  const std::string find = "find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs)\ncatkin_package()\n";
+  const std::string target = "add_executable(node src/node.cpp)\n";
+};
+
+TEST_F(Catkin, is_ported_and_the_users_build_stays_as_it_is) {
+  configure(find + "include_directories(${catkin_INCLUDE_DIRS})\n" + target +
+            "target_link_libraries(node ${catkin_LIBRARIES})\n");
+  const auto build = files_in("ws/build"), devel = files_in("ws/devel");
+  const ProcessResult result = rewrite({"--apply"});
+  EXPECT_EQ(result.status, 0) << result.errors << result.output;
+  EXPECT_THAT(source(), HasSubstr("tzc::Publisher pub"));
+  EXPECT_THAT(result.output, Not(HasSubstr("TZC400")));
+  EXPECT_EQ(files_in("ws/build"), build);
+  EXPECT_EQ(files_in("ws/devel"), devel);
+}
+
+TEST_F(Catkin, an_included_file_that_keeps_tzc_out_is_refused_and_one_that_lets_it_in_is_ported) {
+  put("demo/cmake/dependencies.cmake", find);
+  put("demo/cmake/node.cmake", "include_directories(${catkin_INCLUDE_DIRS})\n" + target +
+                                   "target_link_libraries(node ${catkin_LIBRARIES})\n");
+  configure("include(cmake/dependencies.cmake)\ninclude(cmake/node.cmake)\n");
+  const ProcessResult refused = rewrite({"--apply"});
+  EXPECT_EQ(refused.status, 1) << refused.errors;
+  EXPECT_EQ(source(), node);
+  EXPECT_EQ(folder_.read("ws/src/demo/package.xml").find("tzc"), std::string::npos);
+  EXPECT_THAT(refused.output, HasSubstr("TZC4005"));
+  EXPECT_EQ(summary()["publish"]["plain"], 1);
+
+  put("demo/cmake/dependencies.cmake",
+      "find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs tzc)\ncatkin_package()\n");
+  const ProcessResult ported = rewrite({"--apply"});
+  EXPECT_EQ(ported.status, 0) << ported.output;
+  EXPECT_THAT(source(), HasSubstr("tzc::Publisher pub"));
+}
+
+/// With what the compilers and CMake read for true: the second check asks none of them, and sees each change.
+TEST_F(Catkin, a_second_check_is_answered_from_the_cache_until_something_changes) {
+  put("other/package.xml",
+      "<package format=\"2\">\n  <name>other</name>\n  <version>1.0.0</version>\n  "
+      "<description>d</description>\n"
+      "  <maintainer email=\"a@example.org\">a</maintainer>\n  <license>BSD</license>\n"
+      "  <buildtool_depend>catkin</buildtool_depend>\n</package>\n");
+  put("other/CMakeLists.txt",
+      "cmake_minimum_required(VERSION 3.0.2)\nproject(other)\nfind_package(catkin "
+      "REQUIRED)\ncatkin_package()\n");
+  folder_.write("early/unrelated.h", "");
+  configure(find + "include_directories(" + (folder_ / "early") +
+            ")\ninclude_directories(${catkin_INCLUDE_DIRS})\n" + target +
+            "target_link_libraries(node ${catkin_LIBRARIES})\n");
+  const auto is_hit = [&] {
+    const ProcessResult result = rewrite({"--check", "--cache-dir", folder_ / "cache"});
+    EXPECT_EQ(result.status, 1) << result.errors;
+    EXPECT_EQ(summary()["publish"]["zero_copy"], 1) << result.output;
+    return result.errors.find("parsing") == std::string::npos;
+  };
+  EXPECT_FALSE(is_hit());
+  EXPECT_TRUE(is_hit());
+  put("other/CMakeLists.txt", folder_.read("ws/src/other/CMakeLists.txt") + "# changed\n");
+  EXPECT_FALSE(is_hit()) << "CMake reads it";
+  folder_.write("early/sensor_msgs/Image.h", "#include_next <sensor_msgs/Image.h>\n");
+  EXPECT_FALSE(is_hit()) << "a header that hides another one";
+  EXPECT_TRUE(is_hit());
+}
+
+TEST_F(Catkin, the_packages_warnings_are_errors_of_its_own_code_only) {
+  configure("add_compile_options(-Wall -Wextra -Werror -Wno-deprecated-declarations)\n" + find +
+            "include_directories(SYSTEM ${catkin_INCLUDE_DIRS})\n" + target +
+            "target_link_libraries(node ${catkin_LIBRARIES})\n");
+  const ProcessResult result = rewrite({"--apply"});
+  EXPECT_EQ(result.status, 0) << result.errors << result.output;
+  EXPECT_EQ(summary()["publish"]["zero_copy"], 1);
+}
+
+}  // namespace
+}  // namespace tzc::rewriter

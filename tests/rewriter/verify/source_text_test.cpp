@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading a source's text where there is no syntax tree.
+#include "verify/source_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tzc::rewriter::test {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(SourceText, comments_and_literals_are_blanked_in_place) {
+  EXPECT_EQ(without_comments("a; // b {\nc"), "a;       \nc");
+  EXPECT_EQ(without_comments("a /* b\n } */ c"), "a     \n      c");
+  EXPECT_EQ(without_comments("f(\"x } // y\", '{');"), "f(\"        \", ' ');");
+  EXPECT_EQ(without_comments("\"a\\\"b\" c"), "\"    \" c");
+}
+
+TEST(SourceText, a_digit_separator_begins_no_literal) {
+  EXPECT_EQ(without_comments("1'000 + b + 1'000"), "1'000 + b + 1'000");
+}
+
+TEST(SourceText, what_is_not_closed_ends_with_the_text) {
+  EXPECT_EQ(without_comments("a /* b"), "a     ");
+  EXPECT_EQ(without_comments("\"a\\"), "\"  ");
+}
+
+TEST(SourceText, identifiers_are_whole_words) {
+  EXPECT_THAT(identifiers_in("image_.data = other(image, 3);"),
+              ElementsAre("3", "data", "image", "image_", "other"));
+}
+
+TEST(SourceText, a_place_beyond_the_text_is_its_end) {
+  EXPECT_EQ(offset_of("ab\ncd", 2, 2), 4u);
+  EXPECT_EQ(offset_of("ab\ncd", 3, 1), 5u);
+  EXPECT_EQ(offset_of("ab\ncd", 2, 9), 5u);
+}
+
+TEST(SourceText, a_local_lives_until_its_block_ends) {
+  const std::string text = "void f() { { int a; { } b(); } c(); }";
+  EXPECT_EQ(text.substr(end_of_block(text, text.find("int a"))), " c(); }");
+}
+
+TEST(SourceText, a_parameter_lives_until_the_body_ends) {
+  const std::string text = "void f(int a) { if (a) { } } int b;";
+  EXPECT_EQ(text.substr(end_of_function(text, text.find("int a"))), " int b;");
+  const std::string declaration = "void f(int a); void g() {}";
+  EXPECT_EQ(end_of_function(declaration, 7), 7u);
+}
+
+TEST(SourceText, the_function_of_a_parameter_is_named) {
+  const std::string text = "void run(int (*g)(int), Image image) {}";
+  EXPECT_EQ(function_around(text, text.find("Image")), "run");
+  EXPECT_EQ(function_around("int a; Image image;", 8), "");
+  EXPECT_EQ(function_around("f(); Image image;", 6), "");
+}
+
+}  // namespace
+}  // namespace tzc::rewriter::test

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which components a preprocessor branch names that no unit compiles.
+#include "verify/unseen_branches.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "solve/facts_of.h"
+
+namespace tzc::rewriter::test {
+namespace {
+
+const char* const node = "/p/node.cpp";
+
+/// A node with the entity at line 2 and a branch that one of its units does not compile.
+class Branch {
+ public:
+  Branch(std::string text, Entity entity) : text_(std::move(text)) {
+    entity.where = {node, 2, 3};
+    facts_.facts.units_of_file = {{node, {"node"}}};
+    facts_.add(entity);
+  }
+  Branch& units(std::set<std::string> names) {
+    facts_.facts.units_of_file[node] = std::move(names);
+    return *this;
+  }
+
+  /// The code of the entity's obstacle; empty: it has none.
+  std::string obstacle() const {
+    const Components components(facts_.facts);
+    const ComponentId component = components.all().front().id;
+    const auto begin = static_cast<unsigned>(text_.find("#if")),
+               end = static_cast<unsigned>(text_.find("#endif"));
+    const auto line = static_cast<unsigned>(1 + std::count(text_.begin(), text_.begin() + begin, '\n'));
+    const UnseenBranches branches({{node, begin, end, line, 1}}, facts_.facts, components,
+                                  [this](const std::string&) { return text_; });
+    const auto found = branches.users_of({{node, 0, 0, "x", component, "rule"}});
+    return found.empty() ? "" : found.at(component).code;
+  }
+
+ private:
+  std::string text_;
+  FactsBuilder facts_;
+};
+
+std::string function_with(const std::string& branch) {
+  return "void run() {\n  Image image;\n" + branch + "}\nvoid other() {}\n";
+}
+
+TEST(UnseenBranches, a_local_that_the_branch_names_keeps_its_type) {
+  EXPECT_EQ(Branch(function_with("#ifdef X\n use(image);\n#endif\n"), entity("image", EntityRole::message))
+                .obstacle(),
+            "TZC3007");
+}
+
+TEST(UnseenBranches, another_name_does_not_count) {
+  EXPECT_EQ(Branch(function_with("#ifdef X\n use(images);  // image\n#endif\n"),
+                   entity("image", EntityRole::message))
+                .obstacle(),
+            "");
+}
+
+TEST(UnseenBranches, dead_code_does_not_count) {
+  EXPECT_EQ(
+      Branch(function_with("#if 0\n use(image);\n#endif\n"), entity("image", EntityRole::message)).obstacle(),
+      "");
+}
+
+TEST(UnseenBranches, a_branch_that_one_unit_compiles_does_not_count) {
+  Branch branch(function_with("#ifdef X\n use(image);\n#endif\n"), entity("image", EntityRole::message));
+  EXPECT_EQ(branch.units({"node", "test"}).obstacle(), "");
+}
+
+TEST(UnseenBranches, a_local_of_another_function_does_not_count) {
+  const std::string text =
+      "void run() {\n  Image image;\n}\nvoid other() {\n#ifdef X\n use(image);\n#endif\n}\n";
+  EXPECT_EQ(Branch(text, entity("image", EntityRole::message)).obstacle(), "");
+}
+
+TEST(UnseenBranches, a_member_counts_in_every_function) {
+  const std::string text =
+      "class A {\n  Image image_;\n};\nvoid A::run() {\n#ifdef X\n use(image_);\n#endif\n}\n";
+  EXPECT_EQ(Branch(text, entity("image_", EntityRole::message, Storage::member)).obstacle(), "TZC3007");
+}
+
+TEST(UnseenBranches, a_call_of_the_function_counts_for_its_parameter) {
+  const std::string text = "void use(\n  Image image);\nvoid run() {\n#ifdef X\n use(stock);\n#endif\n}\n";
+  EXPECT_EQ(Branch(text, entity("image", EntityRole::message, Storage::parameter)).obstacle(), "TZC3007");
+}
+
+}  // namespace
+}  // namespace tzc::rewriter::test

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is scarce (descriptors, memory, room in a record) costs speed and a line in the log, never a message."""
+from topic_case import Listener, TopicCase, main
+
+
+class Descriptors(TopicCase):
+    def crowd(self, **parameters):
+        return self.node("crowd", "crowd", parameters, runner=["prlimit", "--nofile=1024:1024"])
+
+    def event(self, node, event, timeout=60):
+        self.ros.wait_until(lambda: f'"event": "{event}"' in node.log() or not node.alive(), timeout * self.slowness(),
+                            event)
+        found = [line for line in Listener(node).lines() if line.get("event") == event]
+        self.assertTrue(found, node.tail())
+        return found[0]
+
+    def test_more_topics_than_descriptors(self):
+        """roscpp advertises 1100 topics with 15 descriptors."""
+        crowd = self.crowd(topics=1100, count=0)
+        self.assertEqual(self.event(crowd, "advertised")["topics"], 1100)
+
+    def test_topics_that_roscpp_manages(self):
+        """So many subscribed topics that TZC would need more than all descriptors: each gets its messages, some of them
+        through shared memory, and there is a line in the log that says what to do."""
+        count = 400
+        listener = self.node("listener", "listener", {"topics": " ".join(f"image{i}" for i in range(count))})
+        crowd = self.crowd(topics=count, subscribers=count)
+        shared = self.event(crowd, "all published", 120)["shared"]
+        self.assertGreater(shared, 20)
+        self.assertLess(shared, count)
+        heard = Listener(listener)
+        self.wait_for(heard, 20 * count, 30 * self.slowness())
+        for i in range(count):
+            self.assertEqual(heard.numbers(f"image{i}"), list(range(20)))
+        self.assertTrue(all(m["right"] for m in heard.messages()))
+        warnings = [line for line in crowd.log().splitlines() if "WARN" in line and "TZC" in line]
+        self.assertTrue(1 <= len(warnings) <= 4, crowd.log())
+        for word in ("stay on TCPROS", "descriptors", "1024", "ulimit -n"):
+            self.assertIn(word, warnings[0])
+
+
+class Records(TopicCase):
+    def test_more_arrays_than_a_record_can_name(self):
+        """They travel serialized, in their place among the others, with one warning."""
+        process = self.node("scattered", "listener", {"mode": "listen"})
+        listener = Listener(process)
+        self.wait_for_subscribers(self.name("cloud"), 1)
+        talker = self.node("scattered", "talker", {"mode": "talk", "channels": "3 4096 4097 5000 3"})
+        self.assertEqual(talker.wait(60), 0, talker.tail())
+        self.wait_for(listener, 5)
+        self.assertEqual([m["channels"] for m in listener.messages()], [3, 4096, 4097, 5000, 3])
+        self.assertTrue(all(m["right"] for m in listener.messages()))
+        self.assert_seq_as_tcpros(listener)
+        counters = self.counters(talker)
+        self.assertEqual((counters["shared"], counters["serialized"], counters["dropped"]), (3, 2, 0))
+        warnings = [line for line in talker.log().splitlines() if "WARN" in line and "TZC" in line]
+        self.assertEqual(len(warnings), 1, talker.log())
+        for word in (self.name("cloud"), "4096 blocks", "allocate"):
+            self.assertIn(word, warnings[0])
+
+
+if __name__ == "__main__":
+    main()

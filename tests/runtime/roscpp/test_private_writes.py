@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Subscribers that write to what they receive, ported and under tzc-run: they work, and no other node sees it."""
+import signal
+
+from topic_case import TZC_RUN, Listener, TopicCase, main
+
+WARNING = "this node writes to messages"
+
+
+class PrivateWrites(TopicCase):
+    def draw(self, mode="draw", **how):
+        return self.listen(mode, name="draws", **how)
+
+    def assert_draws(self, bytes, drawer, warns=1, talker="twin"):
+        """Each message comes whole although the one before in its block was drawn on; so it does at a node that looks on,
+        and what was drawn is published."""
+        looks_on = self.listen(name="looks_on")
+        echo = self.listen("plain", name="echo", topic="drawn", remaps=["image:=drawn"])
+        self.ros.wait_until(lambda: self.transports(self.name("draws"), "drawn"), 20, "a subscriber of what is drawn")
+        self.talk(talker, count=60, rate=100, bytes=bytes, subscribers=2, shared=2)
+        self.assert_got(drawer, range(60))
+        self.assert_got(looks_on, range(60))
+        self.assert_got(echo, range(1000, 1060))
+        if warns:
+            self.ros.wait_until(lambda: WARNING in drawer.process.log(), 10, "the warning")
+        self.assertEqual(drawer.process.log().count(WARNING), warns, drawer.process.tail())
+        self.assertTrue(drawer.process.alive())
+
+    def test_of_a_ported_subscriber(self):
+        self.assert_draws(100000, self.draw())
+
+    def test_to_payloads_below_a_page(self):
+        """They are copied: there is nothing to warn of."""
+        self.assert_draws(1000, self.draw(), warns=0)
+
+    def test_under_tzc_run(self):
+        self.assert_draws(100000, self.draw("plain_draw", runner=TZC_RUN))
+
+    def test_to_payloads_below_a_page_under_tzc_run(self):
+        self.assert_draws(1000, self.draw("plain_draw", runner=TZC_RUN), warns=0)
+
+    def test_after_a_handler_was_installed(self):
+        self.assert_draws(100000, self.draw(handler=30))
+
+    def test_after_a_handler_was_installed_under_tzc_run(self):
+        self.assert_draws(100000, self.draw("plain_draw", runner=TZC_RUN, handler=30))
+
+    def test_several_callbacks_of_one_subscription_share_the_message(self):
+        """As roscpp alone: what the first one wrote the second one sees."""
+        listener = self.node("listener", "twice", {"mode": "draw", "times": 2})
+        self.wait_for_subscribers(self.name("image"), 1)
+        self.talk(count=20)
+        self.assert_got(Listener(listener), [n for i in range(20) for n in (i, i + 1000)])
+
+    def assert_turned_off(self, **how):
+        drawer = self.draw(**how)
+        self.start_talker(count=20)
+        self.assertEqual(drawer.process.wait(30), -signal.SIGSEGV)
+
+    def test_can_be_turned_off(self):
+        self.assert_turned_off(env={"TZC_PRIVATE_WRITES": "0"})
+
+    def test_can_be_turned_off_by_parameter(self):
+        self.assert_turned_off(**{"tzc/private_writes": "false"})
+
+    def test_can_be_turned_off_under_tzc_run(self):
+        self.assert_turned_off(mode="plain_draw", runner=TZC_RUN, env={"TZC_PRIVATE_WRITES": "off"})
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A subscriber that stops, dies or keeps everything costs the others nothing."""
+from topic_case import Listener, TopicCase, main
+
+
+class StoppedPeers(TopicCase):
+    def scene(self, scene, **parameters):
+        stopper = self.node("stopper", "stopper", dict(parameters, scene=scene))
+        self.assertEqual(stopper.wait(120), 0, stopper.tail())
+        return {line["event"]: line["value"] for line in Listener(stopper).lines() if "event" in line}
+
+    def test_a_stopped_node_does_not_delay_the_offers_to_others(self):
+        """It is called about 12 topics and answers none of the calls; each is given up after 2 s."""
+        topics = " ".join(f"image{i}" for i in range(12))
+        stopped, healthy = [self.node("listener", name, {"topics": topics}) for name in ("stopped", "healthy")]
+        for i in range(12):
+            self.wait_for_subscribers(self.name(f"image{i}"), 2)
+        events = self.scene("offers", pid=stopped.pid)
+        self.assertLess(events["seconds until the healthy one is shared"], 6 * self.slowness())
+        self.assertIn("both are shared", events)
+        self.assertTrue(healthy.alive())
+
+    def test_nothing_is_serialized_for_a_subscriber_that_was_killed(self):
+        stopped, healthy = self.listen(), self.listen()
+        events = self.scene("killed", pid=stopped.process.pid)
+        self.assertEqual(events, {"serialized for the dead": 0})
+        self.assert_got(healthy, range(51), shared=True)
+
+    def test_publishing_goes_on_while_a_broken_channel_is_emptied(self):
+        """roscpp's publish locks are not held while messages are serialized for TCPROS."""
+        listener = self.listen(queue=1000)
+        self.assertEqual(self.scene("return"), {"published meanwhile": 1})
+        self.assert_got(listener, range(301))
+        self.assert_seq_as_tcpros(listener)
+
+
+class Hoarders(TopicCase):
+    def test_a_subscriber_that_keeps_everything_takes_the_memory_from_nobody(self):
+        """It holds half of the memory, and copies what comes then; a warning says so."""
+        keeper, listener = self.listen("keep", queue=1000), self.listen(queue=1000)
+        counters = self.talk(count=120, rate=100, subscribers=2, bytes=100000, memory=64 * 105000)
+        self.assert_got(listener, range(120), shared=True)
+        self.assert_got(keeper, range(120))
+        shared = [m["shared"] for m in keeper.messages()]
+        held = sum(shared)
+        self.assertEqual(shared, held * [True] + (120 - held) * [False])
+        self.assertTrue(20 <= held <= 40, held)
+        self.assertEqual((counters["exhausted"], counters["serialized"], counters["dropped"]), (0, 0, 0))
+        warnings = [line for line in keeper.process.log().splitlines() if "WARN" in line and "TZC" in line]
+        self.assertEqual(len(warnings), 1, keeper.process.log())
+        for word in (self.name("image"), self.name("talker"), f"holds {held} messages", "copied", "~tzc/memory_size"):
+            self.assertIn(word, warnings[0])
+
+
+if __name__ == "__main__":
+    main()

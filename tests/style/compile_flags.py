@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What an entry of compile_commands.json says of the language, without the file, its output and its dependencies."""
+import os
+import shlex
+
+_WITH_A_VALUE = {"-o", "-MF", "-MT", "-MQ"}
+_ALONE = {"-c", "-MD", "-MMD", "-MP"}
+
+
+def flags_of(entry):
+    words = iter(_without_compiler(shlex.split(entry["command"])))
+    source, flags = os.path.realpath(os.path.join(entry["directory"], entry["file"])), []
+    for word in words:
+        if word in _WITH_A_VALUE:
+            next(words, None)
+        elif word not in _ALONE and os.path.realpath(os.path.join(entry["directory"], word)) != source:
+            flags.append(word)
+    return tuple(flags)
+
+
+def include_folders(flags):
+    folders = [flag[2:] for flag in flags if flag.startswith("-I") and len(flag) > 2]
+    return folders + [flags[at + 1] for at, flag in enumerate(flags[:-1]) if flag in ("-I", "-isystem")]
+
+
+def _without_compiler(words):
+    """A launcher (ccache) may stand before the compiler; options begin after both."""
+    first_option = next((at for at, word in enumerate(words) if word.startswith("-")), len(words))
+    return words[first_option:]

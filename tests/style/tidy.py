@@ -1,0 +1,199 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fails when clang-tidy 19 has something to say about a C++ file that is built. The checks are those of .clang-tidy.
+
+usage: tidy.py CLANG_TIDY REPOSITORY BUILD_FOLDER [FILE...]
+
+Most of clang-tidy's time goes into headers, so files with the same compile flags are looked at together, as one
+translation unit that includes them. Files that do not compile together (two helpers of one name) are told apart by the
+errors and looked at by themselves.
+
+A clean file is not looked at again until its content, that of a header it includes from the repository or the build
+folder, its compile command, the checks, or clang-tidy changes: BUILD_FOLDER/tidy/ has a mark for each. Remove the
+folder after an upgrade of other projects' headers.
+"""
+import collections
+import concurrent.futures
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+
+from compile_flags import flags_of, include_folders
+from tree import cpp_files
+
+_INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.M)
+_ERROR = re.compile(r"^(/[^:\n]+):\d+:\d+: error: .*\[clang-diagnostic-error", re.M)
+_FILES_TOGETHER = 12
+_NOT_OURS = ["-Wno-enum-constexpr-conversion"]  # Clang 19 makes an error of what Boost's MPL does, GCC does not
+
+
+class Headers:
+    """What a file and all that it includes from some folders consist of."""
+
+    def __init__(self, roots):
+        self._roots = tuple(os.path.realpath(root) + os.sep for root in roots)
+        self._files = {}
+
+    def digest(self, path, include_dirs):
+        digest, seen, todo = hashlib.sha256(), {path}, [path]
+        while todo:
+            file = todo.pop()
+            content, names = self._read(file)
+            digest.update(content)
+            for name in names:
+                target = self._resolve(name, [os.path.dirname(file), *include_dirs])
+                if target and target not in seen:
+                    seen.add(target)
+                    todo.append(target)
+        return digest.hexdigest()
+
+    def _read(self, path):
+        if path not in self._files:
+            with open(path, "rb") as file:
+                text = file.read()
+            self._files[path] = hashlib.sha256(text).digest(), [name.decode() for name in _INCLUDE.findall(text)]
+        return self._files[path]
+
+    def _resolve(self, name, folders):
+        for folder in folders:
+            path = os.path.realpath(os.path.join(folder, name))
+            if path.startswith(self._roots) and os.path.isfile(path):
+                return path
+        return None
+
+
+class Source:
+    """A file that is built, and what it is looked at with."""
+
+    def __init__(self, root, entry):
+        self.path = os.path.realpath(entry["file"])
+        self.folder = entry["directory"]
+        self.flags = flags_of(entry)
+        self.configs = _configs(root, self.path)
+
+    def group(self):
+        """Sources of one group are compiled alike and checked alike."""
+        return self.folder, self.flags, self.configs
+
+    def key(self, headers, version):
+        configs = b"".join(_content(config) for config in self.configs)
+        content = headers.digest(self.path, include_folders(self.flags))
+        return hashlib.sha256(version + configs + repr((self.folder, self.flags, self.path)).encode()
+                              + content.encode()).hexdigest()
+
+
+def _content(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def _configs(root, path):
+    """Every .clang-tidy from the file's folder up to the repository's."""
+    found, folder, root = [], os.path.dirname(path), os.path.realpath(root)
+    while folder.startswith(root):
+        config = os.path.join(folder, ".clang-tidy")
+        if os.path.exists(config):
+            found.append(config)
+        folder = os.path.dirname(folder)
+    return tuple(found)
+
+
+class Tidy:
+    def __init__(self, program, root, build):
+        self._program, self._root, self._build = program, root, build
+        self._headers = Headers([root, build])
+        self._version = subprocess.run([program, "--version"], stdout=subprocess.PIPE, check=True).stdout
+        self._marks = os.path.join(build, "tidy")
+        os.makedirs(self._marks, exist_ok=True)
+
+    def batches(self, entries):
+        """The sources that have no mark, those of a batch in one group."""
+        groups = collections.defaultdict(list)
+        for entry in entries:
+            source = Source(self._root, entry)
+            if not os.path.exists(self._mark(source)):
+                groups[source.group()].append(source)
+        return [sources[at:at + _FILES_TOGETHER] for sources in groups.values()
+                for at in range(0, len(sources), _FILES_TOGETHER)]
+
+    def complaints(self, batch):
+        """What clang-tidy says about the sources of a batch; "" when they are clean."""
+        status, text = self._look_at(batch)
+        if status == 0:
+            for source in batch:
+                _write(self._mark(source), source.path + "\n")
+            return ""
+        if len(batch) == 1:
+            return text
+        apart = [source for source in batch if source.path in set(_ERROR.findall(text))]
+        if apart and len(apart) < len(batch):
+            return self.complaints([source for source in batch if source not in apart]) + self.complaints(apart)
+        if "clang-diagnostic-error" in text:
+            return "".join(self.complaints([source]) for source in batch)
+        return text
+
+    def _look_at(self, batch):
+        """clang-tidy reads the file of includes as if it lay beside the first source, whose .clang-tidy it takes."""
+        first = batch[0]
+        if len(batch) == 1:
+            return self._run(first, first.path)
+        text = "".join(f'#include "{source.path}"\n' for source in batch)
+        name = hashlib.sha256(text.encode()).hexdigest()[:16]
+        content = os.path.join(self._marks, f"{name}.cpp")
+        seen_as = os.path.join(os.path.dirname(first.path), f"tidy_{name}.cpp")
+        overlay = os.path.join(self._marks, f"{name}.json")
+        _write(content, text)
+        _write(overlay, json.dumps({"version": 0, "use-external-names": False, "roots": [
+            {"name": seen_as, "type": "file", "external-contents": content}]}))
+        try:
+            return self._run(first, seen_as, f"--vfsoverlay={overlay}")
+        finally:
+            os.remove(content)
+            os.remove(overlay)
+
+    def _run(self, source, path, *options):
+        result = subprocess.run([self._program, "--quiet", *options, path, "--", *source.flags, *_NOT_OURS], text=True,
+                                cwd=source.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+        return result.returncode, result.stdout + _without_counts(result.stderr)
+
+    def _mark(self, source):
+        return os.path.join(self._marks, source.key(self._headers, self._version))
+
+
+def _write(path, text):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def _without_counts(text):
+    return "".join(line for line in text.splitlines(True) if not re.match(r"\d+ warnings?( and \d+ errors?)? generated", line))
+
+
+def entries(root, build, wanted):
+    """The compile command of each file of the tree that is built, one a file."""
+    with open(os.path.join(build, "compile_commands.json"), encoding="utf-8") as file:
+        by_file = {os.path.realpath(entry["file"]): entry for entry in json.load(file)}
+    files = wanted or cpp_files(root)
+    return [by_file[path] for path in (os.path.realpath(os.path.join(root, file)) for file in files) if path in by_file]
+
+
+def main(program, root, build, *wanted):
+    root, build = os.path.abspath(root), os.path.abspath(build)
+    todo = entries(root, build, wanted)
+    tidy = Tidy(program, root, build)
+    bad = 0
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for text in pool.map(tidy.complaints, tidy.batches(todo)):
+            bad += bool(text)
+            print(text, end="", flush=True)
+    print(f"{len(todo)} files, " + (f"not clean: {bad} groups of them" if bad else "clean"))
+    return 1 if bad or not todo else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    sys.exit(main(*sys.argv[1:]))
