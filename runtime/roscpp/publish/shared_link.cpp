@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "roscpp/publish/parked_link.h"
+#include "roscpp/publish/process_end.h"
 #include "roscpp/throttled_warning.h"
 #include "roscpp/upgrade/offer.h"
 #include "sync_point/sync_point.h"
@@ -159,9 +160,10 @@ bool SharedLink::hand_back() {
   return waiting_.empty() && queued_for_tcpros_ == 0;
 }
 
-// What was in flight to a dead process need not be serialized: its TCPROS connection ends in a moment.
+// What was in flight to a dead process need not be serialized: its TCPROS connection ends in a moment. The kernel may
+// close that connection after the channel's socket, so the process itself is asked for, too.
 channel::RecordPtr SharedLink::next_to_hand_back() {
-  if (peer_is_gone(*parked_)) return nullptr;
+  if (peer_is_gone(*parked_) || has_ended(connection_->peer().pid)) return nullptr;
   const std::lock_guard<std::mutex> lock(mutex_);
   collect_undelivered();
   const bool ready = queued_for_tcpros_ == 0 && !waiting_.empty() && has_room(*parked_, queue_size_);
