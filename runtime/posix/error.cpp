@@ -10,7 +10,8 @@ namespace {
 const char* hint_for(int code) {
   switch (code) {
     case EMFILE:
-      return "too many open files in this process: raise its limit (ulimit -n) or close some";
+      return "too many open files in this process (TZC leaves a quarter of them to it): raise its limit "
+             "(ulimit -n)";
     case ENFILE:
       return "too many open files in the system: raise fs.file-max";
     case ENOSPC:

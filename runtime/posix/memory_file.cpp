@@ -2,6 +2,7 @@
 #include "posix/memory_file.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -41,6 +42,16 @@ Error over_the_limit(std::size_t bytes, std::size_t headroom) {
 }
 
 }  // namespace
+
+// The kernel gives the lowest number that is free, so the number tells how many are in use.
+FileDescriptor within_share(FileDescriptor descriptor) noexcept {
+  rlimit limit{};
+  if (!descriptor || ::getrlimit(RLIMIT_NOFILE, &limit) != 0) return descriptor;
+  if (static_cast<rlim_t>(descriptor.get()) < limit.rlim_cur - limit.rlim_cur / 4) return descriptor;
+  descriptor.reset();
+  errno = EMFILE;
+  return descriptor;
+}
 
 Status reserve(const MemoryFile& file, std::size_t offset, std::size_t bytes) {
   const std::size_t headroom = memory_headroom();

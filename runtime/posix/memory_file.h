@@ -28,8 +28,13 @@ struct MemoryFile {
 };
 
 /// Creates a file of `size` bytes, a multiple of the page size; no page is committed. Call seal() after
-/// mapping.
+/// mapping. Fails with EMFILE when three quarters of the process's descriptors are in use: the others are left to
+/// the program, whose own sockets and files do not have another way to go, as a message has.
 Expected<MemoryFile> create_memory_file(const char* name, std::size_t size, Sharing sharing);
+
+/// Keeps a descriptor of a new memory file only while it lies in TZC's share of the process's descriptors (see above);
+/// invalid with errno EMFILE otherwise.
+FileDescriptor within_share(FileDescriptor descriptor) noexcept;
 
 /// Closes the door behind the creator's own mapping: from now on the promise of `sharing` holds.
 Status seal(MemoryFile& file, Sharing sharing);

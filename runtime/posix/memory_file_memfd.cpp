@@ -61,7 +61,7 @@ bool has_ordinary_pages(int fd) {
 Expected<MemoryFile> create_memory_file(const char* name, std::size_t size, Sharing) {
   const SizeSignalBlocked blocked;
   MemoryFile file;
-  file.descriptor = FileDescriptor(create_memfd(name));
+  file.descriptor = within_share(FileDescriptor(create_memfd(name)));
   if (!file.descriptor) return system_error("create a memory file", name);
   if (::ftruncate(file.descriptor.get(), static_cast<off_t>(size)) != 0)
     return system_error("size a memory file to " + std::to_string(size) + " bytes", name);

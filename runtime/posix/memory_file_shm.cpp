@@ -21,7 +21,7 @@ namespace posix {
 namespace {
 
 FileDescriptor open_shm(const std::string& name, int flags) {
-  return FileDescriptor(::shm_open(name.c_str(), flags | O_CLOEXEC, S_IRUSR | S_IWUSR));
+  return within_share(FileDescriptor(::shm_open(name.c_str(), flags | O_CLOEXEC, S_IRUSR | S_IWUSR)));
 }
 
 // A process killed between shm_open and shm_unlink leaves a name behind. It carries the process id, so that

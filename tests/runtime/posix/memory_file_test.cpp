@@ -5,10 +5,14 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <cerrno>
+#include <vector>
 
 #include "posix/mapping.h"
 
@@ -108,6 +112,25 @@ TEST(MemoryFile, a_reserve_is_not_kept_from_its_end_by_signals) {
   for (int i = 0; i < 1000 && ::waitpid(child, &status, WNOHANG) == 0; ++i) ::usleep(10'000);
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
+  EXPECT_EQ(status, 0);
+}
+
+// A publisher that finds no memory serializes its messages; a program that finds no descriptor for its socket is stuck.
+TEST(MemoryFile, a_quarter_of_the_descriptors_is_left_to_the_program_in_a_child) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const rlimit limit{200, 200};
+    ::setrlimit(RLIMIT_NOFILE, &limit);
+    std::vector<MemoryFile> files;
+    auto file = create_memory_file("one of many", size, Sharing::peers_read);
+    for (; file; file = create_memory_file("one of many", size, Sharing::peers_read))
+      files.push_back(std::move(*file));
+    int left = 0;
+    while (::open("/dev/null", O_RDONLY) >= 0) ++left;
+    ::_exit(file.error().code == EMFILE && !files.empty() && left >= 50 && left <= 51 ? 0 : 1);
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
   EXPECT_EQ(status, 0);
 }
 
