@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How packages and their compile commands are found, and what is said of those that are not.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tool/cli_case.h"
+
+namespace tzc::rewriter {
+namespace {
+
+using nlohmann::json;
+using test::Cli;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+TEST_F(Cli, a_package_that_does_not_compile_is_an_error_and_nothing_is_written) {
+  ws.plan()["error"] = "does not compile: unknown type name 'Foo'";
+  const auto result = ws.rewrite({"--apply", "--report", ws.folder() / "r.json"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.errors,
+              HasSubstr("src/node.cpp:3: does not compile: unknown type name 'Foo'\n  repair it\n"));
+  EXPECT_FALSE(is_ported());
+  EXPECT_THAT(ws.folder().read("r.json"), IsEmpty());
+}
+
+TEST_F(Cli, no_headers_of_tzc) {
+  std::filesystem::remove_all(ws.folder() / "include/tzc/std_msgs");
+  EXPECT_THAT(ws.rewrite({}).errors, HasSubstr("TZC's headers of the installed messages were not found"));
+  std::filesystem::remove_all(ws.folder() / "include");
+  const auto result = ws.rewrite({});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.errors, HasSubstr("TZC's headers were not found"));
+}
+
+TEST_F(Cli, no_compile_commands) {
+  std::filesystem::remove_all(ws.folder() / "ws/build");
+  const auto result = ws.rewrite({});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.errors, HasSubstr("-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"));
+}
+
+TEST_F(Cli, compile_commands_of_something_else) {
+  ws.folder().write("ws/build/compile_commands.json", "[]");
+  EXPECT_EQ(ws.rewrite({"-p", ws.folder() / "ws/build"}).status, 2);
+  ws.folder().write("ws/build/compile_commands.json", "{");
+  const auto result = ws.rewrite({"-p", ws.folder() / "ws/build"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.errors, HasSubstr("is not a compilation database"));
+}
+
+TEST_F(Cli, usual_places_of_compile_commands) {
+  std::filesystem::remove_all(ws.folder() / "ws/build");
+  for (const char* place :
+       {"ws/build/demo", "ws/build_isolated/demo", "build", "ws/src/demo/build", "ws/src/demo"}) {
+    ws.database(place);
+    EXPECT_EQ(ws.rewrite({}).status, 1) << place;
+    std::filesystem::remove(ws.folder() / (std::string(place) + "/compile_commands.json"));
+  }
+}
+
+TEST_F(Cli, a_package_that_the_workspace_holds_as_a_symbolic_link) {
+  ws.rewrite({});
+  std::filesystem::rename(ws.package(), ws.folder() / "elsewhere");
+  std::filesystem::create_directory_symlink(ws.folder() / "elsewhere", ws.package());
+  std::filesystem::create_directory_symlink(ws.folder() / "ws", ws.folder() / "ws/src/circle");
+  EXPECT_EQ(ws.run({"--apply", ws.folder() / "ws/src"}).status, 0);
+  EXPECT_TRUE(is_ported());
+  EXPECT_TRUE(std::filesystem::is_symlink(ws.package()));
+}
+
+TEST_F(Cli, every_package_below_a_folder) {
+  ws.rewrite({});
+  EXPECT_EQ(ws.run({"--apply", ws.folder() / "ws/src"}).status, 0);
+  EXPECT_TRUE(is_ported());
+}
+
+TEST_F(Cli, a_package_without_cpp_needs_no_compile_commands) {
+  std::filesystem::remove(ws.package() + "/src/node.cpp");
+  std::filesystem::remove_all(ws.folder() / "ws/build");
+  const auto result = ws.rewrite({});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.errors, HasSubstr("nothing to port"));
+}
+
+/// Where the kill hits is chance here; swap_test.cpp has it at each step.
+
+TEST_F(Cli, without_a_configured_build_nothing_is_written) {
+  const auto result = ws.rewrite({"--verify=syntax", "--apply", "--report", ws.folder() / "r.json"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_FALSE(is_ported());
+  EXPECT_THAT(result.output, HasSubstr("TZC4005"));
+  EXPECT_THAT(result.output, HasSubstr("--verify=source"));
+  EXPECT_THAT(result.output, Not(HasSubstr("ported; build")));
+  EXPECT_EQ(json::parse(ws.folder().read("r.json"))["summary"]["files_changed"], 0);
+}
+
+TEST_F(Cli, a_port_that_was_not_configured_says_so) {
+  const auto result = ws.rewrite({"--verify=source", "--apply"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.output, HasSubstr("TZC4006"));
+  EXPECT_THAT(ws.rewrite({"--verify=source"}).errors, Not(HasSubstr("TZC4006"))) << "nothing changed";
+}
+
+TEST_F(Cli, a_package_that_fails_does_not_take_the_others_with_it) {
+  ws.rewrite({});
+  const std::string broken = ws.folder() / "ws/src/broken";
+  std::filesystem::copy(ws.package(), broken, std::filesystem::copy_options::recursive);
+  ws.folder().write("ws/src/broken/plan.json", R"({"error": "does not compile"})");
+  json database = json::parse(ws.folder().read("ws/build/compile_commands.json"));
+  database.push_back(database[0]);
+  database[1]["file"] = broken + "/src/node.cpp";
+  ws.folder().write("ws/build/compile_commands.json", database.dump());
+  const auto result = ws.run({"--apply", ws.folder() / "ws/src"});
+  EXPECT_EQ(result.status, 1) << "2 would say that nothing was written";
+  EXPECT_THAT(result.errors, HasSubstr("does not compile"));
+  EXPECT_TRUE(is_ported());
+  EXPECT_EQ(ws.run({"--apply", broken}).status, 2);
+}
+
+}  // namespace
+}  // namespace tzc::rewriter
