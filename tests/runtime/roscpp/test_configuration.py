@@ -121,6 +121,7 @@ class Memory(Configuration):
         listener = self.listen(queue=1000)
         counters = self.talk(count=300, rate=200, subscribers=2, bytes=20000, memory=2000000, **arguments)
         self.assertTrue(keeper.alive(), keeper.tail())
+        keeper.kill()  # it does not end when it is asked to
         self.assert_got(listener, range(300))
         self.assertTrue(counters["exhausted"] < 100 or counters["exhausted"] > 180, counters)
         return counters["exhausted"] > 180
