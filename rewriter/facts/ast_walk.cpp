@@ -4,14 +4,33 @@
 #include <clang/AST/DeclCXX.h>
 #include <clang/AST/ExprCXX.h>
 
+#include <algorithm>
+
 #include "parse/names.h"
 
 namespace tzc::rewriter {
+namespace {
+
+/// A list as written may have no type; what it initialises has.
+bool is_written_place(const clang::DynTypedNode& node) {
+  if (node.get<clang::CXXDefaultInitExpr>() || node.get<clang::CXXDefaultArgExpr>()) return false;
+  const auto* list = node.get<clang::InitListExpr>();
+  return !list || !list->getType()->isVoidType();
+}
+
+}  // namespace
+
+std::optional<clang::DynTypedNode> written_parent(clang::ASTContext& ast, const clang::DynTypedNode& node) {
+  const auto parents = ast.getParents(node);
+  if (parents.empty()) return std::nullopt;
+  const auto* written = std::find_if(parents.begin(), parents.end(), is_written_place);
+  return written == parents.end() ? parents[0] : *written;
+}
 
 Ancestors::Iterator& Ancestors::Iterator::operator++() {
-  const auto parents = ast_->getParents(node_);
-  at_end_ = parents.empty();
-  if (!at_end_) node_ = parents[0];
+  const auto parent = written_parent(*ast_, node_);
+  at_end_ = !parent;
+  if (parent) node_ = *parent;
   return *this;
 }
 

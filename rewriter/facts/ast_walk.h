@@ -7,15 +7,20 @@
 #include <clang/AST/ASTTypeTraits.h>
 #include <clang/AST/ParentMapContext.h>
 
+#include <optional>
 #include <string>
 
 namespace tzc::rewriter {
 
-/// The node directly around a node, when it is a T; null otherwise.
+/// The node directly around a node, where the source has it: a default argument or initializer belongs to its declaration,
+/// not to one of the calls and constructors that use it (Clang 19 names them, too, and 16 does not). None: the top.
+std::optional<clang::DynTypedNode> written_parent(clang::ASTContext& ast, const clang::DynTypedNode& node);
+
+/// The same, when it is a T; null otherwise.
 template <class T, class Node>
 const T* parent_as(clang::ASTContext& ast, const Node& node) {
-  const auto parents = ast.getParents(node);
-  return parents.empty() ? nullptr : parents[0].template get<T>();
+  const auto parent = written_parent(ast, clang::DynTypedNode::create(node));
+  return parent ? parent->template get<T>() : nullptr;
 }
 
 /// The nodes around a node, innermost first, as a range.

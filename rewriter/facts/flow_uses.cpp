@@ -37,17 +37,11 @@ bool UseFollower::refuse(const char* code, const std::string& reason) {
 }
 
 bool UseFollower::step() {
-  const auto parents = unit_.ast().getParents(*at_);
-  if (parents.empty()) return false;
-  // A list as written may have no type; what it initialises has.
-  const auto* parent_of = llvm::find_if(parents, [](const clang::DynTypedNode& node) {
-    const auto* list = node.get<clang::InitListExpr>();
-    return !list || !list->getType()->isVoidType();
-  });
-  const clang::DynTypedNode around = parent_of == parents.end() ? parents[0] : *parent_of;
-  if (const auto* decl = around.get<clang::Decl>()) return into_decl(decl);
-  if (around.get<clang::TypeLoc>()) return into_type_question();
-  const auto* statement = around.get<clang::Stmt>();
+  const auto around = written_parent(unit_.ast(), clang::DynTypedNode::create(*at_));
+  if (!around) return false;
+  if (const auto* decl = around->get<clang::Decl>()) return into_decl(decl);
+  if (around->get<clang::TypeLoc>()) return into_type_question();
+  const auto* statement = around->get<clang::Stmt>();
   if (!statement) return false;
   if (const auto* returned = llvm::dyn_cast<clang::ReturnStmt>(statement)) return into_return(returned);
   if (llvm::isa<clang::AsmStmt, clang::CoreturnStmt>(statement))

@@ -18,7 +18,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:7 sensor_msgs/Image one_copy 'image' TZC1009 ported, it would not compile: no viable conversion from 'sensor_msgs::Image' (aka 'Image_<std::allocator<void>>') to 'tzc::sensor_msgs::Image'
+// publish src/node.cpp:7 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
