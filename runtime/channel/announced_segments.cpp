@@ -52,6 +52,12 @@ Status AnnouncedSegments::add(segment::Segment& segment, const std::weak_ptr<seg
   return Success{};
 }
 
+std::vector<std::shared_ptr<segment::AckFile>> AnnouncedSegments::ack_files() const {
+  std::vector<std::shared_ptr<segment::AckFile>> files;
+  for (const Entry& entry : entries_) files.push_back(entry.ack_file);
+  return files;
+}
+
 BufferPtr AnnouncedSegments::revive(const segment::BlockRef& ref) const {
   const Entry* entry = find(ref.segment);
   if (entry == nullptr) return nullptr;

@@ -41,6 +41,7 @@ class AnnouncedSegments {
     const Entry* entry = find(segment_id);
     return entry == nullptr ? nullptr : entry->ack_file.get();
   }
+  std::vector<std::shared_ptr<segment::AckFile>> ack_files() const;
   /// A new handle of a block that is in flight to the subscriber. Null: not announced, or the block was
   /// freed.
   BufferPtr revive(const segment::BlockRef& ref) const;

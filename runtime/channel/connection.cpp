@@ -171,6 +171,19 @@ std::size_t ConnectionImpl::in_flight() {
   return window_.size();
 }
 
+// Counted without the lock: a sender must not wait for it.
+std::size_t ConnectionImpl::held() const {
+  if (posix::forked_since(epoch_)) return 0;
+  std::vector<std::shared_ptr<segment::AckFile>> files;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    files = segments_.ack_files();
+  }
+  std::size_t blocks = 0;
+  for (const auto& file : files) blocks += file->taken_blocks();
+  return blocks;
+}
+
 std::vector<RecordPtr> ConnectionImpl::take_undelivered() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return window_.take_undelivered();

@@ -61,6 +61,7 @@ class ConnectionImpl final : public Connection,
   void close() override;
   ConnectionStats stats() const override;
   std::size_t in_flight() override;
+  std::size_t held() const override;
   std::vector<RecordPtr> take_undelivered() override;
 
   /// Gives the socket to the service; until uncork() records only queue.

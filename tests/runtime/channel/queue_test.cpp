@@ -61,6 +61,22 @@ TEST(Queue, a_long_one_fills_and_empties_twice) {
   EXPECT_EQ(out->stats().dropped, 0u);
 }
 
+TEST(Queue, blocks_are_held_from_taking_to_releasing) {
+  const auto out = publisher(10);
+  const auto in = idle_subscriber(out->address());
+  for (int i = 0; i < 3; ++i)
+    out->publish(text_record("x", {filled(*out->memory(), 1000, 1), filled(*out->memory(), mb, 2)}));
+  const ConnectionPtr connection = out->connections()[0];
+  EXPECT_EQ(connection->held(), 0u);
+  std::vector<MessagePtr> messages = read_all(*in);
+  ASSERT_EQ(messages.size(), 3u);
+  EXPECT_EQ(connection->held(), 6u);
+  messages.pop_back();
+  EXPECT_EQ(connection->held(), 4u);
+  messages.clear();
+  EXPECT_EQ(connection->held(), 0u);
+}
+
 TEST(Queue, at_most_queue_size_messages_pin_memory) {
   for (const Policy policy : {Policy::worst_effort(), Policy::medium_effort(), Policy::best_effort()}) {
     const auto out = publisher(2, 4 * mb, policy);

@@ -79,6 +79,8 @@ class Connection {
   virtual ConnectionStats stats() const = 0;
   /// Records that are sent and not taken by the subscriber yet.
   virtual std::size_t in_flight() = 0;
+  /// Blocks that the subscriber has taken and not released, by its own word. Slow: looks at every block that it was sent.
+  virtual std::size_t held() const = 0;
   /// With PublisherOptions::keeps_undelivered, after the connection ended: the records in flight at that
   /// time, oldest first. The subscriber never takes them. Returns each of them once.
   virtual std::vector<RecordPtr> take_undelivered() = 0;
