@@ -16,6 +16,7 @@ option(TZC_BUILD_MSGGEN "Build tzc-msggen and generate the installed message pac
 set(TZC_BUILD_REWRITER AUTO CACHE STRING "Build tzc-rewrite: ON, OFF, or AUTO where Clang's libraries are found")
 option(TZC_BUILD_TESTS "Build the tests" ${TZC_STANDALONE})
 option(TZC_BUILD_COMPARE "Build tzc-compare where rosbag is found (needs ROS 1)" ON)
+option(TZC_BUILD_MONITOR "Build tzc-monitor where its libraries are found" ON)
 option(TZC_BUILD_BENCH "Build tzc-bench" ${TZC_STANDALONE})
 set(TZC_SANITIZE "" CACHE STRING "Sanitizers for everything: address,undefined or thread")
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Debian packages: `cpack` in a build folder that was configured with -DCMAKE_INSTALL_PREFIX=/usr, on the distribution
-# that they are for. libtzc0 (what ported nodes run on), libtzc-dev (what packages are built with), tzc-tools (tzc-rewrite).
+# that they are for. libtzc0 (what ported nodes run on), libtzc-dev (what packages are built with), tzc-tools (tzc-rewrite
+# and tzc-monitor).
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME tzc)
 set(CPACK_PACKAGE_VENDOR "The TZC maintainers")
@@ -9,7 +10,7 @@ set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL runtime dev)
-if(TARGET tzc-rewrite)
+if(TARGET tzc-rewrite OR TARGET tzc-monitor)
   list(APPEND CPACK_COMPONENTS_ALL tools)
 endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)

@@ -16,4 +16,4 @@ _tzc() {
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
   fi
 }
-complete -o filenames -F _tzc tzc-rewrite tzc-msggen
+complete -o filenames -F _tzc tzc-rewrite tzc-msggen tzc-monitor

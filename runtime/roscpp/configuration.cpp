@@ -68,12 +68,20 @@ bool is_enabled(const std::string& topic) {
   return !settings().disable && settings().disable_topics.count(topic) == 0 && is_roscpp_known();
 }
 
+bool is_left_out(const std::string& topic) {
+  return !settings().disable && settings().disable_topics.count(topic) != 0 && is_roscpp_known();
+}
+
 bool private_writes() {
   return settings().private_writes;
 }
 
 int most_upgrade_attempts() {
   return settings().upgrade_attempts;
+}
+
+bool has_statistics_page() {
+  return settings().statistics_page;
 }
 
 PublisherOptions configured(const PublisherOptions& in_code) {

@@ -12,6 +12,9 @@ namespace detail {
 /// knows. Thread-safe; the first call reads the parameter server.
 bool is_enabled(const std::string& topic);
 
+/// Whether this resolved topic alone is turned off in this node (`disable_topics`). Thread-safe.
+bool is_left_out(const std::string& topic);
+
 /// The code's options, overridden by environment and ROS parameters (docs/configuration.md).
 PublisherOptions configured(const PublisherOptions& in_code);
 
@@ -20,6 +23,9 @@ bool private_writes();
 
 /// How often another node is called for an upgrade before the connection stays on TCPROS for good.
 int most_upgrade_attempts();
+
+/// Whether this node keeps a statistics page, which tzc-monitor reads.
+bool has_statistics_page();
 
 }  // namespace detail
 }  // namespace tzc

@@ -3,6 +3,7 @@
 
 #include <ros/callback_queue_interface.h>
 
+#include "roscpp/statistics_updater.h"
 #include "roscpp/upgrade/offer_requests.h"
 #include "roscpp/upgrade/peer_pool.h"
 #include "roscpp/upgrade/upgrade_responder.h"
@@ -20,6 +21,7 @@ struct Runtime {
   WorkerQueue queue{clerk};
   UpgradeResponder responder{clerk, peers};
   OfferRequests requests{clerk};
+  StatisticsUpdater statistics{clerk};
 };
 
 Runtime& runtime();

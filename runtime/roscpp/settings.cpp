@@ -122,6 +122,8 @@ constexpr Setting kSettings[] = {
     {"disable_topics", nullptr, read_topics},
     {"private_writes", nullptr,
      [](const Entry& entry, Settings& s) { read_switch(entry, s.private_writes); }},
+    {"statistics_page", nullptr,
+     [](const Entry& entry, Settings& s) { read_switch(entry, s.statistics_page); }},
     {"memory_size", nullptr, [](const Entry& entry, Settings& s) { read_size(entry, s.memory_size); }},
     {"policy", nullptr, [](const Entry& entry, Settings& s) { read(entry, kPolicies, s.policy); }},
     {"policy_attempts", "attempts", read_policy_attempts},

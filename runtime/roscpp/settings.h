@@ -17,6 +17,7 @@ namespace detail {
 struct Settings {
   bool disable = false;
   bool private_writes = true;
+  bool statistics_page = true;
   std::set<std::string> disable_topics;
   std::optional<std::size_t> memory_size;
   std::optional<PolicyKind> policy;

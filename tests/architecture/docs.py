@@ -11,7 +11,7 @@ from problem import Problem
 ARCHITECTURE = "docs/architecture.md"
 
 _LINK = re.compile(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)")
-_PATH = re.compile(r"`((?:runtime|msggen|rewriter|bench|compare|tests|docs|scripts|cmake|samples)/(?!.*nnnn)[\w/{},-]+\.[\w./{},-]+)`")
+_PATH = re.compile(r"`((?:runtime|msggen|rewriter|bench|compare|monitor|tests|docs|scripts|cmake|samples)/(?!.*nnnn)[\w/{},-]+\.[\w./{},-]+)`")
 _DECISION = re.compile(r"# \d{3}: .+\n\nStatus: (accepted|superseded by \d{3})\n\n## Context\n.+\n## Decision\n.+\n## Consequences\n.+",
                        re.S)
 _DIAGNOSTIC = re.compile(r"# TZC\d{4} [a-z-]+: .+\n\n## Cause\n.+\n## Why it matters\n.+\n## Fix\n.+", re.S)

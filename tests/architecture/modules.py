@@ -5,10 +5,11 @@
 USES = {
     "runtime/posix": [],
     "runtime/sync_point": [],
+    "runtime/statistics": ["runtime/posix"],
     "runtime/segment": ["runtime/posix", "runtime/sync_point"],
     "runtime/channel": ["runtime/segment", "runtime/posix", "runtime/sync_point"],
     "runtime/message": ["runtime/segment"],
-    "runtime/roscpp": ["runtime/channel", "runtime/message", "runtime/segment", "runtime/sync_point"],
+    "runtime/roscpp": ["runtime/channel", "runtime/message", "runtime/segment", "runtime/sync_point", "runtime/statistics"],
     "runtime/adapters": ["runtime/roscpp", "runtime/message", "runtime/segment"],
     "runtime/preload": ["runtime/roscpp"],
 
@@ -39,6 +40,8 @@ USES = {
     "bench": [],
     "bench/core": ["bench", "runtime/channel"],
     "bench/roscpp": ["bench", "bench/core", "runtime/roscpp"],
+    # tzc-monitor knows the layout of a statistics page, and nothing else of the runtime.
+    "monitor": ["runtime/statistics"],
     # tzc-compare needs no ROS to compare; its recorder is a ROS node.
     "compare/wire": [],
     "compare/pairing": ["compare/wire"],
@@ -50,7 +53,7 @@ USES = {
 }
 
 # Folders in which `#include "folder/file.h"` is looked up; a runtime module's include/ is one, too.
-INCLUDE_ROOTS = ["runtime", "msggen", "rewriter", "bench", "compare"]
+INCLUDE_ROOTS = ["runtime", "msggen", "rewriter", "bench", "compare", "monitor"]
 
 ROS = r"(ros|rosconsole|xmlrpcpp|cv_bridge|image_transport|message_filters|pcl_conversions|[a-z0-9_]+_msgs)/"
 SERIALIZATION = (r"ros/(serialization|serialized_message|message_traits|message_operations|builtin_message_traits|types|"

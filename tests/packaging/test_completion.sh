@@ -15,6 +15,7 @@ offers() {  # EXPECTED TOOL CURRENT PREVIOUS [COMMAND]
 for tool in "$@"; do
   case $tool in
     tzc-rewrite) offers --apply tzc-rewrite --a ""; offers -j tzc-rewrite -j ""; offers TZC1004 tzc-rewrite TZC10 --explain ;;
+    tzc-monitor) offers --why tzc-monitor --w "" ;;
     tzc-msggen) offers --help tzc-msggen --h ""; offers --if-changed tzc-msggen --if "" generate ;;
   esac
   if command -v help2man >/dev/null; then

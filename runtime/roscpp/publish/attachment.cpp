@@ -24,6 +24,7 @@ ros::Publisher observe(ros::NodeHandle& node, const ros::AdvertiseOptions& optio
                                  [weak](const ros::SingleSubscriberPublisher& subscriber) {
                                    if (const std::shared_ptr<PublicationEndpoint> alive = weak.lock())
                                      alive->on_connect(subscriber);
+                                   runtime().statistics.begin();
                                  });
   observer.has_header = options.has_header;
   observer.callback_queue = &runtime().queue;
@@ -36,9 +37,13 @@ std::shared_ptr<Attachment> Attachment::create(ros::NodeHandle& node, const ros:
                                                const MessageCodec& codec,
                                                const PublisherOptions& publisher_options) {
   const std::string topic = node.resolveName(options.topic);
-  if (!is_enabled(topic)) return nullptr;
+  if (!is_enabled(topic) && !is_left_out(topic)) return nullptr;
   const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
   if (!publication) return nullptr;
+  if (!is_enabled(topic)) {
+    runtime().statistics.add_plain(publication, "the publisher's ~tzc/disable_topics names this topic");
+    return nullptr;
+  }
   std::shared_ptr<Attachment> attachment(new Attachment);
   attachment->endpoint_ =
       PublicationEndpoint::of(publication, configured(publisher_options), runtime().worker, runtime().peers);

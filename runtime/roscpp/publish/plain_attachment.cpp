@@ -21,7 +21,9 @@ class PlainAttachment {
 
   void on_connect(const ros::SubscriberLinkPtr& link) {
     if (!endpoint_) endpoint_ = make_endpoint();
-    if (endpoint_) endpoint_->on_connect(ros::SingleSubscriberPublisher(link));
+    if (!endpoint_) return;
+    endpoint_->on_connect(ros::SingleSubscriberPublisher(link));
+    runtime().statistics.begin();
   }
 
  private:

@@ -152,9 +152,11 @@ void PublicationEndpoint::on_connect(const ros::SingleSubscriberPublisher& subsc
 
 void PublicationEndpoint::invite(const TcpLink& link) {
   if (has_spare_descriptors() && is_listening()) return negotiator_->invite(link);
-  if (!has_spare_descriptors())
-    TZC_WARN_THROTTLED(60, "TZC: further subscribers of "
-                               << topic_ << " and other topics stay on TCPROS: " << descriptor_advice());
+  if (has_spare_descriptors())
+    return negotiator_->leave(link, "the publisher could not open a channel; its warning says why");
+  negotiator_->leave(link, "the publisher: " + descriptor_advice());
+  TZC_WARN_THROTTLED(60, "TZC: further subscribers of "
+                             << topic_ << " and other topics stay on TCPROS: " << descriptor_advice());
 }
 
 void PublicationEndpoint::offer_again(const std::string& caller_id) {
@@ -177,6 +179,19 @@ PublisherStatistics PublicationEndpoint::statistics() const {
   const std::lock_guard<std::mutex> lock(channel_mutex_);
   if (channel_) statistics.revoked = channel_->stats().dropped;
   return statistics;
+}
+
+EndpointStatistics PublicationEndpoint::look() const {
+  EndpointStatistics seen;
+  seen.topic = topic_;
+  seen.counters = statistics();
+  seen.memory = segments_->stats();
+  const ros::PublicationPtr publication = publication_.lock();
+  if (!publication) return seen;
+  seen.type = publication->getDataType();
+  const auto why_not = [this](const auto& link) { return negotiator_->why_not(link); };
+  seen.has_links = read_links(*publication, why_not, seen.links);
+  return seen;
 }
 
 bool PublicationEndpoint::wants_pointer(const std::type_info& type) const {
@@ -210,6 +225,19 @@ std::shared_ptr<PublicationEndpoint> find_endpoint(const std::string& topic) {
   const std::lock_guard<std::mutex> lock(endpoints().mutex);
   const auto found = endpoints().endpoints.find(publication.get());
   return found == endpoints().endpoints.end() ? nullptr : found->second.lock();
+}
+
+// Locked outside of the mutex, which the destructor of an endpoint takes.
+std::vector<std::shared_ptr<PublicationEndpoint>> all_endpoints() {
+  std::vector<std::weak_ptr<PublicationEndpoint>> known;
+  {
+    const std::lock_guard<std::mutex> lock(endpoints().mutex);
+    for (const auto& one : endpoints().endpoints) known.push_back(one.second);
+  }
+  std::vector<std::shared_ptr<PublicationEndpoint>> alive;
+  for (const auto& one : known)
+    if (std::shared_ptr<PublicationEndpoint> endpoint = one.lock()) alive.push_back(std::move(endpoint));
+  return alive;
 }
 
 }  // namespace detail

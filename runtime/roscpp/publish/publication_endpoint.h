@@ -9,7 +9,9 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
+#include "roscpp/publish/endpoint_statistics.h"
 #include "roscpp/publish/link_migration.h"
 #include "roscpp/publish/publication_stream.h"
 #include "roscpp/upgrade/upgrade_negotiator.h"
@@ -40,6 +42,8 @@ class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpo
   OnExhausted on_exhausted() const { return stream_.records().on_exhausted(); }
   RecordEncoder& records() { return stream_.records(); }
   PublisherStatistics statistics() const;
+  /// What the statistics page shows. Does not wait for a thread that publishes.
+  EndpointStatistics look() const;
   bool wants_pointer(const std::type_info& type) const;
   bool has_local_writers(const std::type_info& type) const;
 
@@ -77,6 +81,8 @@ class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpo
 
 /// The endpoint of a topic that this process advertises; null when there is none.
 std::shared_ptr<PublicationEndpoint> find_endpoint(const std::string& topic);
+/// Those of this process.
+std::vector<std::shared_ptr<PublicationEndpoint>> all_endpoints();
 
 }  // namespace detail
 }  // namespace tzc

@@ -55,21 +55,23 @@ bool is_gone(const UpgradeNegotiator::TcpLink& link) {
   return !link || link->getConnection()->isDropped();
 }
 
-bool is_same(const boost::weak_ptr<ros::TransportSubscriberLink>& one,
-             const UpgradeNegotiator::TcpLink& other) {
+template <class Link>
+bool is_same(const boost::weak_ptr<ros::TransportSubscriberLink>& one, const Link& other) {
   return !one.owner_before(other) && !other.owner_before(one);
 }
 
 }  // namespace
 
 void UpgradeNegotiator::invite(const TcpLink& link) {
-  if (link->getTransportType() != "TCPROS" || host_identity().empty()) return;
+  if (link->getTransportType() != "TCPROS") return;
+  if (host_identity().empty()) return leave(link, "this system does not name its boot or network namespace");
   const InvitationPtr invitation = invitation_of(link);
   int round = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (invitation->token.empty()) {
       invitation->tries = 0;
+      invitation->given_up = false;
       invitation->token = random_token();
     }
     round = ++invitation->round;
@@ -117,16 +119,41 @@ UpgradeNegotiator::TcpLink UpgradeNegotiator::welcome(const std::string& token) 
     if (!invitation) return TcpLink();
     invitation->came = Clock::now();
     invitation->token.clear();
+    invitation->trouble = "it has accepted; its link is being moved";
   }
   return invitation->link.lock();
 }
 
 void UpgradeNegotiator::turn_away(const std::string& token, const std::string& why) {
+  std::string subscriber = "a subscriber that is gone";
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (const InvitationPtr invitation = find(token)) invitation->token.clear();
+    if (const InvitationPtr invitation = find(token)) {
+      invitation->token.clear();
+      invitation->trouble = why;
+      subscriber = invitation->subscriber;
+    }
   }
-  ROS_DEBUG_STREAM("TZC: a subscriber of " << offer_.topic << " stays on TCPROS: " << why);
+  ROS_DEBUG_STREAM("TZC: " << offer_.topic << " to " << subscriber << " stays on TCPROS: " << why);
+}
+
+void UpgradeNegotiator::leave(const TcpLink& link, const std::string& why) {
+  const InvitationPtr invitation = invitation_of(link);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  invitation->trouble = why;
+}
+
+// The link is not locked: dropping the last reference runs user callbacks.
+std::string UpgradeNegotiator::why_not(const boost::weak_ptr<ros::TransportSubscriberLink>& link) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const InvitationPtr& one : invitations_) {
+    if (!is_same(one->link, link)) continue;
+    const std::string tries = std::to_string(one->tries) + (one->tries == 1 ? " try: " : " tries: ");
+    if (one->given_up) return "given up after " + tries + one->trouble;
+    if (!one->token.empty() && one->tries > 0) return "asked again soon, after " + tries + one->trouble;
+    if (!one->trouble.empty()) return one->trouble;
+  }
+  return "shared memory was not offered yet";
 }
 
 void UpgradeNegotiator::lost(const TcpLink& link) {
@@ -150,7 +177,7 @@ void UpgradeNegotiator::try_once(const InvitationPtr& invitation) {
   const Offer offer = next_offer(*invitation, link);
   const Answer answer = ask(subscriber, offer);
   if (answer.refused && answer.text == kOtherVersionStatus) warn_of_other_version(subscriber, offer.topic);
-  if (answer.refused) return turn_away(offer.token, subscriber + ": " + answer.text);
+  if (answer.refused) return turn_away(offer.token, answer.text);
   int tries = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -214,6 +241,7 @@ void UpgradeNegotiator::look(const InvitationPtr& invitation, int round) {
     if (invitation->token.empty() || invitation->round != round) return;
     was_last = invitation->tries >= most_upgrade_attempts();
     if (was_last) invitation->token.clear();
+    invitation->given_up = was_last;
   }
   was_last ? give_up(*invitation, link->getDestinationCallerID()) : try_once(invitation);
 }

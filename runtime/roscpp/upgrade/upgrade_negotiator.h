@@ -47,6 +47,10 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
   TcpLink welcome(const std::string& token);
   /// The subscriber with this token may not connect, and is not invited again.
   void turn_away(const std::string& token, const std::string& why);
+  /// The subscriber is not invited, for this reason.
+  void leave(const TcpLink& link, const std::string& why);
+  /// For people: why the subscriber behind a TCPROS link is not on shared memory, or not yet.
+  std::string why_not(const boost::weak_ptr<ros::TransportSubscriberLink>& link) const;
   /// An upgraded subscriber fell back to TCPROS and its connection lives: invites it again after a while. The
   /// caller must hold no lock of roscpp's: a connection that ends holds its own and waits for those.
   void lost(const TcpLink& link);
@@ -62,7 +66,8 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
     int tries = 0;
     int round = 0;  ///< number of the last planned check; earlier ones do nothing
     Clock::time_point came;
-    std::string trouble;  ///< why the last try failed
+    std::string trouble;    ///< why the last try failed, or why there is none
+    bool given_up = false;  ///< that was the last try
   };
   using InvitationPtr = std::shared_ptr<Invitation>;
   struct Answer {

@@ -42,12 +42,14 @@ TEST(Settings, nothing_set_is_nothing_overridden) {
   EXPECT_EQ(options.policy.attempts, 0u);
   EXPECT_EQ(parsed.settings.upgrade_attempts, 10);
   EXPECT_TRUE(parsed.settings.private_writes);
+  EXPECT_TRUE(parsed.settings.statistics_page);
 }
 
 TEST(Settings, each_of_them) {
   const Parsed parsed = parse({{"disable", "1"},
                                {"disable_topics", "/a, /b\t/c"},
                                {"private_writes", "off"},
+                               {"statistics_page", "no"},
                                {"memory_size", "64M"},
                                {"policy", "worst_effort"},
                                {"policy_attempts", "7"},
@@ -57,6 +59,7 @@ TEST(Settings, each_of_them) {
   EXPECT_TRUE(parsed.warnings.empty()) << parsed.warnings.front();
   EXPECT_TRUE(parsed.settings.disable);
   EXPECT_FALSE(parsed.settings.private_writes);
+  EXPECT_FALSE(parsed.settings.statistics_page);
   EXPECT_EQ(parsed.settings.disable_topics, (std::set<std::string>{"/a", "/b", "/c"}));
   EXPECT_EQ(parsed.settings.upgrade_attempts, 3);
   const PublisherOptions options = overridden(PublisherOptions(), parsed.settings);

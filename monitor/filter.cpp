@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "filter.h"
+
+#include <algorithm>
+
+namespace tzc::monitor {
+
+void keep_topic(const std::string& topic, std::vector<Node>& nodes) {
+  if (topic.empty()) return;
+  for (Node& node : nodes) {
+    Node kept = node;
+    kept.topics.clear();
+    kept.rates.clear();
+    for (std::size_t i = 0; i < node.topics.size(); ++i) {
+      if (node.topics[i].name != global_name(topic)) continue;
+      kept.topics.push_back(node.topics[i]);
+      if (i < node.rates.size()) kept.rates.push_back(node.rates[i]);
+    }
+    node = std::move(kept);
+  }
+  const auto has_none = [](const Node& node) { return node.topics.empty(); };
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), has_none), nodes.end());
+}
+
+}  // namespace tzc::monitor

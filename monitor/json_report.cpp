@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "json_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "words.h"
+
+namespace tzc::monitor {
+namespace {
+
+using nlohmann::json;
+
+json connection_json(const Connection& connection) {
+  return {{"subscriber", connection.subscriber},
+          {"transport", name(connection.transport)},
+          {"reason", connection.reason},
+          {"messages", connection.messages},
+          {"per_second", connection.messages_per_s ? json(*connection.messages_per_s) : json()},
+          {"bytes", connection.bytes},
+          {"in_flight", connection.in_flight},
+          {"held", connection.held},
+          {"revoked", connection.revoked},
+          {"pid", connection.pid == 0 ? json() : json(connection.pid)},
+          {"stopped", connection.is_stopped}};
+}
+
+json rates_json(const Rates& rates) {
+  return {{"messages", rates.messages},
+          {"shared", rates.shared},
+          {"serialized", rates.serialized},
+          {"copied_bytes", rates.copied_bytes}};
+}
+
+json topic_json(const Topic& topic, const std::optional<Rates>& rates) {
+  json connections = json::array();
+  for (const Connection& connection : topic.connections) connections.push_back(connection_json(connection));
+  return {{"topic", topic.name},
+          {"type", topic.type},
+          {"messages", topic.counters.messages},
+          {"shared", topic.counters.shared},
+          {"serialized", topic.counters.serialized},
+          {"copied_bytes", topic.counters.copied_bytes},
+          {"control_bytes", topic.counters.control_bytes},
+          {"exhausted", topic.counters.exhausted},
+          {"dropped", topic.counters.dropped},
+          {"revoked", topic.counters.revoked},
+          {"memory",
+           {{"segments", topic.memory.segments},
+            {"size", topic.memory.size},
+            {"committed", topic.memory.committed},
+            {"used", topic.memory.used},
+            {"blocks", topic.memory.blocks}}},
+          {"per_second", rates ? rates_json(*rates) : json()},
+          {"connections", connections}};
+}
+
+json node_json(const Node& node) {
+  json topics = json::array();
+  for (std::size_t i = 0; i < node.topics.size(); ++i)
+    topics.push_back(topic_json(node.topics[i], i < node.rates.size() ? node.rates[i] : std::nullopt));
+  return {{"node", node.name},   {"pid", node.pid},           {"state", name(node.state)},
+          {"age_s", node.age_s}, {"left_out", node.left_out}, {"topics", topics}};
+}
+
+}  // namespace
+
+std::string json_report(const std::vector<Node>& nodes) {
+  json report{{"version", 1}, {"nodes", json::array()}};
+  for (const Node& node : nodes) report["nodes"].push_back(node_json(node));
+  return report.dump(2) + "\n";
+}
+
+}  // namespace tzc::monitor

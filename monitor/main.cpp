@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// tzc-monitor: what the nodes of this machine do with TZC.
+///
+///   /proc/PID/fd -> take_sample (read_page) -> keep_topic, add_rates -> table, json_report, explain
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <thread>
+
+#include "filter.h"
+#include "json_report.h"
+#include "options.h"
+#include "processes.h"
+#include "rates.h"
+#include "screen.h"
+#include "table.h"
+#include "why.h"
+
+namespace tzc::monitor {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int found = 0, nothing_found = 1, wrong_usage = 2;
+
+const char* const nobody =
+    "tzc-monitor: no process of this user publishes with TZC. A node has a statistics page from its first "
+    "subscriber "
+    "on, unless ~tzc/statistics_page or ~tzc/disable say otherwise.\n";
+
+bool wants_colours() {
+  const char* const refused = std::getenv("NO_COLOR");
+  return ::isatty(STDOUT_FILENO) == 1 && (!refused || !*refused);
+}
+
+void report(const Sample& sample) {
+  for (const std::string& trouble : sample.troubles) fmt::print(stderr, "tzc-monitor: {}\n", trouble);
+}
+
+/// Each node that runs has updated its page since, so that it has rates.
+bool has_moved_on(const std::vector<Node>& before, const std::vector<Node>& now) {
+  return std::all_of(now.begin(), now.end(), [&](const Node& node) {
+    return node.state != State::running || std::none_of(before.begin(), before.end(), [&](const Node& other) {
+             return other.pid == node.pid && other.updated_ns == node.updated_ns;
+           });
+  });
+}
+
+Sample sample_with_rates(double interval_s) {
+  const Sample before = take_sample();
+  if (interval_s <= 0 || before.nodes.empty()) return before;
+  const auto pause = std::chrono::duration<double>(interval_s);
+  const auto end = Clock::now() + pause + std::chrono::seconds(1);
+  std::this_thread::sleep_for(pause);
+  Sample now = take_sample();
+  while (!has_moved_on(before.nodes, now.nodes) && Clock::now() < end) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    now = take_sample();
+  }
+  add_rates(before.nodes, now.nodes);
+  return now;
+}
+
+int explain_why(const Options& options) {
+  const Sample sample = take_sample();
+  report(sample);
+  const Explanation explanation = explain(sample.nodes, options.why[0], options.why[1]);
+  for (const std::string& sentence : explanation.sentences) fmt::print("{}\n", sentence);
+  if (explanation.sentences.empty()) fmt::print(stderr, "tzc-monitor: {}\n", explanation.nothing);
+  return explanation.sentences.empty() ? nothing_found : found;
+}
+
+int print_once(const Options& options) {
+  Sample sample = sample_with_rates(options.interval_s);
+  report(sample);
+  const bool has_nodes = !sample.nodes.empty();
+  keep_topic(options.topic, sample.nodes);
+  if (options.json)
+    fmt::print("{}", json_report(sample.nodes));
+  else if (!sample.nodes.empty())
+    fmt::print("{}", table(sample.nodes, wants_colours()));
+  if (!sample.nodes.empty()) return found;
+  if (!has_nodes)
+    fmt::print(stderr, "{}", nobody);
+  else
+    fmt::print(stderr, "tzc-monitor: no process of this user publishes {} with TZC\n",
+               global_name(options.topic));
+  return nothing_found;
+}
+
+int refresh(const Options& options) {
+  const bool has_colours = wants_colours();
+  std::vector<Node> before;
+  Screen screen;
+  do {
+    Sample sample = take_sample();
+    add_rates(before, sample.nodes);
+    before = sample.nodes;
+    keep_topic(options.topic, sample.nodes);
+    std::string text = table(sample.nodes, has_colours);
+    if (sample.nodes.empty()) text += "nothing to show yet\n";
+    for (const std::string& trouble : sample.troubles) text += trouble + "\n";
+    screen.show(text);
+  } while (screen.wait(options.interval_s));
+  return found;
+}
+
+int run(const Options& options) {
+  if (!options.why.empty()) return explain_why(options);
+  const bool is_live = !options.once && !options.json && ::isatty(STDOUT_FILENO) == 1;
+  return is_live ? refresh(options) : print_once(options);
+}
+
+}  // namespace
+}  // namespace tzc::monitor
+
+int main(int argc, char** argv) {
+  int status = 0;
+  try {
+    const auto options = tzc::monitor::parse_options(argc, argv, status);
+    return options ? tzc::monitor::run(*options) : status;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tzc-monitor: %s\n", error.what());
+    return tzc::monitor::wrong_usage;
+  }
+}

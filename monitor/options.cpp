@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace tzc::monitor {
+namespace {
+
+const char* const description =
+    "Shows the topics that nodes publish with TZC: rates, shared memory, what was dropped, and for each\n"
+    "connection whether it is shared or on TCPROS, and why. In a terminal it refreshes each second until\n"
+    "Ctrl-C. It reads pages that the nodes keep anyway, so watching costs them nothing.";
+
+const char* const footer =
+    "\nExamples:\n"
+    "  tzc-monitor                               all nodes of this user, live\n"
+    "  tzc-monitor --once --topic /camera/image  one table of one topic\n"
+    "  tzc-monitor --json | jq '.nodes[].topics[].connections[]'\n"
+    "  tzc-monitor --why /viewer /camera/image   is this connection shared, and if not, why?\n"
+    "\nExit status: 0 something was found, 1 nothing was found, 2 error in the command line.\n";
+
+void check(const Options& options, bool is_live) {
+  if (is_live && options.interval_s < 0.1)
+    throw CLI::ValidationError("--interval", "at least 0.1 seconds, unless --once is given");
+}
+
+}  // namespace
+
+std::optional<Options> parse_options(int argc, char** argv, int& status) {
+  Options options;
+  CLI::App app(description, "tzc-monitor");
+  app.footer(footer);
+  app.set_version_flag("--version", TZC_VERSION);
+  app.add_flag("--once", options.once,
+               "print one table and end; the default where the output is no terminal");
+  CLI::Option* const json = app.add_flag("--json", options.json, "print one JSON document and end");
+  CLI::Option* const topic = app.add_option("--topic", options.topic, "this topic only")->type_name("NAME");
+  CLI::Option* const interval =
+      app.add_option("--interval", options.interval_s,
+                     "seconds between two looks, over which rates are counted; 0 with --once: no rates")
+          ->type_name("SECONDS")
+          ->check(CLI::Range(0.0, 3600.0))
+          ->capture_default_str();
+  app.add_option("--why", options.why, "why the connections of NODE on TOPIC are shared or not, in words")
+      ->type_name("NODE TOPIC")
+      ->expected(2)
+      ->excludes(json)
+      ->excludes(topic)
+      ->excludes(interval);
+  try {
+    app.parse(argc, argv);
+    check(options, !options.once && !options.json && options.why.empty());
+  } catch (const CLI::ParseError& error) {
+    status = app.exit(error) == 0 ? 0 : 2;
+    return std::nullopt;
+  }
+  return options;
+}
+
+}  // namespace tzc::monitor

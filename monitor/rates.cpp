@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rates.h"
+
+#include <algorithm>
+
+namespace tzc::monitor {
+namespace {
+
+template <class Value, class Same>
+const Value* find_if(const std::vector<Value>& values, Same same) {
+  const auto found = std::find_if(values.begin(), values.end(), same);
+  return found == values.end() ? nullptr : &*found;
+}
+
+/// A topic that was advertised anew counts from 0 again.
+double per_second(std::uint64_t before, std::uint64_t now, double seconds) {
+  return now > before ? static_cast<double>(now - before) / seconds : 0;
+}
+
+Rates rates_of(const statistics::TopicCounters& before, const statistics::TopicCounters& now,
+               double seconds) {
+  return {per_second(before.messages, now.messages, seconds), per_second(before.shared, now.shared, seconds),
+          per_second(before.serialized, now.serialized, seconds),
+          per_second(before.copied_bytes, now.copied_bytes, seconds)};
+}
+
+std::optional<Rates> rates_between(const Node& before, const Node& now, const Topic& earlier,
+                                   const Topic& topic) {
+  if (now.updated_ns > before.updated_ns)
+    return rates_of(earlier.counters, topic.counters,
+                    static_cast<double>(now.updated_ns - before.updated_ns) * 1e-9);
+  if (now.state != State::running) return Rates();
+  const auto place = static_cast<std::size_t>(&earlier - before.topics.data());
+  return place < before.rates.size() ? before.rates[place] : std::nullopt;
+}
+
+std::optional<double> rate_between(const Node& before, const Node& now, const Connection& earlier,
+                                   const Connection& connection) {
+  if (now.updated_ns > before.updated_ns)
+    return per_second(earlier.messages, connection.messages,
+                      static_cast<double>(now.updated_ns - before.updated_ns) * 1e-9);
+  return now.state == State::running ? earlier.messages_per_s : 0;
+}
+
+/// A connection that moved to another transport counts from 0 again.
+void add_connection_rates(const Node& before, const Node& now, const Topic& earlier, Topic& topic) {
+  for (Connection& connection : topic.connections) {
+    const Connection* const same = find_if(earlier.connections, [&](const Connection& other) {
+      return other.subscriber == connection.subscriber && other.transport == connection.transport;
+    });
+    if (same) connection.messages_per_s = rate_between(before, now, *same, connection);
+  }
+}
+
+}  // namespace
+
+void add_rates(const std::vector<Node>& before, std::vector<Node>& now) {
+  for (Node& node : now) {
+    node.rates.assign(node.topics.size(), std::nullopt);
+    const Node* const earlier = find_if(before, [&](const Node& other) {
+      return other.pid == node.pid && other.started_ns == node.started_ns;
+    });
+    for (std::size_t i = 0; earlier && i < node.topics.size(); ++i) {
+      Topic& topic = node.topics[i];
+      const Topic* const same =
+          find_if(earlier->topics, [&](const Topic& other) { return other.name == topic.name; });
+      if (!same) continue;
+      node.rates[i] = rates_between(*earlier, node, *same, topic);
+      add_connection_rates(*earlier, node, *same, topic);
+    }
+  }
+}
+
+}  // namespace tzc::monitor

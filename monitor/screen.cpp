@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "screen.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace tzc::monitor {
+namespace {
+
+void write_all(const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t size = ::write(STDOUT_FILENO, text.data() + done, text.size() - done);
+    if (size <= 0 && errno != EINTR) return;
+    if (size > 0) done += static_cast<std::size_t>(size);
+  }
+}
+
+/// The first `columns` characters; escape sequences take no room.
+std::string cut(const std::string& line, std::size_t columns) {
+  std::string kept;
+  bool is_escape = false;
+  std::size_t width = 0;
+  for (const char c : line) {
+    if (c == '\x1b') is_escape = true;
+    if (is_escape || width++ < columns) kept += c;
+    if (is_escape && c == 'm') is_escape = false;
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::string fitted(const std::string& text, std::size_t rows, std::size_t columns) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(cut(line, columns));
+  if (lines.size() > rows && rows > 0) {
+    const std::size_t hidden = lines.size() - rows + 1;
+    lines.resize(rows - 1);
+    lines.push_back(cut(fmt::format("... {} more lines: see --topic and --once", hidden), columns));
+  }
+  std::string result;
+  for (const std::string& line : lines) result += (result.empty() ? "" : "\r\n") + line + "\x1b[K";
+  return result;
+}
+
+// Signals wait for wait(), so none can leave the terminal as it is.
+Screen::Screen() {
+  ::sigemptyset(&ends_);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::sigaddset(&ends_, signal);
+  ::sigprocmask(SIG_BLOCK, &ends_, &before_);
+  write_all("\x1b[?1049h\x1b[?25l");
+}
+
+Screen::~Screen() {
+  write_all("\x1b[?25h\x1b[?1049l");
+  ::sigprocmask(SIG_SETMASK, &before_, nullptr);
+}
+
+void Screen::show(const std::string& text) {
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_row == 0) size.ws_row = 24;
+  if (size.ws_col == 0) size.ws_col = 80;
+  write_all("\x1b[H" + fitted(text, size.ws_row, size.ws_col) + "\x1b[J");
+}
+
+bool Screen::wait(double seconds) {
+  timespec pause{};
+  pause.tv_sec = static_cast<time_t>(seconds);
+  pause.tv_nsec = static_cast<long>((seconds - std::floor(seconds)) * 1e9);
+  return ::sigtimedwait(&ends_, nullptr, &pause) < 0;
+}
+
+}  // namespace tzc::monitor

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "why.h"
+
+#include <fmt/format.h>
+
+#include "filter.h"
+#include "words.h"
+
+namespace tzc::monitor {
+namespace {
+
+std::string transport_text(const Connection& connection) {
+  if (connection.transport == Transport::shared) return "through shared memory.";
+  std::string text = fmt::format("{}: {}.",
+                                 connection.transport == Transport::intraprocess
+                                     ? "without any transport"
+                                     : fmt::format("over {}", name(connection.transport)),
+                                 connection.reason);
+  const std::string remedy = advice(connection.reason);
+  return remedy.empty() ? text : text + " " + remedy;
+}
+
+std::string state_text(const Node& node, const Connection& connection) {
+  std::string text;
+  if (node.state != State::running)
+    text += fmt::format(" ({} is {}: this is as of {:.0f} s ago.)", node.name, name(node.state), node.age_s);
+  if (connection.is_stopped) text += fmt::format(" ({} is stopped.)", connection.subscriber);
+  return text;
+}
+
+std::string sentence(const Node& node, const Topic& topic, const Connection& connection) {
+  return fmt::format("{} sends {} to {} {}{}", node.name, topic.name, connection.subscriber,
+                     transport_text(connection), state_text(node, connection));
+}
+
+void explain_topic(const Node& node, const Topic& topic, const std::string& wanted,
+                   Explanation& explanation) {
+  for (const Connection& connection : topic.connections)
+    if (node.name == wanted || connection.subscriber == wanted)
+      explanation.sentences.push_back(sentence(node, topic, connection));
+  if (node.name == wanted && topic.connections.empty())
+    explanation.sentences.push_back(
+        fmt::format("{} publishes {} and has no subscriber.", node.name, topic.name));
+}
+
+}  // namespace
+
+Explanation explain(const std::vector<Node>& nodes, const std::string& node, const std::string& topic) {
+  const std::string wanted = global_name(node), name = global_name(topic);
+  Explanation explanation;
+  std::string publishers;
+  for (const Node& one : nodes) {
+    for (const Topic& published : one.topics) {
+      if (published.name != name) continue;
+      publishers += (publishers.empty() ? "" : ", ") + one.name;
+      explain_topic(one, published, wanted, explanation);
+    }
+  }
+  if (!explanation.sentences.empty()) return explanation;
+  explanation.nothing =
+      publishers.empty()
+          ? fmt::format(
+                "No process of this user publishes {} with TZC and a statistics page. Its publisher may "
+                "not use TZC, may have switched it off for this topic or node (rosparam get NODE/tzc, "
+                "TZC_DISABLE), may have had no subscriber yet, or may run on another machine; then its "
+                "connections are on TCPROS.",
+                name)
+          : fmt::format("{} is published by {}, which has no connection to {}.", name, publishers, wanted);
+  return explanation;
+}
+
+}  // namespace tzc::monitor

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "model.h"
+
+namespace tzc::monitor {
+
+/// "0", "512", "1.5K", "24.9M": in powers of 1024, at most five characters below 1000 T.
+std::string short_bytes(double bytes);
+const char* name(State state);
+const char* name(Transport transport);
+/// What a user can do about a reason why a connection is not shared (docs/troubleshooting.md); empty: nothing is known.
+std::string advice(const std::string& reason);
+
+}  // namespace tzc::monitor

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/statistics_updater.h"
+
+#include <ros/console.h>
+#include <ros/this_node.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include "roscpp/configuration.h"
+#include "roscpp/descriptor_budget.h"
+#include "roscpp/publish/publication_endpoint.h"
+
+namespace tzc {
+namespace detail {
+namespace {
+
+using statistics::copy_text;
+
+constexpr std::chrono::seconds kPeriod(1);
+/// After a round that found some links in use.
+constexpr std::chrono::milliseconds kAgain(100);
+
+statistics::TopicRow row_of(const EndpointStatistics& seen) {
+  statistics::TopicRow row{};
+  row.kind = statistics::RowKind::topic;
+  const PublisherStatistics& counted = seen.counters;
+  row.counters = {counted.messages,      counted.shared,    counted.serialized, counted.copied_bytes,
+                  counted.control_bytes, counted.exhausted, counted.dropped,    counted.revoked};
+  const MemoryStats& memory = seen.memory;
+  row.memory = {memory.segments, memory.size_bytes, memory.reserved_bytes, memory.used_bytes,
+                memory.used_blocks};
+  copy_text(row.topic, seen.topic);
+  copy_text(row.type, seen.type);
+  return row;
+}
+
+statistics::ConnectionRow row_of(const LinkStatistics& seen) {
+  statistics::ConnectionRow row{};
+  row.kind = statistics::RowKind::connection;
+  row.transport = seen.transport;
+  row.messages = seen.messages;
+  row.bytes = seen.bytes;
+  row.in_flight = seen.in_flight;
+  row.held = seen.held;
+  row.revoked = seen.revoked;
+  row.pid = seen.pid;
+  copy_text(row.subscriber, seen.subscriber);
+  copy_text(row.reason, seen.reason);
+  return row;
+}
+
+}  // namespace
+
+void StatisticsUpdater::begin() {
+  if (page_ || !has_statistics_page() || !has_spare_descriptors()) return;
+  Expected<std::shared_ptr<statistics::PageWriter>> page =
+      statistics::PageWriter::create(ros::this_node::getName());
+  if (!page) {
+    ROS_DEBUG_STREAM("TZC: tzc-monitor does not see this node: " << page.error().text());
+    return;
+  }
+  page_ = std::move(*page);
+  update();
+}
+
+// Goes on after a round that failed for want of memory: the next one may succeed.
+void StatisticsUpdater::update() {
+  bool is_complete = true;
+  try {
+    is_complete = write();
+  } catch (const std::exception& error) {
+    ROS_DEBUG_STREAM("TZC: the statistics page stays as it is: " << error.what());
+  }
+  const std::chrono::microseconds pause = is_complete ? std::chrono::microseconds(kPeriod) : kAgain;
+  clerk_.post([this] { update(); }, pause);
+}
+
+void StatisticsUpdater::add_plain(const ros::PublicationPtr& publication, const std::string& reason) {
+  const std::lock_guard<std::mutex> lock(plain_mutex_);
+  // Not locked: the last reference to a publication must not go under this mutex.
+  const auto is_same = [&](const PlainTopic& one) {
+    return !one.publication.owner_before(publication) && !publication.owner_before(one.publication);
+  };
+  if (std::none_of(plain_.begin(), plain_.end(), is_same)) plain_.push_back({publication, reason});
+}
+
+std::vector<EndpointStatistics> StatisticsUpdater::look_at_plain() {
+  std::vector<PlainTopic> topics;
+  {
+    const std::lock_guard<std::mutex> lock(plain_mutex_);
+    const auto is_over = [](const PlainTopic& one) { return one.publication.expired(); };
+    plain_.erase(std::remove_if(plain_.begin(), plain_.end(), is_over), plain_.end());
+    topics = plain_;
+  }
+  std::vector<EndpointStatistics> all;
+  for (const PlainTopic& topic : topics) {
+    const ros::PublicationPtr publication = topic.publication.lock();
+    if (!publication) continue;
+    EndpointStatistics seen;
+    seen.topic = publication->getName();
+    seen.type = publication->getDataType();
+    seen.has_links = read_links(*publication, [&](const auto&) { return topic.reason; }, seen.links);
+    all.push_back(std::move(seen));
+  }
+  return all;
+}
+
+bool StatisticsUpdater::add(EndpointStatistics seen, Links& links) {
+  if (!seen.has_links) seen.links = last_links_[seen.topic];
+  page_->add(row_of(seen));
+  for (const LinkStatistics& link : seen.links) page_->add(row_of(link));
+  links[seen.topic] = std::move(seen.links);
+  return seen.has_links;
+}
+
+bool StatisticsUpdater::write() {
+  bool is_complete = true;
+  Links links;
+  page_->begin();
+  for (const std::shared_ptr<PublicationEndpoint>& endpoint : all_endpoints())
+    is_complete = add(endpoint->look(), links) && is_complete;
+  for (EndpointStatistics& plain : look_at_plain()) is_complete = add(std::move(plain), links) && is_complete;
+  page_->publish();
+  last_links_ = std::move(links);
+  return is_complete;
+}
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "roscpp/publish/endpoint_statistics.h"
+#include "roscpp/worker.h"
+#include "statistics/page_writer.h"
+
+namespace tzc {
+namespace detail {
+
+/// Copies the counters of this process's publications into its statistics page, once a second, on the clerk's thread
+/// (decision 505). Publishing does nothing for it, and it does not wait for a thread that publishes.
+class StatisticsUpdater {
+ public:
+  explicit StatisticsUpdater(Worker& clerk) : clerk_(clerk) {}
+
+  /// Begins with the page, unless there is one, it is switched off, or no descriptor is left for it. The clerk's thread.
+  void begin();
+  /// Shows this topic, too, from the page's beginning on: it stays on TCPROS for this reason. Any thread; does not begin
+  /// with the page.
+  void add_plain(const ros::PublicationPtr& publication, const std::string& reason);
+
+ private:
+  using Links = std::map<std::string, std::vector<LinkStatistics>>;  ///< by topic
+  struct PlainTopic {
+    ros::PublicationWPtr publication;
+    std::string reason;
+  };
+
+  void update();
+  bool write();
+  std::vector<EndpointStatistics> look_at_plain();
+  bool add(EndpointStatistics seen, Links& links);
+
+  Worker& clerk_;
+  std::shared_ptr<statistics::PageWriter> page_;
+  Links last_links_;
+  std::mutex plain_mutex_;
+  std::vector<PlainTopic> plain_;  ///< under plain_mutex_
+};
+
+}  // namespace detail
+}  // namespace tzc

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "why.h"
+#include "words.h"
+
+namespace tzc::monitor {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Node camera() {
+  Connection shared, plain;
+  shared.subscriber = "/viewer";
+  shared.transport = Transport::shared;
+  plain.subscriber = "/rviz";
+  plain.transport = Transport::tcpros;
+  plain.reason = "this node has not attached /image";
+  Topic image, depth;
+  image.name = "/image";
+  image.connections = {shared, plain};
+  depth.name = "/depth";
+  Node node;
+  node.name = "/camera";
+  node.topics = {image, depth};
+  return node;
+}
+
+TEST(Explain, a_shared_connection_by_its_subscriber) {
+  EXPECT_THAT(explain({camera()}, "viewer", "image").sentences,
+              ElementsAre("/camera sends /image to /viewer through shared memory."));
+}
+
+TEST(Explain, all_connections_of_a_publisher) {
+  EXPECT_THAT(explain({camera()}, "/camera", "/image").sentences,
+              ElementsAre("/camera sends /image to /viewer through shared memory.",
+                          "/camera sends /image to /rviz over TCPROS: this node has not attached /image. It "
+                          "subscribes by nh.subscribe: use tzc::subscribe or tzc::attach there."));
+}
+
+TEST(Explain, that_a_process_is_stopped) {
+  Node node = camera();
+  node.state = State::stopped;
+  node.age_s = 12;
+  node.topics[0].connections[0].is_stopped = true;
+  EXPECT_THAT(
+      explain({node}, "/viewer", "/image").sentences,
+      ElementsAre("/camera sends /image to /viewer through shared memory. (/camera is stopped: this is as of "
+                  "12 s ago.) (/viewer is stopped.)"));
+}
+
+TEST(Explain, what_was_not_found) {
+  EXPECT_THAT(explain({camera()}, "/camera", "/depth").sentences,
+              ElementsAre("/camera publishes /depth and has no subscriber."));
+  const Explanation no_connection = explain({camera()}, "/nobody", "/image");
+  EXPECT_TRUE(no_connection.sentences.empty());
+  EXPECT_EQ(no_connection.nothing, "/image is published by /camera, which has no connection to /nobody.");
+  EXPECT_THAT(explain({camera()}, "/viewer", "/none").nothing, HasSubstr("publishes /none with TZC"));
+}
+
+TEST(Words, of_every_reason_that_the_upgrade_gives_have_advice) {
+  for (const char* reason :
+       {"the node at http://a:1/ does not know the method tzcOffer", "this node has not attached /image",
+        "this node is on another machine or network namespace", "it belongs to another user",
+        "the publisher is a process of another user", "not an offer of this version of TZC",
+        "this node expects another message type on /image",
+        "the publisher: more than half of the 64 file descriptors that this process may have are in use",
+        "given up after 10 tries: no answer from http://a:1/; does this address lead to it",
+        "the subscriber asked for UDPROS"})
+    EXPECT_NE(advice(reason), "") << reason;
+  EXPECT_EQ(advice("shared memory was not offered yet"), "");
+}
+
+TEST(Words, bytes_are_short) {
+  EXPECT_EQ(short_bytes(0), "0");
+  EXPECT_EQ(short_bytes(512), "512");
+  EXPECT_EQ(short_bytes(1536), "1.5K");
+  EXPECT_EQ(short_bytes(24.9 * (1 << 20)), "24.9M");
+  EXPECT_EQ(short_bytes(1e18), "909495T");
+}
+
+}  // namespace
+}  // namespace tzc::monitor

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "processes.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "statistics/page_writer.h"
+
+namespace tzc::monitor {
+namespace {
+
+bool is_among(pid_t pid, const std::vector<Node>& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [&](const Node& node) { return node.pid == static_cast<std::uint32_t>(pid); });
+}
+
+/// A child that waits until it is killed, at the end of the test.
+class Child {
+ public:
+  template <class Prepare>
+  explicit Child(Prepare prepare) {
+    int ready[2];
+    if (::pipe(ready) != 0) ::abort();
+    pid_ = ::fork();
+    if (pid_ == 0) {
+      prepare();
+      if (::write(ready[1], "x", 1) != 1) ::_exit(1);
+      for (;;) ::pause();
+    }
+    char byte = 0;
+    EXPECT_EQ(::read(ready[0], &byte, 1), 1);
+    ::close(ready[0]);
+    ::close(ready[1]);
+  }
+  ~Child() {
+    ::kill(pid_, SIGKILL);
+    ::waitpid(pid_, nullptr, 0);
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  pid_t pid() const { return pid_; }
+
+ private:
+  pid_t pid_;
+};
+
+TEST(Sample, leaves_out_a_child_with_its_parents_page) {
+  const auto page = *statistics::PageWriter::create("/parent");
+  page->begin();
+  page->publish();
+  const Child child([] {});
+  const Sample sample = take_sample();
+  EXPECT_TRUE(is_among(::getpid(), sample.nodes));
+  EXPECT_FALSE(is_among(child.pid(), sample.nodes));
+}
+
+/// Any process of the user can have a file of that name.
+TEST(Sample, names_a_file_of_the_pages_name_that_is_none) {
+  const Child child([] {
+    const int file = ::memfd_create(statistics::page_name, MFD_CLOEXEC);
+    if (::ftruncate(file, 100) != 0) ::_exit(1);
+  });
+  const Sample sample = take_sample();
+  EXPECT_FALSE(is_among(child.pid(), sample.nodes));
+  const std::string expected = "process " + std::to_string(child.pid()) +
+                               ": its statistics page is left out: it is not a statistics page";
+  EXPECT_NE(std::find(sample.troubles.begin(), sample.troubles.end(), expected), sample.troubles.end());
+}
+
+TEST(Sample, shows_a_stopped_process) {
+  const Child child([] {
+    static const auto page = *statistics::PageWriter::create("/stopped");
+    page->begin();
+    page->publish();
+  });
+  const auto state = [&] {
+    for (const Node& node : take_sample().nodes)
+      if (node.pid == static_cast<std::uint32_t>(child.pid())) return node.state;
+    return State::silent;
+  };
+  EXPECT_EQ(state(), State::running);
+  ::kill(child.pid(), SIGSTOP);
+  ::waitpid(child.pid(), nullptr, WUNTRACED);
+  EXPECT_EQ(state(), State::stopped);
+}
+
+TEST(Sample, of_a_folder_without_processes_is_empty) {
+  const Sample sample = take_sample("/proc/no/such/folder");
+  EXPECT_TRUE(sample.nodes.empty());
+  EXPECT_TRUE(sample.troubles.empty());
+}
+
+}  // namespace
+}  // namespace tzc::monitor

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rates.h"
+
+#include <gtest/gtest.h>
+
+#include "filter.h"
+
+namespace tzc::monitor {
+namespace {
+
+Node sample(std::uint64_t updated_s, std::uint64_t messages) {
+  Node node;
+  node.name = "/camera";
+  node.pid = 42;
+  node.updated_ns = updated_s * 1000000000;
+  Topic topic;
+  topic.name = "/image";
+  topic.counters.messages = messages;
+  topic.counters.shared = 2 * messages;
+  Connection viewer;
+  viewer.subscriber = "/viewer";
+  viewer.messages = messages;
+  topic.connections = {viewer};
+  node.topics = {topic};
+  return node;
+}
+
+std::optional<Rates> rates(const std::vector<Node>& before, std::vector<Node>& now) {
+  add_rates(before, now);
+  return now.at(0).rates.at(0);
+}
+
+TEST(Rates, are_counted_over_the_time_between_two_updates) {
+  std::vector<Node> now{sample(12, 160)};
+  const auto found = rates({sample(10, 100)}, now);
+  ASSERT_TRUE(found);
+  EXPECT_DOUBLE_EQ(found->messages, 30);
+  EXPECT_DOUBLE_EQ(found->shared, 60);
+  EXPECT_EQ(now[0].topics[0].connections[0].messages_per_s, 30);
+}
+
+TEST(Rates, need_an_earlier_sample_of_the_same_process) {
+  std::vector<Node> now{sample(12, 160)};
+  EXPECT_FALSE(rates({}, now));
+  Node other = sample(10, 100);
+  other.pid = 43;
+  EXPECT_FALSE(rates({other}, now));
+  Node restarted = sample(10, 100);
+  restarted.started_ns = 5;
+  EXPECT_FALSE(rates({restarted}, now));
+  EXPECT_FALSE(now[0].topics[0].connections[0].messages_per_s);
+}
+
+TEST(Rates, of_a_topic_that_was_advertised_anew_begin_at_zero) {
+  std::vector<Node> now{sample(12, 5)};
+  EXPECT_DOUBLE_EQ(rates({sample(10, 100)}, now)->messages, 0);
+}
+
+TEST(Rates, stay_until_the_next_update_while_the_process_runs) {
+  std::vector<Node> second{sample(12, 160)};
+  add_rates({sample(10, 100)}, second);
+  std::vector<Node> third{sample(12, 160)};
+  EXPECT_DOUBLE_EQ(rates(second, third)->messages, 30);
+  third[0].state = State::stopped;
+  EXPECT_DOUBLE_EQ(rates(second, third)->messages, 0);
+}
+
+TEST(Rates, of_a_connection_that_moved_begin_at_zero) {
+  Node before = sample(10, 100);
+  before.topics[0].connections[0].transport = Transport::tcpros;
+  std::vector<Node> now{sample(12, 160)};
+  EXPECT_TRUE(rates({before}, now));
+  EXPECT_FALSE(now[0].topics[0].connections[0].messages_per_s);
+}
+
+TEST(Filter, keeps_a_topic_with_its_rates_and_only_nodes_that_have_it) {
+  Node both = sample(12, 160), other = sample(12, 1);
+  both.topics.insert(both.topics.begin(), Topic());
+  both.rates = {std::nullopt, Rates{30, 0, 0, 0}};
+  other.topics[0].name = "/other";
+  std::vector<Node> nodes{both, other};
+  keep_topic("image", nodes);  // a name without its slash is meant, too
+  ASSERT_EQ(nodes.size(), 1u);
+  ASSERT_EQ(nodes[0].topics.size(), 1u);
+  EXPECT_EQ(nodes[0].topics[0].name, "/image");
+  ASSERT_TRUE(nodes[0].rates.at(0));
+  EXPECT_DOUBLE_EQ(nodes[0].rates[0]->messages, 30);
+}
+
+}  // namespace
+}  // namespace tzc::monitor

@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What tzc-monitor shows of real nodes, and that they do not notice it."""
+import json
+import os
+import pty
+import re
+import signal
+import subprocess
+import sys
+
+from topic_case import TopicCase, main
+
+MONITOR = os.environ.get("TZC_MONITOR", "tzc-monitor")
+ROSPY = [sys.executable, os.path.join(os.path.dirname(os.path.abspath(__file__)), "nodes", "rospy_node.py")]
+
+
+class MonitorCase(TopicCase):
+    def setUp(self):
+        super().setUp()
+        self.ns = f"/monitored_{os.getpid()}{self.ns}"  # the monitor sees the nodes of other test runs, too
+
+    def monitor(self, *arguments):
+        """Runs it to its end; (status, standard output, standard error)."""
+        done = subprocess.run([MONITOR, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=20,
+                              stdin=subprocess.DEVNULL, check=False)
+        return done.returncode, done.stdout.decode(), done.stderr.decode()
+
+    def seen(self):
+        """This test's topic as the monitor shows it, with its node; None when it shows none."""
+        status, output, _ = self.monitor("--json", "--interval", "0", "--topic", self.name("image"))
+        nodes = json.loads(output)["nodes"]
+        self.assertEqual(status, 0 if nodes else 1)
+        return dict(nodes[0]["topics"][0], node=nodes[0]) if nodes else None
+
+    def wait_until_seen(self, condition, what):
+        """The first look that meets the condition."""
+        looks = []
+
+        def holds():
+            looks.append(self.seen())
+            return looks[-1] is not None and condition(looks[-1])
+        self.ros.wait_until(holds, 20 * self.slowness(), what)
+        return looks[-1]
+
+    def connection(self, look, node):
+        return next((one for one in look["connections"] if one["subscriber"] == self.name(node)), None)
+
+    def rate_in(self, table):
+        """The topic's MSG/S; "-" when its node was too slow to update its page between two looks."""
+        return re.search(rf"^  {self.name('image')} +\S+ +(\S+)", table, re.M).group(1)
+
+    def table_with_rate(self):
+        tables = []
+
+        def has_rate():
+            status, table, _ = self.monitor("--once", "--topic", self.name("image"))
+            self.assertEqual(status, 0)
+            tables.append(table)
+            return self.rate_in(table) != "-"
+        self.ros.wait_until(has_rate, 20 * self.slowness(), "a rate")
+        return tables[-1]
+
+    def wait_until_shared(self, node):
+        def is_shared(look):
+            connection = self.connection(look, node)
+            return connection is not None and connection["transport"] == "shared"
+        return self.wait_until_seen(is_shared, f"{node} to be shown as shared")
+
+
+class Monitor(MonitorCase):
+    def test_shared_and_plain_connections_with_their_reasons(self):
+        self.listen(name="viewer")
+        self.listen("plain", name="plain")
+        self.ros.start(ROSPY + [f"__ns:={self.ns}", "__name:=python"], name="python")
+        self.wait_for_subscribers(self.name("image"), 3)
+        talker = self.start_talker(count=0, rate=50, subscribers=3, shared=1)
+        self.wait_until_shared("viewer")
+        look = self.wait_until_seen(
+            lambda look: "tzcOffer" in (self.connection(look, "python") or {}).get("reason", "") and
+            "has not attached" in (self.connection(look, "plain") or {}).get("reason", "") and look["messages"] > 0,
+            "both reasons")
+        self.assertEqual((look["node"]["node"], look["node"]["pid"], look["node"]["state"]),
+                         (self.name("talker"), talker.pid, "running"))
+        self.assertEqual((look["type"], look["copied_bytes"]), ("sensor_msgs/Image", 0))
+        self.assertGreaterEqual(look["memory"]["size"], 100000)
+        self.assertLessEqual(look["memory"]["used"], look["memory"]["committed"])
+        self.assertEqual(self.connection(look, "viewer")["reason"], "")
+        for plain in ("plain", "python"):
+            self.assertEqual(self.connection(look, plain)["transport"], "TCPROS")
+            self.assertGreater(self.connection(look, plain)["messages"], 0)
+
+        table = self.table_with_rate()
+        self.assertRegex(table, rf"-> {self.name('viewer')} +shared ")
+        self.assertRegex(table, rf"-> {self.name('plain')} +TCPROS .*has not attached {self.name('image')}")
+        self.assertTrue(0 < float(self.rate_in(table)) < 75, table)
+        self.assertNotIn("\x1b", table)
+
+        status, why, _ = self.monitor("--why", self.name("viewer"), self.name("image"))
+        self.assertEqual((status, why), (0, f"{self.name('talker')} sends {self.name('image')} to "
+                                            f"{self.name('viewer')} through shared memory.\n"))
+        _, why, _ = self.monitor("--why", self.name("python"), self.name("image"))
+        self.assertIn("over TCPROS: the node at http", why)
+        self.assertIn("tzc-run", why)
+        _, why, _ = self.monitor("--why", self.name("talker"), self.name("image"))
+        self.assertEqual(len(why.splitlines()), 3, why)
+        status, why, trouble = self.monitor("--why", self.name("nobody"), self.name("image"))
+        self.assertEqual((status, why), (1, ""))
+        self.assertIn(f"is published by {self.name('talker')}, which has no connection to", trouble)
+        self.finish(talker)
+
+    def test_a_stopped_node_is_shown_as_stopped(self):
+        viewer = self.listen(name="viewer")
+        talker = self.start_talker(count=0, rate=50)
+        self.wait_until_shared("viewer")
+        viewer.process.popen.send_signal(signal.SIGSTOP)
+        self.wait_until_seen(lambda look: self.connection(look, "viewer")["stopped"], "the viewer to be shown as stopped")
+        talker.popen.send_signal(signal.SIGSTOP)
+        look = self.wait_until_seen(lambda look: look["node"]["state"] == "stopped", "the talker to be shown as stopped")
+        self.assertEqual(self.connection(look, "viewer")["transport"], "shared")
+        _, table, _ = self.monitor("--once", "--interval", "0", "--topic", self.name("image"))
+        self.assertRegex(table, rf"{self.name('talker')}  process {talker.pid}  stopped, as of \d+ s ago")
+        talker.popen.send_signal(signal.SIGCONT)
+        viewer.process.popen.send_signal(signal.SIGCONT)
+        self.wait_until_seen(lambda look: look["node"]["state"] == "running" and
+                             not self.connection(look, "viewer")["stopped"], "both to run")
+        self.finish(talker)
+
+    def test_memory_that_runs_out_is_counted(self):
+        """A stopped subscriber takes nothing: its queue keeps every block that the memory has."""
+        viewer = self.listen(name="viewer")
+        talker = self.start_talker(count=0, rate=50, memory=4 * 105000)
+        self.wait_until_shared("viewer")
+        viewer.process.popen.send_signal(signal.SIGSTOP)
+        look = self.wait_until_seen(lambda look: look["exhausted"] > 0, "the memory to run out")
+        self.assertGreater(self.connection(look, "viewer")["in_flight"], 0)
+        self.assertGreater(look["memory"]["used"], 2 * 100000)
+        viewer.process.popen.send_signal(signal.SIGCONT)
+        self.finish(talker)
+
+    def test_what_a_subscriber_keeps_is_shown_as_held(self):
+        self.listen("keep", name="keeper")
+        self.start_talker(count=5, rate=50, linger=30)
+        look = self.wait_until_seen(lambda look: (self.connection(look, "keeper") or {}).get("held") == 5,
+                                    "five blocks to be held")
+        self.assertEqual(look["memory"]["blocks"], 5)
+
+    def test_switched_off(self):
+        """No page: nothing to see, and one descriptor less."""
+        self.listen(name="viewer")
+        talker = self.start_talker(count=0, rate=50, **{"tzc/statistics_page": 0})
+        self.ros.wait_until(lambda: self.shared_transports(self.name("talker")), 20, "the upgrade")
+        status, _, trouble = self.monitor("--why", self.name("viewer"), self.name("image"))
+        self.assertEqual(status, 1)
+        self.assertIn("No process of this user publishes", trouble)
+        self.assertEqual(pages_of(talker.pid), [])
+        self.finish(talker)
+
+
+    def test_a_topic_that_is_switched_off_says_so(self):
+        self.listen(name="viewer")
+        self.listen(name="plain", topics="depth", topic="depth")
+        talker = self.start_talker(count=0, rate=50, settle=0.1, topics="image depth",
+                                   **{"tzc/disable_topics": self.name("depth")})
+        self.wait_until_shared("viewer")
+        self.ros.wait_until(lambda: self.monitor("--why", self.name("plain"), self.name("depth"))[0] == 0, 20,
+                            "the topic that is switched off")
+        _, why, _ = self.monitor("--why", self.name("plain"), self.name("depth"))
+        self.assertEqual(why, f"{self.name('talker')} sends {self.name('depth')} to {self.name('plain')} over TCPROS: "
+                              "the publisher's ~tzc/disable_topics names this topic.\n")
+        self.finish(talker)
+
+
+class Observed(MonitorCase):
+    def test_monitors_that_are_killed_change_nothing(self):
+        """Ten of them in terminals, killed without a warning: the node keeps its threads, descriptors and messages."""
+        listener = self.listen(name="viewer", queue=1000)
+        talker = self.start_talker(count=0, rate=50)
+        self.wait_until_shared("viewer")
+        before = {pid: resources(pid) for pid in (talker.pid, listener.process.pid)}
+        self.assertEqual(len(pages_of(talker.pid)), 1)
+        monitors = [Terminal() for _ in range(10)]
+        for monitor in monitors:
+            self.ros.wait_until(lambda: self.name("image") in monitor.screen(), 20 * self.slowness(), "a monitor")
+        for monitor in monitors:
+            monitor.process.kill()
+            monitor.close()
+        for pid, (threads, descriptors) in before.items():
+            threads_now, descriptors_now = resources(pid)
+            self.assertLessEqual(threads_now, threads)  # fewer: idle ones end
+            self.assertLessEqual(descriptors_now, descriptors)
+        last = self.finish(talker)["last"]
+        self.assertEqual(listener.numbers(), list(range(last + 1)))
+        self.assertTrue(all(message["shared"] for message in listener.messages()))
+
+    def test_nobody_else_can_write_to_a_page(self):
+        self.listen(name="viewer")
+        talker = self.start_talker(count=0, rate=50)
+        self.wait_until_shared("viewer")
+        page, = pages_of(talker.pid)
+        with open(page, "r+b", buffering=0) as file:
+            self.assertRaises(PermissionError, file.write, b"x")
+            self.assertRaises(PermissionError, file.truncate, 0)
+        self.finish(talker)
+
+
+class CommandLine(MonitorCase):
+    def test_statuses(self):
+        status, _, trouble = self.monitor("--once", "--interval", "0", "--topic", "/no/such/topic")
+        self.assertEqual(status, 1)
+        self.assertIn("tzc-monitor: no process of this user publishes", trouble)
+        for wrong in (["--no-such-option"], ["--why", "/node"], ["--interval", "0.01"], ["--why", "/a", "/b", "--json"]):
+            self.assertEqual(self.monitor(*wrong)[0], 2, wrong)
+        status, output, _ = self.monitor("--help")
+        self.assertEqual(status, 0)
+        self.assertIn("Examples:", output)
+        self.assertRegex(self.monitor("--version")[1], r"^\d+\.\d+\.\d+\n$")
+
+    def test_the_terminal_is_as_before_after_a_signal(self):
+        for end in (signal.SIGINT, signal.SIGTERM):
+            terminal = Terminal()
+            self.ros.wait_until(lambda: "TOPIC" in terminal.screen(), 20, "the first screen")
+            terminal.process.send_signal(end)
+            self.assertEqual(terminal.process.wait(10), 0)
+            screen = terminal.screen()
+            self.assertTrue(screen.startswith("\x1b[?1049h\x1b[?25l"), screen[:40])
+            self.assertTrue(screen.endswith("\x1b[?25h\x1b[?1049l"), screen[-40:])
+            terminal.close()
+
+
+class Terminal:
+    """A monitor in a terminal of its own."""
+
+    def __init__(self):
+        self.end, other = pty.openpty()
+        os.set_blocking(self.end, False)
+        self.process = subprocess.Popen([MONITOR], stdin=subprocess.DEVNULL, stdout=other, start_new_session=True)
+        os.close(other)
+        self.written = b""
+
+    def screen(self):
+        """All that it has written so far."""
+        try:
+            while True:
+                more = os.read(self.end, 65536)
+                if not more:
+                    break
+                self.written += more
+        except OSError:
+            pass  # nothing more now, or it has ended
+        return self.written.decode()
+
+    def close(self):
+        self.process.kill()
+        self.process.wait()
+        os.close(self.end)
+
+
+def pages_of(pid):
+    folder = f"/proc/{pid}/fd"
+    return [f"{folder}/{number}" for number in os.listdir(folder)
+            if os.readlink(f"{folder}/{number}") == "/memfd:tzc-statistics (deleted)"]
+
+
+def resources(pid):
+    return len(os.listdir(f"/proc/{pid}/task")), set(os.listdir(f"/proc/{pid}/fd"))
+
+
+if __name__ == "__main__":
+    main()
