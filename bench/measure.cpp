@@ -9,8 +9,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <vector>
+
+#include "processes.h"
 
 namespace tzc {
 namespace bench {
@@ -19,18 +20,11 @@ namespace {
 constexpr std::uint64_t warm_up = 20;  // the first messages fault pages in and open segments
 constexpr int rest_ms = 100;           // and the scheduler forgets how busy it was
 constexpr int patience_ms = 20'000;
-constexpr int last_arrivals_ms = 1000;
+constexpr int silence_ms = 1000;  // after this long without an arrival nothing more is expected
 
 Board* create_board() {
   void* memory = ::mmap(nullptr, sizeof(Board), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   return memory == MAP_FAILED ? nullptr : new (memory) Board();
-}
-
-pid_t in_child(const std::function<void()>& body) {
-  const pid_t child = ::fork();
-  if (child != 0) return child;
-  body();
-  std::exit(0);  // iceoryx cleans its socket files up in a destructor
 }
 
 void sleep_ms(int milliseconds) {
@@ -47,9 +41,48 @@ bool complete(const Board& board, const Setup& setup) {
                      [&](const auto& received) { return received >= setup.count + warm_up; });
 }
 
-void wait_until_received(const Board& board, const Setup& setup) {
-  for (int i = 0; i < last_arrivals_ms && !complete(board, setup); ++i) sleep_ms(1);
+std::uint64_t received(const Board& board, const Setup& setup) {
+  std::uint64_t all = 0;
+  for (std::size_t who = 0; who < setup.subscribers; ++who) all += board.received[who];
+  return all;
 }
+
+void wait_until_received(const Board& board, const Setup& setup) {
+  std::uint64_t before = received(board, setup);
+  for (int silent = 0; silent < silence_ms && !complete(board, setup); ++silent) {
+    sleep_ms(1);
+    const std::uint64_t now = received(board, setup);
+    if (now != before) silent = 0;
+    before = now;
+  }
+}
+
+void enter(Member& member) {
+  member.process = ::getpid();
+  count_into(&member.counts);
+}
+
+/// Notes what each member has spent between the two calls.
+class Spending {
+ public:
+  Spending(Board& board, const Setup& setup) {
+    members_.push_back(&board.publisher);
+    for (std::size_t who = 0; who < setup.subscribers; ++who) members_.push_back(&board.subscriber[who]);
+  }
+  void begin() {
+    for (Member* member : members_) member->spent = spent_by(*member);
+  }
+  void end() {
+    for (Member* member : members_) member->spent = spent_by(*member) - member->spent;
+  }
+
+ private:
+  static Cost spent_by(const Member& member) {
+    return member.process != 0 ? cost_of(member.process, member.counts) : Cost();
+  }
+
+  std::vector<Member*> members_;
+};
 
 void publish_at_rate(const std::function<void(std::uint64_t)>& publish, double rate, std::uint64_t from,
                      std::uint64_t to) {
@@ -79,8 +112,14 @@ void send_all(Contender& contender, const Setup& setup, Board& board) {
   sleep_ms(rest_ms);
   publish_at_rate(publish, setup.rate, 0, warm_up);
   sleep_ms(rest_ms);
+  Spending spending(board, setup);
+  spending.begin();
+  const std::int64_t start = now_ns();
   publish_at_rate(publish, setup.rate, warm_up, setup.count + warm_up);
+  board.publishing_ns = now_ns() - start;
+  board.published = true;
   wait_until_received(board, setup);
+  spending.end();
 }
 
 void stop_all(const std::vector<pid_t>& children, bool let_them_leave) {
@@ -89,13 +128,40 @@ void stop_all(const std::vector<pid_t>& children, bool let_them_leave) {
   for (const pid_t child : children) ::waitpid(child, nullptr, 0);
 }
 
-void collect(const Setup& setup, const Board& board, Samples& samples) {
-  samples.sent += setup.count * setup.subscribers;
-  for (std::size_t who = 0; who < setup.subscribers; ++who) {
-    const std::uint32_t* first = board.latency_ns[who];
-    std::copy_if(first, first + setup.count, std::back_inserter(samples.latency_ns),
-                 [](std::uint32_t ns) { return ns != 0; });
+std::vector<pid_t> start_subscribers(Contender& contender, const Setup& setup, Board& board) {
+  std::vector<pid_t> subscribers;
+  for (std::size_t who = 0; who < setup.subscribers && !contender.in_one_process(); ++who) {
+    subscribers.push_back(in_child([&] {
+      enter(board.subscriber[who]);
+      Recorder recorder(board, who);
+      contender.subscribe(setup, who, recorder);
+    }));
   }
+  return subscribers;
+}
+
+Outcome run_publisher(Contender& contender, const Setup& setup, Board& board) {
+  const pid_t publisher = in_child([&] {
+    enter(board.publisher);
+    send_all(contender, setup, board);
+  });
+  const Ending ending = wait_for(publisher);
+  if (ending == Ending::interrupted) stop_all({publisher}, false);
+  if (ending == Ending::interrupted) return Outcome::interrupted;
+  return board.published ? Outcome::complete : Outcome::failed;
+}
+
+Measurement collect(const Setup& setup, const Board& board, Outcome outcome) {
+  Measurement result;
+  result.outcome = outcome;
+  result.seconds = static_cast<double>(board.publishing_ns) / 1e9;
+  result.publisher = board.publisher.spent;
+  for (std::size_t who = 0; who < setup.subscribers; ++who) {
+    const std::uint64_t* first = board.latency_ns[who];
+    result.latency_ns.emplace_back(first, first + setup.count);
+    result.subscribers += board.subscriber[who].spent;
+  }
+  return result;
 }
 
 }  // namespace
@@ -106,39 +172,47 @@ std::int64_t now_ns() {
   return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
 }
 
+std::string unique_name() {
+  static std::size_t names = 0;
+  return "tzcb" + std::to_string(::getpid()) + "-" + std::to_string(names++);
+}
+
 void Recorder::record(const Stamp& stamp) {
   const std::int64_t latency = now_ns() - stamp.nanoseconds;
   ++board_.received[who_];
   if (stamp.index < warm_up || stamp.index - warm_up >= most_messages) return;
   board_.latency_ns[who_][stamp.index - warm_up] =
-      static_cast<std::uint32_t>(std::clamp<std::int64_t>(latency, 1, UINT32_MAX));
+      static_cast<std::uint64_t>(std::max<std::int64_t>(latency, 1));
 }
 
-void measure(Contender& contender, const Setup& setup, Samples& samples) {
+Measurement measure(Contender& contender, const Setup& setup) {
   Board* board = create_board();
+  if (board == nullptr) return Measurement();
   contender.prepare(setup);
-  std::vector<pid_t> subscribers;
-  for (std::size_t who = 0; who < setup.subscribers && !contender.in_one_process(); ++who) {
-    subscribers.push_back(in_child([&] {
-      Recorder recorder(*board, who);
-      contender.subscribe(setup, who, recorder);
-    }));
-  }
-  const pid_t publisher = in_child([&] { send_all(contender, setup, *board); });
-  ::waitpid(publisher, nullptr, 0);
+  const std::vector<pid_t> subscribers = start_subscribers(contender, setup, *board);
+  const Outcome outcome = run_publisher(contender, setup, *board);
   board->stop = true;
   stop_all(subscribers, contender.cleans_up_at_exit());
-  collect(setup, *board, samples);
+  Measurement result = collect(setup, *board, outcome);
   ::munmap(board, sizeof(Board));
+  return result;
+}
+
+void add(const Measurement& measurement, Samples& samples) {
+  for (const std::vector<std::uint64_t>& received : measurement.latency_ns) {
+    samples.sent += received.size();
+    std::copy_if(received.begin(), received.end(), std::back_inserter(samples.latency_ns),
+                 [](std::uint64_t ns) { return ns != 0; });
+  }
 }
 
 Row summarize(const Contender& contender, const Setup& setup, Samples samples) {
-  std::vector<std::uint32_t>& all = samples.latency_ns;
+  std::vector<std::uint64_t>& all = samples.latency_ns;
   std::sort(all.begin(), all.end());
   Row row{contender.name(), setup.size_bytes, setup.subscribers, samples.sent, all.size(), 0, 0};
   if (all.empty()) return row;
-  row.median_us = all[all.size() / 2] / 1000.0;
-  row.p99_us = all[all.size() * 99 / 100] / 1000.0;
+  row.median_us = static_cast<double>(all[all.size() / 2]) / 1000.0;
+  row.p99_us = static_cast<double>(all[all.size() * 99 / 100]) / 1000.0;
   return row;
 }
 

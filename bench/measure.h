@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cost.h"
 #include "report.h"
 
 namespace tzc {
@@ -25,12 +26,23 @@ std::int64_t now_ns();
 constexpr std::size_t most_messages = 1 << 16;
 constexpr std::size_t most_subscribers = 16;
 
+/// What one process of a measurement tells of itself.
+struct Member {
+  std::atomic<pid_t> process;
+  Counts counts;
+  Cost spent;  // on the measured messages; the publisher writes it, of every member
+};
+
 /// Memory that the processes of one measurement share.
 struct Board {
   std::atomic<std::uint32_t> ready;
   std::atomic<bool> stop;
+  std::atomic<bool> published;  // all messages
+  std::int64_t publishing_ns;   // how long that took
+  Member publisher;
+  Member subscriber[most_subscribers];
   std::atomic<std::uint64_t> received[most_subscribers];
-  std::uint32_t latency_ns[most_subscribers][most_messages];
+  std::uint64_t latency_ns[most_subscribers][most_messages];
 };
 
 /// The record of what one subscriber receives.
@@ -55,6 +67,9 @@ struct Setup {
   std::size_t queue_size = 10;
 };
 
+/// For Setup::name: another one at each call.
+std::string unique_name();
+
 /// One way of carrying messages. Every function but prepare runs in a process of its own.
 class Contender {
  public:
@@ -76,14 +91,32 @@ class Contender {
   virtual std::function<void(std::uint64_t index)> publish(const Setup& setup) = 0;
 };
 
-/// The results of the subscribers of one or several measurements.
-struct Samples {
-  std::size_t sent = 0;                   // times the number of subscribers
-  std::vector<std::uint32_t> latency_ns;  // of each delivered message
+enum class Outcome {
+  complete,     // the publisher sent all messages; how many arrived is another question
+  failed,       // a process ended early, or not every subscriber came
+  interrupted,  // see hold_interrupts
 };
 
-/// Forks the publisher and the subscribers, sends at the given rate, and adds what arrived.
-void measure(Contender& contender, const Setup& setup, Samples& samples);
+/// What one measurement found.
+struct Measurement {
+  Outcome outcome = Outcome::failed;
+  double seconds = 0;  // from when the first message was due until the last one was published, and a period
+  std::vector<std::vector<std::uint64_t>> latency_ns;  // [subscriber][message]; 0: not delivered
+  Cost publisher;                                      // with its subscribers, where they live in its process
+  Cost subscribers;                                    // all of them together
+};
+
+/// Forks the publisher and the subscribers, sends at the given rate, and returns what arrived. All processes
+/// have ended when it returns.
+Measurement measure(Contender& contender, const Setup& setup);
+
+/// The deliveries of one or several measurements.
+struct Samples {
+  std::size_t sent = 0;                   // times the number of subscribers
+  std::vector<std::uint64_t> latency_ns;  // of each delivered message
+};
+
+void add(const Measurement& measurement, Samples& samples);
 Row summarize(const Contender& contender, const Setup& setup, Samples samples);
 
 }  // namespace bench

@@ -16,7 +16,13 @@ Examples:
   tzc-bench roscpp --count 1000 --rate 30             1000 messages at 30 Hz
 The machine should be idle: compare ratios within one run, never figures of two runs.)";
 
-void add_options(CLI::App& app, Options& options) {
+}  // namespace
+
+std::size_t share_of(const Options& options, std::size_t round) {
+  return options.count * (round + 1) / options.rounds - options.count * round / options.rounds;
+}
+
+void add_choices(CLI::App& app, Options& options) {
   app.add_option("--sizes", options.sizes, "bytes of a message: 4k,4m,64m")
       ->delimiter(',')
       ->transform(CLI::AsSizeValue(false))
@@ -35,21 +41,23 @@ void add_options(CLI::App& app, Options& options) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
       ->capture_default_str();
   app.add_option("--only", options.only, "these contenders: tzc,seqpacket")->delimiter(',');
-  app.add_option("--json", options.json, "write the rows to this file");
 }
 
-}  // namespace
-
-std::optional<int> parse_options(int argc, char** argv, const std::string& help, Options& options) {
-  CLI::App app(help, std::string("tzc-bench ") + argv[0]);
-  app.footer(examples);
-  add_options(app, options);
+std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& mistake) {
     return app.exit(mistake) == 0 ? 0 : 2;
   }
   return std::nullopt;
+}
+
+std::optional<int> parse_options(int argc, char** argv, const std::string& help, Options& options) {
+  CLI::App app(help, std::string("tzc-bench ") + argv[0]);
+  app.footer(examples);
+  add_choices(app, options);
+  app.add_option("--json", options.json, "write the rows to this file");
+  return parse(app, argc, argv);
 }
 
 }  // namespace bench

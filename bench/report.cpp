@@ -23,15 +23,6 @@ std::string cpu_model() {
   return "unknown";
 }
 
-nlohmann::json machine() {
-  utsname system{};
-  ::uname(&system);
-  return {{"cpu", cpu_model()},
-          {"cpus", std::thread::hardware_concurrency()},
-          {"kernel", system.release},
-          {"architecture", system.machine}};
-}
-
 nlohmann::json to_json(const Row& row) {
   return {{"contender", row.contender}, {"size_bytes", row.size_bytes}, {"subscribers", row.subscribers},
           {"sent", row.sent},           {"delivered", row.delivered},   {"median_us", row.median_us},
@@ -52,6 +43,15 @@ std::string ratio(double a, double b) {
 }
 
 }  // namespace
+
+nlohmann::json machine() {
+  utsname system{};
+  ::uname(&system);
+  return {{"cpu", cpu_model()},
+          {"cpus", std::thread::hardware_concurrency()},
+          {"kernel", system.release},
+          {"architecture", system.machine}};
+}
 
 void print_table(const std::vector<Row>& rows) {
   std::printf("%-20s %12s %12s %8s %10s %10s %10s %9s %9s\n", "contender", "size_bytes", "subscribers",

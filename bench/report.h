@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct Row {
   double median_us = 0;
   double p99_us = 0;
 };
+
+/// What the figures depend on: processor, number of them, kernel, architecture.
+nlohmann::json machine();
 
 /// A table of all rows. x_socket: a row's median divided by a bare socket's; tcpros_x: TCPROS' median divided
 /// by the row's; both at the same size and number of subscribers, where those were measured.

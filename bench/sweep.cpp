@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <string>
 
 namespace tzc {
 namespace bench {
@@ -24,28 +23,11 @@ bool wanted(const Options& options, const Contender& contender, const Setup& set
   return named && contender.supports(setup);
 }
 
-std::vector<Entry> entries_of(const Options& options, const Contenders& contenders) {
-  std::vector<Entry> entries;
-  for (const std::size_t size : options.sizes) {
-    for (const std::size_t subscribers : options.subscribers) {
-      const Setup setup{size, subscribers, options.rate, options.count, ""};
-      for (const auto& contender : contenders)
-        if (wanted(options, *contender, setup)) entries.push_back({contender.get(), setup});
-    }
-  }
-  return entries;
-}
-
-std::string next_name() {
-  static std::size_t measurements = 0;
-  return "tzcb" + std::to_string(::getpid()) + "-" + std::to_string(measurements++);
-}
-
 void measure_share(const Options& options, std::size_t round, Entry& entry) {
   Setup share = entry.setup;
-  share.count = options.count * (round + 1) / options.rounds - options.count * round / options.rounds;
-  share.name = next_name();
-  if (share.count > 0) measure(*entry.contender, share, entry.samples);
+  share.count = share_of(options, round);
+  share.name = unique_name();
+  if (share.count > 0) add(measure(*entry.contender, share), entry.samples);
 }
 
 void show_progress(std::size_t done, std::size_t of) {
@@ -55,10 +37,24 @@ void show_progress(std::size_t done, std::size_t of) {
 
 }  // namespace
 
+std::vector<std::pair<Contender*, Setup>> wanted_cells(const Options& options, const Contenders& contenders) {
+  std::vector<std::pair<Contender*, Setup>> cells;
+  for (const std::size_t size : options.sizes) {
+    for (const std::size_t subscribers : options.subscribers) {
+      const Setup setup{size, subscribers, options.rate, options.count, ""};
+      for (const auto& contender : contenders)
+        if (wanted(options, *contender, setup)) cells.emplace_back(contender.get(), setup);
+    }
+  }
+  return cells;
+}
+
 // A virtual machine's wake-ups can take twice as long in one minute as in the next: taking turns gives every
 // contender, size and number of subscribers its share of both.
 int sweep(const Options& options, const Contenders& contenders) {
-  std::vector<Entry> entries = entries_of(options, contenders);
+  std::vector<Entry> entries;
+  for (const auto& [contender, setup] : wanted_cells(options, contenders))
+    entries.push_back({contender, setup});
   std::size_t done = 0;
   for (std::size_t round = 0; round < options.rounds; ++round) {
     for (Entry& entry : entries) {

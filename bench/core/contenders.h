@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "measure.h"
 
@@ -19,8 +20,11 @@ std::unique_ptr<Contender> futex_contender();
 std::unique_ptr<Contender> tzc_reader_contender();
 /// poll() and read() in the application's own loop.
 std::unique_ptr<Contender> tzc_own_loop_contender();
+/// A ring in POSIX shared memory behind a mutex and a condition, as Ach's: bytes are copied in and out.
+std::unique_ptr<Contender> ach_contender();
 std::unique_ptr<Contender> iceoryx_listener_contender();
 std::unique_ptr<Contender> iceoryx_waitset_contender();
+std::string iceoryx_version();
 
 /// Runs iceoryx's daemon as long as it exists.
 class RouDi {

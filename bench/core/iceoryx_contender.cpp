@@ -11,6 +11,7 @@
 #include <iceoryx_posh/popo/untyped_subscriber.hpp>
 #include <iceoryx_posh/popo/wait_set.hpp>
 #include <iceoryx_posh/runtime/posh_runtime.hpp>
+#include <iceoryx_versions.hpp>
 
 #include "contenders.h"
 
@@ -111,6 +112,10 @@ std::unique_ptr<Contender> iceoryx_listener_contender() {
 }
 std::unique_ptr<Contender> iceoryx_waitset_contender() {
   return std::make_unique<IceoryxContender>(false);
+}
+
+std::string iceoryx_version() {
+  return ICEORYX_LATEST_RELEASE_VERSION;
 }
 
 }  // namespace bench

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "contenders.h"
+#include "processes.h"
 
 namespace tzc {
 namespace bench {
@@ -24,6 +25,14 @@ bool write_config(const char* path) {
   return std::fclose(file) == 0 && written;
 }
 
+void run_daemon(const char* config_path) {
+  const int null = ::open("/dev/null", O_RDWR);
+  ::dup2(null, 1);
+  ::dup2(null, 2);
+  ::execlp("iox-roudi", "iox-roudi", "-c", config_path, "-m", "off", static_cast<char*>(nullptr));
+  ::_exit(127);
+}
+
 }  // namespace
 
 RouDi::RouDi() {
@@ -31,14 +40,7 @@ RouDi::RouDi() {
   const int fd = ::mkstemp(path);
   if (fd < 0 || !write_config(path)) return;
   ::close(fd);
-  pid_ = ::fork();
-  if (pid_ == 0) {
-    const int null = ::open("/dev/null", O_RDWR);
-    ::dup2(null, 1);
-    ::dup2(null, 2);
-    ::execlp("iox-roudi", "iox-roudi", "-c", path, "-m", "off", static_cast<char*>(nullptr));
-    ::_exit(127);
-  }
+  pid_ = in_child([&path] { run_daemon(path); });
   ::sleep(2);
   ::unlink(path);
   if (::waitpid(pid_, nullptr, WNOHANG) == pid_)

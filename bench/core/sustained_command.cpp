@@ -60,14 +60,9 @@ int run_sustained(int argc, char** argv) {
       parse_options(argc, argv, "Sends for a minute: is anything lost, does memory stay flat?", options);
   if (over) return *over;
   Watched contender;
-  const Setup setup{options.sizes[0],
-                    options.subscribers[0],
-                    options.rate,
-                    options.count,
-                    "tzcs" + std::to_string(::getpid()),
-                    40};
+  const Setup setup{options.sizes[0], options.subscribers[0], options.rate, options.count, unique_name(), 40};
   Samples samples;
-  measure(contender, setup, samples);
+  add(measure(contender, setup), samples);
   const Row row = summarize(contender, setup, std::move(samples));
   print_table({row});
   const bool complete = row.delivered == row.sent;

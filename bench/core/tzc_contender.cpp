@@ -2,9 +2,9 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <cstring>
 
+#include "channel_pair.h"
 #include "contenders.h"
 #include "tzc/channel.h"
 
@@ -20,16 +20,6 @@ void record(const MessagePtr& message, Recorder& recorder) {
   recorder.record(stamp);
 }
 
-std::shared_ptr<channel::Subscriber> connect(channel::SubscriberOptions options) {
-  for (int i = 0; i < 5000; ++i) {
-    auto subscriber = channel::Subscriber::create(options);
-    if (subscriber) return *subscriber;
-    ::usleep(1000);  // the publisher is still starting
-  }
-  std::fprintf(stderr, "tzc: cannot subscribe\n");
-  ::_exit(1);
-}
-
 class TzcContender final : public Contender {
  public:
   explicit TzcContender(bool own_loop) : own_loop_(own_loop) {}
@@ -38,22 +28,15 @@ class TzcContender final : public Contender {
 
   void subscribe(const Setup& setup, std::size_t, Recorder& recorder) override {
     channel::SubscriberOptions options;
-    options.address = "@" + setup.name;
     options.own_thread = !own_loop_;
     options.on_message = [&recorder](const MessagePtr& message) { record(message, recorder); };
-    const auto subscriber = connect(options);
+    const auto subscriber = connect(setup, options);
     recorder.ready();
     while (!recorder.stop()) own_loop_ ? poll_once(*subscriber, recorder) : void(::usleep(250'000));
   }
 
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
-    channel::PublisherOptions options;
-    options.address = "@" + setup.name;
-    options.queue_size = setup.queue_size;
-    MemoryOptions memory;
-    memory.size = setup.size_bytes * (setup.queue_size + 2);
-    options.memory = *SegmentMemory::create(memory);
-    const auto publisher = *channel::Publisher::create(options);
+    const auto publisher = open_publisher(setup, setup.size_bytes);
     return [publisher, setup](std::uint64_t index) {
       BufferPtr buffer = publisher->memory()->allocate(setup.size_bytes);
       char control[control_bytes] = {};

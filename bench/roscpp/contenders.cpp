@@ -11,6 +11,8 @@
 
 #include <vector>
 
+#include "roscpp/image_stamp.h"
+
 namespace tzc {
 namespace bench {
 namespace {
@@ -28,20 +30,6 @@ std::string topic_of(const Setup& setup) {
   for (char& c : topic)
     if (c == '-') c = '_';
   return topic;
-}
-
-/// The time of publishing travels in header.stamp (monotonic clock), the message's number in width.
-template <class Image>
-void write_stamp(Image& image, std::uint64_t index) {
-  image.width = static_cast<std::uint32_t>(index);
-  const std::int64_t now = now_ns();
-  image.header.stamp.sec = static_cast<std::uint32_t>(now / 1'000'000'000);
-  image.header.stamp.nsec = static_cast<std::uint32_t>(now % 1'000'000'000);
-}
-
-void record(const ::sensor_msgs::Image& image, Recorder& recorder) {
-  const std::int64_t sent = std::int64_t{image.header.stamp.sec} * 1'000'000'000 + image.header.stamp.nsec;
-  recorder.record(Stamp{sent, image.width});
 }
 
 using Callback = boost::function<void(const ::sensor_msgs::ImageConstPtr&)>;
@@ -181,6 +169,11 @@ std::unique_ptr<Contender> tzc_direct_contender() {
 }
 std::unique_ptr<Contender> intraprocess_contender() {
   return std::make_unique<IntraprocessContender>();
+}
+
+std::string roscpp_version() {
+  return std::to_string(ROS_VERSION_MAJOR) + "." + std::to_string(ROS_VERSION_MINOR) + "." +
+         std::to_string(ROS_VERSION_PATCH);
 }
 
 }  // namespace bench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "measure.h"
 
@@ -14,8 +15,13 @@ std::unique_ptr<Contender> tcpros_contender();
 std::unique_ptr<Contender> tzc_queue_contender();
 /// Ported, with direct dispatch.
 std::unique_ptr<Contender> tzc_direct_contender();
+/// The stock message serialized into a block of shared memory and de-serialized by each subscriber, as ETHZ-ASL's
+/// ROS-IPC does; blocks, sockets and threads are those of tzc-direct, so that only the copies differ.
+std::unique_ptr<Contender> asl_contender();
 /// Publisher and subscribers in one process, messages passed by pointer, as nodelets do.
 std::unique_ptr<Contender> intraprocess_contender();
+
+std::string roscpp_version();
 
 }  // namespace bench
 }  // namespace tzc

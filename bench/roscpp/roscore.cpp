@@ -11,6 +11,8 @@
 
 #include <string>
 
+#include "processes.h"
+
 namespace tzc {
 namespace bench {
 namespace {
@@ -54,8 +56,7 @@ RosCore::RosCore() {
   const int port = free_port();
   ::setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + std::to_string(port)).c_str(), 1);
   ::setenv("ROS_IP", "127.0.0.1", 1);
-  pid_ = ::fork();
-  if (pid_ == 0) run_master(std::to_string(port));
+  pid_ = in_child([port] { run_master(std::to_string(port)); });
   for (int i = 0; i < 2000; ++i) {
     if (answers(port)) return;
     if (::waitpid(pid_, nullptr, WNOHANG) == pid_) break;

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program defines the libc's functions that move bytes. The dynamic linker takes a program's definition before
+// the libc's, in the program and in every library that it uses, so all of them are counted alike; what a call does
+// is left to the libc. Not in builds with a sanitizer, which defines the same functions.
+#include <dlfcn.h>
+#include <sys/socket.h>
+
+#include <cstddef>
+
+#include "cost.h"
+
+namespace tzc {
+namespace bench {
+namespace {
+
+Counts* counted = nullptr;
+
+}  // namespace
+
+void count_into(Counts* counts) {
+  counted = counts;
+}
+
+}  // namespace bench
+}  // namespace tzc
+
+#ifndef TZC_BENCH_SANITIZED
+
+namespace {
+
+using tzc::bench::counted;
+using tzc::bench::Counts;
+
+template <class Function>
+Function libc(const char* name) {
+  return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
+}
+
+ssize_t count(std::atomic<std::uint64_t> Counts::* sum, ssize_t bytes) {
+  if (counted != nullptr && bytes > 0)
+    (counted->*sum).fetch_add(static_cast<std::uint64_t>(bytes), std::memory_order_relaxed);
+  return bytes;
+}
+
+void count_copy(std::size_t bytes) {
+  if (bytes >= tzc::bench::least_copy_bytes) count(&Counts::copied, static_cast<ssize_t>(bytes));
+}
+
+using Copy = void* (*)(void*, const void*, std::size_t);
+Copy libc_memcpy = nullptr;
+Copy libc_memmove = nullptr;
+
+__attribute__((constructor)) void find_copies() {
+  libc_memcpy = libc<Copy>("memcpy");
+  libc_memmove = libc<Copy>("memmove");
+}
+
+// Until find_copies has run, which other constructors and the dynamic linker do not wait for.
+void* copy_bytes(void* to, const void* from, std::size_t size) {
+  auto* out = static_cast<volatile char*>(to);
+  const auto* in = static_cast<const volatile char*>(from);
+  if (out <= in) {
+    for (std::size_t i = 0; i < size; ++i) out[i] = in[i];
+  } else {
+    for (std::size_t i = size; i > 0; --i) out[i - 1] = in[i - 1];
+  }
+  return to;
+}
+
+}  // namespace
+
+extern "C" {
+
+void* memcpy(void* to, const void* from, std::size_t size) noexcept {
+  count_copy(size);
+  return libc_memcpy != nullptr ? libc_memcpy(to, from, size) : copy_bytes(to, from, size);
+}
+
+void* memmove(void* to, const void* from, std::size_t size) noexcept {
+  count_copy(size);
+  return libc_memmove != nullptr ? libc_memmove(to, from, size) : copy_bytes(to, from, size);
+}
+
+ssize_t send(int socket, const void* data, std::size_t size, int flags) {
+  static const auto call = libc<decltype(&::send)>("send");
+  return count(&Counts::sent, call(socket, data, size, flags));
+}
+
+ssize_t sendto(int socket, const void* data, std::size_t size, int flags, const sockaddr* address,
+               socklen_t length) {
+  static const auto call = libc<decltype(&::sendto)>("sendto");
+  return count(&Counts::sent, call(socket, data, size, flags, address, length));
+}
+
+ssize_t sendmsg(int socket, const msghdr* message, int flags) {
+  static const auto call = libc<decltype(&::sendmsg)>("sendmsg");
+  return count(&Counts::sent, call(socket, message, flags));
+}
+
+ssize_t recv(int socket, void* data, std::size_t size, int flags) {
+  static const auto call = libc<decltype(&::recv)>("recv");
+  return count(&Counts::received, call(socket, data, size, flags));
+}
+
+ssize_t recvfrom(int socket, void* data, std::size_t size, int flags, sockaddr* address, socklen_t* length) {
+  static const auto call = libc<decltype(&::recvfrom)>("recvfrom");
+  return count(&Counts::received, call(socket, data, size, flags, address, length));
+}
+
+ssize_t recvmsg(int socket, msghdr* message, int flags) {
+  static const auto call = libc<decltype(&::recvmsg)>("recvmsg");
+  return count(&Counts::received, call(socket, message, flags));
+}
+
+}  // extern "C"
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sys/types.h>
+
+#include <functional>
+
+namespace tzc {
+namespace bench {
+
+// The benchmark's processes, and the signals that end it. For the main thread of a program with one thread.
+
+/// Runs body in a process of its own, which exits with 0 afterwards. It dies when this process dies, and SIGINT
+/// does not reach it: this process decides what an interruption means.
+pid_t in_child(const std::function<void()>& body);
+
+/// From now on SIGINT and SIGTERM do not end this process: wait_for and interrupted report them.
+void hold_interrupts();
+
+/// Whether SIGINT or SIGTERM has come since hold_interrupts.
+bool interrupted();
+
+enum class Ending { exited, failed, interrupted };
+
+/// Waits until the child ends. failed: with a status other than 0, or by a signal. interrupted: it still runs.
+Ending wait_for(pid_t child);
+
+}  // namespace bench
+}  // namespace tzc

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sensor_msgs/Image.h>
+
+#include "measure.h"
+
+namespace tzc {
+namespace bench {
+
+/// The time of publishing travels in header.stamp (monotonic clock), the message's number in width.
+template <class Image>
+void write_stamp(Image& image, std::uint64_t index) {
+  image.width = static_cast<std::uint32_t>(index);
+  const std::int64_t now = now_ns();
+  image.header.stamp.sec = static_cast<std::uint32_t>(now / 1'000'000'000);
+  image.header.stamp.nsec = static_cast<std::uint32_t>(now % 1'000'000'000);
+}
+
+inline void record(const ::sensor_msgs::Image& image, Recorder& recorder) {
+  const std::int64_t sent = std::int64_t{image.header.stamp.sec} * 1'000'000'000 + image.header.stamp.nsec;
+  recorder.record(Stamp{sent, image.width});
+}
+
+}  // namespace bench
+}  // namespace tzc
