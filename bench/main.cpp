@@ -14,6 +14,10 @@ const Command commands[] = {
     {"roscpp", "one-way latency between ROS nodes: TCPROS, TZC, intraprocess, next to a bare socket",
      tzc::bench::run_roscpp},
 #endif
+#ifdef TZC_BENCH_PAPER
+    {"paper", "the evaluation of the TZC paper: latency, reliability, copies; tables, plots, a page",
+     tzc::bench::run_paper},
+#endif
     {"sustained", "1 publisher, 8 subscribers, 4 MB at 200 Hz: losses and memory", tzc::bench::run_sustained},
 #ifdef TZC_BENCH_INSIDE
     {"inside", "what allocate and publish cost by themselves (Google Benchmark's options)",
@@ -25,8 +29,9 @@ int usage(std::FILE* to, int status) {
   std::fputs("Usage: tzc-bench COMMAND [OPTIONS]\n\nCommands:\n", to);
   for (const Command& command : commands) std::fprintf(to, "  %-10s %s\n", command.name, command.help);
   std::fputs(
-      "\nEach prints a table and takes --json FILE; tzc-bench COMMAND --help tells its options.\n\n"
-      "Examples:\n  tzc-bench core --json core.json\n  tzc-bench roscpp --sizes 4m --subscribers 8\n",
+      "\ntzc-bench COMMAND --help tells its options. Each but paper prints a table and takes --json FILE.\n\n"
+      "Examples:\n  tzc-bench core --json core.json\n  tzc-bench roscpp --sizes 4m --subscribers 8\n"
+      "  tzc-bench paper --quick --output figures\n",
       to);
   return status;
 }

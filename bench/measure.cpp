@@ -36,9 +36,10 @@ bool wait_until_ready(const Board& board, std::size_t subscribers) {
   return board.ready >= subscribers;
 }
 
-bool complete(const Board& board, const Setup& setup) {
+/// Whether each subscriber has got so many messages.
+bool complete(const Board& board, const Setup& setup, std::uint64_t messages) {
   return std::all_of(board.received, board.received + setup.subscribers,
-                     [&](const auto& received) { return received >= setup.count + warm_up; });
+                     [&](const auto& received) { return received >= messages; });
 }
 
 std::uint64_t received(const Board& board, const Setup& setup) {
@@ -47,9 +48,9 @@ std::uint64_t received(const Board& board, const Setup& setup) {
   return all;
 }
 
-void wait_until_received(const Board& board, const Setup& setup) {
+void wait_until_received(const Board& board, const Setup& setup, std::uint64_t messages) {
   std::uint64_t before = received(board, setup);
-  for (int silent = 0; silent < silence_ms && !complete(board, setup); ++silent) {
+  for (int silent = 0; silent < silence_ms && !complete(board, setup, messages); ++silent) {
     sleep_ms(1);
     const std::uint64_t now = received(board, setup);
     if (now != before) silent = 0;
@@ -96,7 +97,8 @@ void publish_at_rate(const std::function<void(std::uint64_t)>& publish, double r
   }
 }
 
-// The warm-up has its own schedule: the measured messages do not catch up on delays of its page faults.
+// The warm-up has its own schedule: the measured messages do not catch up on delays of its page faults, nor wait
+// behind its last messages.
 void send_all(Contender& contender, const Setup& setup, Board& board) {
   std::vector<Recorder> here;
   if (contender.in_one_process()) {
@@ -111,6 +113,7 @@ void send_all(Contender& contender, const Setup& setup, Board& board) {
   }
   sleep_ms(rest_ms);
   publish_at_rate(publish, setup.rate, 0, warm_up);
+  wait_until_received(board, setup, warm_up);
   sleep_ms(rest_ms);
   Spending spending(board, setup);
   spending.begin();
@@ -118,7 +121,7 @@ void send_all(Contender& contender, const Setup& setup, Board& board) {
   publish_at_rate(publish, setup.rate, warm_up, setup.count + warm_up);
   board.publishing_ns = now_ns() - start;
   board.published = true;
-  wait_until_received(board, setup);
+  wait_until_received(board, setup, warm_up + setup.count);
   spending.end();
 }
 

@@ -40,6 +40,7 @@ USES = {
     "bench": [],
     "bench/core": ["bench", "runtime/channel"],
     "bench/roscpp": ["bench", "bench/core", "runtime/roscpp"],
+    "bench/paper": ["bench", "bench/core", "bench/roscpp"],
     # tzc-monitor knows the layout of a statistics page, and nothing else of the runtime.
     "monitor": ["runtime/statistics"],
     # tzc-compare needs no ROS to compare; its recorder is a ROS node.

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paper/page.h"
+
+#include <fmt/format.h>
+
+#include "paper/tables.h"
+
+namespace tzc {
+namespace bench {
+namespace {
+
+using nlohmann::json;
+
+constexpr char head[] = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<title>TZC evaluation</title>
+<style>
+body { font: 16px/1.5 sans-serif; max-width: 1150px; margin: 2em auto; padding: 0 1em; color: #222; }
+table { border-collapse: collapse; font-size: 14px; margin: 1em 0; }
+th, td { padding: 2px 10px; border-bottom: 1px solid #ddd; text-align: right; }
+th { background: #f4f4f4; position: sticky; top: 0; }
+th:first-child, td:first-child { text-align: left; }
+figure { margin: 1em 0; overflow-x: auto; }
+figcaption, .note { color: #555; font-size: 14px; }
+.bad { background: #fde8e0; }
+</style>
+</head>
+<body>
+<h1>TZC evaluation</h1>
+)";
+
+constexpr char span[] = R"(<h2>What is measured</h2>
+<p>One publisher sends at a fixed rate to subscribers that are processes of their own, except for <code>intraprocess</code>.
+The contenders take turns in rounds. Each measurement begins with 20 messages that do not count.</p>
+<p>The span begins right before the publisher calls publish and ends where the subscriber's callback begins. Inside are
+what publish does (for <code>tcpros</code> and <code>asl</code> serialization, for <code>ach</code> the copy into the ring),
+the way, and what comes before the callback (de-serialization, the copy out, a callback queue). Outside are allocating
+the message and filling it: <code>tcpros</code>, <code>asl</code> and <code>ach</code> send the same buffer again, the
+others allocate a message each time, before the span; none writes new content, and no callback reads the content.</p>
+)";
+
+constexpr char plots_note[] =
+    "Box: first to third quartile; line: median; whiskers: 1st to 99th percentile, of all deliveries. * not "
+    "every "
+    "message was delivered, or the publisher did not reach 95&nbsp;% of the rate: the figures are of what "
+    "arrived.";
+
+std::string text_of(const json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::string definitions(const json& object) {
+  std::string text = "<table>\n";
+  for (const auto& [name, value] : object.items())
+    text += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(name), escaped(text_of(value)));
+  return text + "</table>\n";
+}
+
+std::string row(const char* element, const std::vector<std::string>& fields, bool bad) {
+  std::string text = bad ? "<tr class=\"bad\">" : "<tr>";
+  for (const std::string& field : fields) text += fmt::format("<{0}>{1}</{0}>", element, escaped(field));
+  return text + "</tr>\n";
+}
+
+/// is_bad: which rows stand out.
+template <class IsBad>
+std::string html(const Table& table, IsBad is_bad) {
+  std::string text = "<table>\n" + row("th", table.columns, false);
+  for (const auto& fields : table.rows) text += row("td", fields, is_bad(fields));
+  return text + "</table>\n";
+}
+
+bool lacks_rate(const std::vector<std::string>& fields) {
+  return fields[4] == "no";
+}
+
+bool lost_some(const std::vector<std::string>& fields) {
+  return fields[4] != fields[5];
+}
+
+// An SVG file begins with an XML declaration, which has no place inside of a page.
+std::string inline_svg(const std::string& document) {
+  const std::size_t begin = document.find("<svg");
+  return begin == std::string::npos ? "" : document.substr(begin);
+}
+
+std::string figures(const std::vector<std::string>& plots) {
+  std::string text;
+  for (const std::string& plot : plots)
+    text += fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", inline_svg(plot), plots_note);
+  return text;
+}
+
+}  // namespace
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string page_of(const json& run, const std::vector<Summary>& summaries,
+                    const std::vector<std::string>& plots) {
+  std::string text = head + definitions(run.at("machine")) + definitions(run.at("versions")) +
+                     definitions(run.at("settings")) +
+                     fmt::format("<p>Begun {}.</p>\n", escaped(text_of(run.at("begun")))) + span;
+  text += "<h2>Latency</h2>\n" + figures(plots) + html(latency_table(summaries), lacks_rate);
+  text +=
+      "<h2>Reliability</h2>\n<p>Deliveries of each subscriber. A message counts as lost when it has not come "
+      "after a "
+      "second in which none came.</p>\n" +
+      html(reliability_table(summaries), lost_some);
+  text +=
+      "<h2>Copies</h2>\n<p>Of one message, all processes together, counted while the messages of the latency "
+      "table "
+      "were sent: bytes through the libc's memcpy and memmove (calls of 1 KB or more), send, sendto and "
+      "sendmsg, recv, "
+      "recvfrom and recvmsg; the kernel's count of page faults. copies: these bytes divided by the "
+      "message's. Zero-filling "
+      "is no copy.</p>\n" +
+      html(copies_table(summaries), [](const auto&) { return false; });
+  return text + "</body>\n</html>\n";
+}
+
+}  // namespace bench
+}  // namespace tzc

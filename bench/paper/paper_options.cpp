@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paper/paper_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace tzc {
+namespace bench {
+namespace {
+
+constexpr char help[] =
+    "The evaluation of the TZC paper (IROS 2019): latency, reliability and copies, as CSV, JSON, plots and a "
+    "page.";
+constexpr char footer[] = R"(
+Run again with the same options, it goes on where it was interrupted.
+
+Examples:
+  tzc-bench paper                                  everything: some hours; results in ./tzc-paper
+  tzc-bench paper --quick                          some minutes: is all well?
+  tzc-bench paper --sizes 4m --only tcpros,tzc-queue --output camera
+The machine should be idle: compare ratios within one run, never figures of two runs.)";
+
+constexpr std::size_t kb = 1024, mb = kb * kb;
+
+Options full() {
+  Options options;
+  options.sizes = {4 * kb, 16 * kb, 64 * kb, 256 * kb, mb, 4 * mb, 64 * mb};
+  options.subscribers = {1, 2, 4, 8};
+  options.rate = 30;
+  options.count = 1000;
+  options.rounds = 5;
+  return options;
+}
+
+void shorten(const CLI::App& app, Options& options) {
+  if (app.count("--sizes") == 0) options.sizes = {4 * kb, 256 * kb, 4 * mb};
+  if (app.count("--subscribers") == 0) options.subscribers = {1, 4};
+  if (app.count("--count") == 0) options.count = 60;
+  if (app.count("--rounds") == 0) options.rounds = 2;
+}
+
+}  // namespace
+
+std::optional<int> parse_paper_options(int argc, char** argv, PaperOptions& options) {
+  CLI::App app(help, std::string("tzc-bench ") + argv[0]);
+  app.footer(footer);
+  options.cells = full();
+  bool quick = false;
+  add_choices(app, options.cells);
+  app.add_flag("--quick", quick, "3 sizes, 1 and 4 subscribers, 60 messages, 2 rounds, unless given");
+  app.add_option("--output", options.output, "folder of the results")->capture_default_str();
+  app.add_flag("!--no-plots", options.plots, "tables only; gnuplot is not needed");
+  const auto over = parse(app, argc, argv);
+  if (quick) shorten(app, options.cells);
+  return over;
+}
+
+}  // namespace bench
+}  // namespace tzc

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paper/store.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace tzc {
+namespace bench {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr char unfinished[] = ".tmp";
+
+std::string name_of(const Cell& cell) {
+  return fmt::format("cells/{}-{}-{}.json", cell.contender, cell.size_bytes, cell.subscribers);
+}
+
+void remove_unfinished(const std::string& folder) {
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == unfinished) fs::remove(entry.path());
+}
+
+json to_json(const Cost& cost) {
+  return {{"sent_bytes", cost.sent_bytes},
+          {"received_bytes", cost.received_bytes},
+          {"copied_bytes", cost.copied_bytes},
+          {"page_faults", cost.page_faults}};
+}
+
+Cost cost_of_json(const json& json) {
+  return {json.at("sent_bytes"), json.at("received_bytes"), json.at("copied_bytes"), json.at("page_faults")};
+}
+
+json to_json(const std::vector<std::uint64_t>& latencies) {
+  json all = json::array();
+  for (const std::uint64_t ns : latencies) all.push_back(ns != 0 ? json(ns) : json());
+  return all;
+}
+
+std::vector<std::uint64_t> latencies_of_json(const json& json) {
+  std::vector<std::uint64_t> latencies;
+  for (const auto& ns : json) latencies.push_back(ns.is_null() ? 0 : ns.get<std::uint64_t>());
+  return latencies;
+}
+
+json parsed(const std::string& path, const std::string& text) {
+  try {
+    return json::parse(text);
+  } catch (const json::exception&) {
+    throw StoreError(path + " is no JSON: remove it to have it measured again");
+  }
+}
+
+}  // namespace
+
+Store::Store(std::string folder) : folder_(std::move(folder)) {
+  try {
+    fs::create_directories(path_of("cells"));
+    remove_unfinished(folder_);
+    remove_unfinished(path_of("cells"));
+  } catch (const fs::filesystem_error& error) {
+    throw StoreError(fmt::format("cannot use the folder {}: {}", folder_, error.code().message()));
+  }
+}
+
+void Store::write(const std::string& name, const std::string& content) const {
+  std::ofstream file(path_of(name) + unfinished, std::ios::binary);
+  file << content;
+  file.close();
+  if (!file) throw StoreError("cannot write " + path_of(name) + ": is the disk full?");
+  take(name);
+}
+
+void Store::take(const std::string& name) const {
+  std::error_code failed;
+  fs::rename(path_of(name) + unfinished, path_of(name), failed);
+  if (failed) throw StoreError(fmt::format("cannot write {}: {}", path_of(name), failed.message()));
+}
+
+std::string Store::read(const std::string& name) const {
+  std::ifstream file(path_of(name), std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw StoreError("cannot read " + path_of(name));
+  return text;
+}
+
+void Store::begin(const json& run) const {
+  if (!fs::exists(path_of("run.json"))) return write("run.json", run.dump(2) + "\n");
+  const json earlier = parsed(path_of("run.json"), read("run.json"));
+  for (const char* part : {"settings", "machine"}) {
+    if (earlier.value(part, json()) == run.at(part)) continue;
+    throw StoreError(
+        fmt::format("{} holds results of another run ({}: {}, now {}): give another folder with --output",
+                    folder_, part, earlier.value(part, json()).dump(), run.at(part).dump()));
+  }
+}
+
+CellResult Store::load(const Cell& cell) const {
+  CellResult result{cell, {}};
+  const std::string path = path_of(name_of(cell));
+  if (!fs::exists(path)) return result;
+  const json document = parsed(path, read(name_of(cell)));
+  try {
+    for (const auto& [number, round] : document.at("rounds").items())
+      result.rounds.emplace(std::stoul(number), round_of_json(round));
+  } catch (const std::exception&) {
+    throw StoreError(path + " is not a result of tzc-bench paper: remove it to have it measured again");
+  }
+  return result;
+}
+
+void Store::save(const CellResult& result) const {
+  json document{{"contender", result.cell.contender},
+                {"size_bytes", result.cell.size_bytes},
+                {"subscribers", result.cell.subscribers},
+                {"rounds", json::object()}};
+  for (const auto& [number, round] : result.rounds)
+    document["rounds"][std::to_string(number)] = bench::to_json(round);
+  write(name_of(result.cell), document.dump() + "\n");
+}
+
+json to_json(const Measurement& round) {
+  json latencies = json::array();
+  for (const auto& one : round.latency_ns) latencies.push_back(to_json(one));
+  return {{"seconds", round.seconds},
+          {"publisher", to_json(round.publisher)},
+          {"subscribers", to_json(round.subscribers)},
+          {"latency_ns", std::move(latencies)}};
+}
+
+Measurement round_of_json(const json& json) {
+  Measurement round;
+  round.outcome = Outcome::complete;
+  round.seconds = json.at("seconds");
+  round.publisher = cost_of_json(json.at("publisher"));
+  round.subscribers = cost_of_json(json.at("subscribers"));
+  for (const auto& one : json.at("latency_ns")) round.latency_ns.push_back(latencies_of_json(one));
+  return round;
+}
+
+}  // namespace bench
+}  // namespace tzc

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "paper/cell.h"
+
+namespace tzc {
+namespace bench {
+
+/// A file that cannot be read or written, or says what it should not; what() is for the user.
+struct StoreError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The output folder of an evaluation. A file in it is whole, or is not there: it is written beside its place and
+/// then renamed. For one thread of one process at a time.
+class Store {
+ public:
+  /// Makes the folder, with what lies above it, and removes what a killed process left half written.
+  explicit Store(std::string folder);
+
+  std::string path_of(const std::string& name) const { return folder_ + "/" + name; }
+  void write(const std::string& name, const std::string& content) const;
+  std::string read(const std::string& name) const;
+  /// Takes a file that another program wrote as NAME.tmp.
+  void take(const std::string& name) const;
+
+  /// Writes run.json, or compares it with an earlier one: "settings" and "machine" must be the same, so that the
+  /// results are of one kind.
+  void begin(const nlohmann::json& run) const;
+
+  /// The rounds of the cell that were measured already.
+  CellResult load(const Cell& cell) const;
+  void save(const CellResult& result) const;
+
+ private:
+  std::string folder_;
+};
+
+/// Without the cell. latency_ns has null for what was not delivered.
+nlohmann::json to_json(const Measurement& round);
+Measurement round_of_json(const nlohmann::json& json);
+
+}  // namespace bench
+}  // namespace tzc

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paper/store.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "made_up.h"
+#include "temp_dir.h"
+
+namespace {
+
+using namespace tzc::bench;
+using nlohmann::json;
+using tzc::test::made_up;
+using tzc::test::TempDir;
+
+const Cell cell{"tcpros", 4096, 2};
+
+json run_with(std::size_t rounds) {
+  return {{"begun", "now"},
+          {"settings", {{"rounds", rounds}}},
+          {"machine", "this"},
+          {"versions", {{"tzc", "1"}}}};
+}
+
+std::string problem_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const StoreError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Store, gives_back_what_was_saved) {
+  const TempDir folder;
+  const Store store(folder / "a/b");
+  store.save({cell, {{3, made_up({{1, 0, 5'000'000'000}, {7, 8, 9}})}}});
+  const CellResult loaded = Store(folder / "a/b").load(cell);
+  ASSERT_EQ(loaded.rounds.size(), 1u);
+  const Measurement& round = loaded.rounds.at(3);
+  EXPECT_EQ(round.latency_ns, (std::vector<std::vector<std::uint64_t>>{{1, 0, 5'000'000'000}, {7, 8, 9}}));
+  EXPECT_DOUBLE_EQ(round.seconds, 0.3);
+  EXPECT_EQ(round.publisher.copied_bytes, 300u);
+  EXPECT_EQ(round.subscribers.page_faults, 40u);
+}
+
+TEST(Store, has_no_rounds_of_another_cell) {
+  const TempDir folder;
+  const Store store(folder.path());
+  store.save({cell, {{0, made_up({{1}, {2}})}}});
+  EXPECT_TRUE(store.load({"tcpros", 4096, 4}).rounds.empty());
+  EXPECT_TRUE(store.load({"tcpros", 8192, 2}).rounds.empty());
+  EXPECT_TRUE(store.load({"tzc", 4096, 2}).rounds.empty());
+}
+
+TEST(Store, removes_what_a_killed_process_left_half_written) {
+  const TempDir folder;
+  folder.write("cells/tcpros-4096-2.json.tmp", "{\"rou");
+  folder.write("index.html.tmp", "<");
+  const Store store(folder.path());
+  EXPECT_FALSE(std::filesystem::exists(folder / "cells/tcpros-4096-2.json.tmp"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "index.html.tmp"));
+}
+
+TEST(Store, refuses_to_mix_two_kinds_of_runs) {
+  const TempDir folder;
+  const Store store(folder.path());
+  store.begin(run_with(2));
+  EXPECT_EQ(problem_of([&] { store.begin(run_with(2)); }), "");
+  EXPECT_NE(problem_of([&] { store.begin(run_with(3)); }).find("--output"), std::string::npos);
+}
+
+TEST(Store, names_the_file_that_is_no_result) {
+  const TempDir folder;
+  const Store store(folder.path());
+  for (const char* content : {"{\"rou", "{}", "[]", R"({"rounds": {"x": 1}})"}) {
+    folder.write("cells/tcpros-4096-2.json", content);
+    EXPECT_NE(problem_of([&] { (void)store.load(cell); }).find("tcpros-4096-2.json"), std::string::npos)
+        << content;
+  }
+}
+
+TEST(Store, says_which_folder_cannot_be_used) {
+  const TempDir folder;
+  folder.write("file", "");
+  EXPECT_NE(problem_of([&] { Store(folder / "file"); }).find("file"), std::string::npos);
+}
+
+}  // namespace
