@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measure.h"
 
-#include <signal.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -20,6 +18,7 @@ namespace {
 constexpr std::uint64_t warm_up = 20;  // the first messages fault pages in and open segments
 constexpr int rest_ms = 100;           // and the scheduler forgets how busy it was
 constexpr int patience_ms = 20'000;
+constexpr int time_to_leave_ms = 500;
 constexpr int silence_ms = 1000;  // after this long without an arrival nothing more is expected
 
 Board* create_board() {
@@ -125,12 +124,6 @@ void send_all(Contender& contender, const Setup& setup, Board& board) {
   spending.end();
 }
 
-void stop_all(const std::vector<pid_t>& children, bool let_them_leave) {
-  if (let_them_leave) sleep_ms(500);
-  for (const pid_t child : children) ::kill(child, SIGKILL);
-  for (const pid_t child : children) ::waitpid(child, nullptr, 0);
-}
-
 std::vector<pid_t> start_subscribers(Contender& contender, const Setup& setup, Board& board) {
   std::vector<pid_t> subscribers;
   for (std::size_t who = 0; who < setup.subscribers && !contender.in_one_process(); ++who) {
@@ -149,7 +142,7 @@ Outcome run_publisher(Contender& contender, const Setup& setup, Board& board) {
     send_all(contender, setup, board);
   });
   const Ending ending = wait_for(publisher);
-  if (ending == Ending::interrupted) stop_all({publisher}, false);
+  if (ending == Ending::interrupted) stop({publisher});
   if (ending == Ending::interrupted) return Outcome::interrupted;
   return board.published ? Outcome::complete : Outcome::failed;
 }
@@ -195,7 +188,8 @@ Measurement measure(Contender& contender, const Setup& setup) {
   const std::vector<pid_t> subscribers = start_subscribers(contender, setup, *board);
   const Outcome outcome = run_publisher(contender, setup, *board);
   board->stop = true;
-  stop_all(subscribers, contender.cleans_up_at_exit());
+  if (contender.cleans_up_at_exit()) sleep_ms(time_to_leave_ms);
+  stop(subscribers);
   Measurement result = collect(setup, *board, outcome);
   ::munmap(board, sizeof(Board));
   return result;

@@ -75,5 +75,10 @@ Ending wait_for(pid_t child) {
   }
 }
 
+void stop(const std::vector<pid_t>& children) {
+  for (const pid_t child : children) ::kill(child, SIGKILL);
+  for (const pid_t child : children) ::waitpid(child, nullptr, 0);
+}
+
 }  // namespace bench
 }  // namespace tzc

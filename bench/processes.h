@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <functional>
+#include <vector>
 
 namespace tzc {
 namespace bench {
@@ -24,6 +25,9 @@ enum class Ending { exited, failed, interrupted };
 
 /// Waits until the child ends. failed: with a status other than 0, or by a signal. interrupted: it still runs.
 Ending wait_for(pid_t child);
+
+/// Kills the children and waits for them.
+void stop(const std::vector<pid_t>& children);
 
 }  // namespace bench
 }  // namespace tzc

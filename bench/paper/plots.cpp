@@ -187,10 +187,14 @@ std::string outputs(const std::string& name, const std::string& plot) {
 }
 
 void run_gnuplot(const Store& store, const std::string& script) {
-  const std::string log = std::filesystem::absolute(store.path_of("gnuplot.log.tmp"));
-  const Ending ending = wait_for(in_child([&] { become_gnuplot(store.path_of(""), script, log); }));
-  const std::string said = store.read("gnuplot.log.tmp");
-  std::filesystem::remove(log);
+  const std::string log = "gnuplot.log";
+  const pid_t gnuplot = in_child([&] {
+    become_gnuplot(store.path_of(""), script, std::filesystem::absolute(store.path_of(log + ".tmp")));
+  });
+  const Ending ending = wait_for(gnuplot);
+  if (ending == Ending::interrupted) stop({gnuplot});
+  const std::string said = ending == Ending::failed ? store.read(log + ".tmp") : "interrupted";
+  store.discard(log);
   if (ending != Ending::exited) throw StoreError("gnuplot failed on " + store.path_of(script) + ": " + said);
 }
 
@@ -223,7 +227,12 @@ void draw(const Store& store, const std::vector<Summary>& summaries, std::size_t
   const std::string name = plot_name(subscribers), script = plot_script(summaries, subscribers);
   if (script.empty()) return;
   store.write(name + ".gnuplot", script);
-  run_gnuplot(store, name + ".gnuplot");
+  try {
+    run_gnuplot(store, name + ".gnuplot");
+  } catch (const StoreError&) {
+    for (const char* ending : {".svg", ".png"}) store.discard(name + ending);
+    throw;
+  }
   store.take(name + ".svg");
   store.take(name + ".png");
 }

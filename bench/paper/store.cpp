@@ -73,6 +73,7 @@ void Store::write(const std::string& name, const std::string& content) const {
   std::ofstream file(path_of(name) + unfinished, std::ios::binary);
   file << content;
   file.close();
+  if (!file) discard(name);
   if (!file) throw StoreError("cannot write " + path_of(name) + ": is the disk full?");
   take(name);
 }
@@ -81,6 +82,11 @@ void Store::take(const std::string& name) const {
   std::error_code failed;
   fs::rename(path_of(name) + unfinished, path_of(name), failed);
   if (failed) throw StoreError(fmt::format("cannot write {}: {}", path_of(name), failed.message()));
+}
+
+void Store::discard(const std::string& name) const {
+  std::error_code ignored;
+  fs::remove(path_of(name) + unfinished, ignored);
 }
 
 std::string Store::read(const std::string& name) const {
@@ -93,7 +99,7 @@ std::string Store::read(const std::string& name) const {
 void Store::begin(const json& run) const {
   if (!fs::exists(path_of("run.json"))) return write("run.json", run.dump(2) + "\n");
   const json earlier = parsed(path_of("run.json"), read("run.json"));
-  for (const char* part : {"settings", "machine"}) {
+  for (const char* part : {"settings", "machine", "versions"}) {
     if (earlier.value(part, json()) == run.at(part)) continue;
     throw StoreError(
         fmt::format("{} holds results of another run ({}: {}, now {}): give another folder with --output",

@@ -28,9 +28,11 @@ class Store {
   std::string read(const std::string& name) const;
   /// Takes a file that another program wrote as NAME.tmp.
   void take(const std::string& name) const;
+  /// Removes NAME.tmp, if it is there.
+  void discard(const std::string& name) const;
 
-  /// Writes run.json, or compares it with an earlier one: "settings" and "machine" must be the same, so that the
-  /// results are of one kind.
+  /// Writes run.json, or compares it with an earlier one: "settings", "machine" and "versions" must be the same,
+  /// so that the results are of one kind.
   void begin(const nlohmann::json& run) const;
 
   /// The rounds of the cell that were measured already.

@@ -177,22 +177,20 @@ def wait_until(condition, what, seconds=20):
         time.sleep(0.01)
 
 
-def start_and_send(bench, scratch, sig):
-    """Ends a run in its third measurement; returns its status and what it said."""
+def start_and_send(bench, scratch, sig, moment, options, **more):
+    """Starts a run, sends it the signal when moment(pid, what it has said) is true; its status and what it said."""
     path = os.path.join(scratch, "said")
-    command = [bench, "paper", "--output", os.path.join(scratch, "out"), "--sizes", "4k", "--subscribers", "2", "--only",
-               INTERRUPTED, "--count", "50", *TINY]
+    command = [bench, "paper", "--output", os.path.join(scratch, "out"), *options, *TINY]
     with open(path, "w", encoding="utf-8") as said:
-        process = subprocess.Popen(command, stdout=said, stderr=said, env=environment(scratch), start_new_session=True)
+        process = subprocess.Popen(command, stdout=said, stderr=said, env=environment(scratch, **more), start_new_session=True)
 
     def said_so_far():
         with open(path, encoding="utf-8") as said:
             return said.read()
 
     try:
-        wait_until(lambda: "[3/4]" in said_so_far() or process.poll() is not None, "third measurement", 60)
+        wait_until(lambda: moment(process.pid, said_so_far()) or process.poll() is not None, "moment to end the run", 60)
         assert process.poll() is None, (process.poll(), said_so_far())
-        wait_until(lambda: len(processes_of_session(process.pid)) >= 4, "rosmaster, publisher and subscriber to be ended")
         process.send_signal(sig)
         status = process.wait(20)
         wait_until(lambda: not processes_of_session(process.pid), f"end of {processes_of_session(process.pid)}")
@@ -200,6 +198,26 @@ def start_and_send(bench, scratch, sig):
         process.kill()
         process.wait()
     return status, said_so_far()
+
+
+def in_third_measurement(pid, said):
+    """With rosmaster, a publisher and at least one subscriber beside the command."""
+    return "[3/4]" in said and len(processes_of_session(pid)) >= 4
+
+
+def check_interrupted_drawing(bench, scratch):
+    """gnuplot, played by a script, has written half of a plot and goes on forever."""
+    gnuplot = os.path.join(scratch, "gnuplot")
+    with open(gnuplot, "w", encoding="utf-8") as file:
+        file.write("#!/bin/sh\n[ $1 = --version ] && echo gnuplot 5 && exit\necho half > latency-1.svg.tmp\nexec sleep 60\n")
+    os.chmod(gnuplot, 0o755)
+    half = os.path.join(scratch, "out", "latency-1.svg.tmp")
+    status, said = start_and_send(bench, scratch, signal.SIGINT, lambda *_: os.path.exists(half),
+                                  [*ROS_FREE, "--sizes", "4k", "--count", "2"],
+                                  PATH=scratch + os.pathsep + os.environ["PATH"])
+    assert status == 130, (status, said)
+    left = glob.glob(os.path.join(scratch, "out", "**", "*.tmp"), recursive=True)
+    assert not left and not os.path.exists(os.path.join(scratch, "out", "index.html")), left
 
 
 def check_whole_files(scratch):
@@ -211,17 +229,19 @@ def check_whole_files(scratch):
 
 
 def interruption(bench, scratch):
-    status, said = start_and_send(bench, scratch, signal.SIGINT)
+    options = ["--sizes", "4k", "--subscribers", "2", "--only", INTERRUPTED, "--count", "50", "--no-plots"]
+    status, said = start_and_send(bench, scratch, signal.SIGINT, in_third_measurement, options)
     assert status == 130 and "goes on from here" in said, (status, said)
     check_whole_files(scratch)
-    done = run(bench, scratch, "--sizes", "4k", "--subscribers", "2", "--only", INTERRUPTED,
-               "--count", "50", *TINY, "--no-plots")
+    done = run(bench, scratch, *options, *TINY)
     assert done.returncode == 0 and "2 measurements," in done.stderr, done
     assert len(rows(scratch, "latency.csv")) == 4
     with tempfile.TemporaryDirectory() as another:
-        status, said = start_and_send(bench, another, signal.SIGKILL)
+        status, said = start_and_send(bench, another, signal.SIGKILL, in_third_measurement, options)
         assert status == -signal.SIGKILL, (status, said)
         check_whole_files(another)
+    with tempfile.TemporaryDirectory() as another:
+        check_interrupted_drawing(bench, another)
 
 
 def mistakes(bench, scratch):

@@ -70,6 +70,11 @@ TEST(Store, refuses_to_mix_two_kinds_of_runs) {
   store.begin(run_with(2));
   EXPECT_EQ(problem_of([&] { store.begin(run_with(2)); }), "");
   EXPECT_NE(problem_of([&] { store.begin(run_with(3)); }).find("--output"), std::string::npos);
+  for (const char* part : {"machine", "versions"}) {
+    json other = run_with(2);
+    other[part] = "other";
+    EXPECT_NE(problem_of([&] { store.begin(other); }).find(part), std::string::npos);
+  }
 }
 
 TEST(Store, names_the_file_that_is_no_result) {
