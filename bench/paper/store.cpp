@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paper/store.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -24,6 +27,14 @@ std::string name_of(const Cell& cell) {
 void remove_unfinished(const std::string& folder) {
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == unfinished) fs::remove(entry.path());
+}
+
+int lock(const std::string& folder) {
+  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd >= 0 && ::flock(fd, LOCK_EX | LOCK_NB) == 0) return fd;
+  ::close(fd);
+  throw StoreError(
+      fmt::format("another run uses {}: wait for it, or give another folder with --output", folder));
 }
 
 json to_json(const Cost& cost) {
@@ -59,14 +70,19 @@ json parsed(const std::string& path, const std::string& text) {
 
 }  // namespace
 
-Store::Store(std::string folder) : folder_(std::move(folder)) {
+Store::Store(std::string folder) : folder_(std::move(folder)), lock_(-1) {
   try {
     fs::create_directories(path_of("cells"));
+    lock_ = lock(folder_);
     remove_unfinished(folder_);
     remove_unfinished(path_of("cells"));
   } catch (const fs::filesystem_error& error) {
     throw StoreError(fmt::format("cannot use the folder {}: {}", folder_, error.code().message()));
   }
+}
+
+Store::~Store() {
+  ::close(lock_);
 }
 
 void Store::write(const std::string& name, const std::string& content) const {

@@ -17,11 +17,14 @@ struct StoreError : std::runtime_error {
 };
 
 /// The output folder of an evaluation. A file in it is whole, or is not there: it is written beside its place and
-/// then renamed. For one thread of one process at a time.
+/// then renamed. For one thread. While one Store has a folder, another one throws StoreError, in other processes, too.
 class Store {
  public:
   /// Makes the folder, with what lies above it, and removes what a killed process left half written.
   explicit Store(std::string folder);
+  ~Store();
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
 
   std::string path_of(const std::string& name) const { return folder_ + "/" + name; }
   void write(const std::string& name, const std::string& content) const;
@@ -41,6 +44,7 @@ class Store {
 
  private:
   std::string folder_;
+  int lock_;  // the folder's descriptor; children that are forked have it too, so it lasts as long as they do
 };
 
 /// Without the cell. latency_ns has null for what was not delivered.

@@ -35,8 +35,7 @@ std::string problem_of(const std::function<void()>& action) {
 
 TEST(Store, gives_back_what_was_saved) {
   const TempDir folder;
-  const Store store(folder / "a/b");
-  store.save({cell, {{3, made_up({{1, 0, 5'000'000'000}, {7, 8, 9}})}}});
+  Store(folder / "a/b").save({cell, {{3, made_up({{1, 0, 5'000'000'000}, {7, 8, 9}})}}});
   const CellResult loaded = Store(folder / "a/b").load(cell);
   ASSERT_EQ(loaded.rounds.size(), 1u);
   const Measurement& round = loaded.rounds.at(3);
@@ -85,6 +84,17 @@ TEST(Store, names_the_file_that_is_no_result) {
     EXPECT_NE(problem_of([&] { (void)store.load(cell); }).find("tcpros-4096-2.json"), std::string::npos)
         << content;
   }
+}
+
+TEST(Store, has_its_folder_for_itself) {
+  const TempDir folder;
+  {
+    const Store store(folder.path());
+    folder.write("half.tmp", "it is being written");
+    EXPECT_NE(problem_of([&] { Store(folder.path()); }).find("another run"), std::string::npos);
+    EXPECT_EQ(folder.read("half.tmp"), "it is being written");
+  }
+  EXPECT_EQ(problem_of([&] { Store(folder.path()); }), "");
 }
 
 TEST(Store, says_which_folder_cannot_be_used) {
