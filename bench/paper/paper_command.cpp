@@ -94,7 +94,7 @@ bool any_of(const std::vector<Cell>& cells, const std::vector<std::string>& cont
 class Daemons {
  public:
   /// Takes cells away whose daemon does not start, and says so.
-  explicit Daemons(std::vector<Cell>& cells) {
+  explicit Daemons([[maybe_unused]] std::vector<Cell>& cells) {
 #ifdef TZC_BENCH_ROSCPP
     const std::vector<std::string> of_ros{"tcpros", "intraprocess", "tzc-queue", "tzc-direct"};
     if (any_of(cells, of_ros)) core_ = std::make_unique<RosCore>();
