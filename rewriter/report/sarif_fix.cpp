@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/sarif_fix.h"
 
+#include "report/utf16.h"
+
 namespace tzc::rewriter {
 namespace {
 
@@ -9,17 +11,6 @@ using Lines = std::vector<DiffLine>;
 
 bool ends_line(std::string_view text) {
   return !text.empty() && text.back() == '\n';
-}
-
-/// In UTF-16 code units, as the run declares its columns.
-std::size_t utf16_length(std::string_view text) {
-  std::size_t units = 0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0) != 0x80) ++units;  // not in the middle of a character
-    if (byte >= 0xF0) ++units;           // a pair of surrogates
-  }
-  return units;
 }
 
 /// A run of removed and added lines as one replacement; `at` ends behind it. `line` is the number of the next line

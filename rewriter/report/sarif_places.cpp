@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "edits/files.h"
+#include "report/utf16.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -25,6 +26,14 @@ std::string as_uri(const std::string& path) {
 
 std::string root_of(const PackageReport& package) {
   return package.source_root.empty() ? package.report.package_dir : package.source_root;
+}
+
+/// A file as it was analysed: a port that was written has changed it since. Empty when it cannot be read.
+std::string source_of(const PackageReport& package, const std::string& file) {
+  for (const FileChange& change : package.changes)
+    if (package.report.package_dir + "/" + change.path == file) return change.before;
+  const Expected<std::string> text = read_file(file);
+  return text ? *text : "";
 }
 
 /// SRCROOT; a run over several repositories has SRCROOT2 and so on besides.
@@ -50,8 +59,10 @@ json SarifPlaces::artifact(const PackageReport& package, const std::string& file
 
 json SarifPlaces::location(const PackageReport& package, const Location& where) const {
   json physical = {{"artifactLocation", artifact(package, where.file)}};
-  if (where.line > 0)
-    physical["region"] = {{"startLine", where.line}, {"startColumn", std::max(1u, where.column)}};
+  if (where.line > 0) {
+    const unsigned column = utf16_column(source_of(package, where.file), where.line, where.column);
+    physical["region"] = {{"startLine", where.line}, {"startColumn", std::max(1u, column)}};
+  }
   return {{"physicalLocation", physical}};
 }
 

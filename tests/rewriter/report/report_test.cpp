@@ -11,6 +11,7 @@
 #include "model/codes.h"
 #include "report/code_pages.h"
 #include "report/estimate.h"
+#include "report/utf16.h"
 #include "sample.h"
 #include "support/golden_case.h"
 #include "support/temp_dir.h"
@@ -171,6 +172,27 @@ TEST_F(Sarif, a_fix_takes_every_form_of_change) {
     else
       EXPECT_EQ(fixed(before, replacements), after);
   }
+}
+TEST_F(Sarif, columns_are_counted_in_utf16) {
+  tzc::test::TempDir folder;
+  const std::string source =
+      "\n/* \xc3\xa9 \xf0\x9f\x98\x80 */ publish();\n";  // two bytes, one unit; four bytes, two units
+  const auto byte_column = static_cast<unsigned>(source.find("publish"));  // the line begins at 1
+  PackageReport package = test::sample();
+  for (const bool is_written : {false, true}) {
+    Location& where = package.report.sites[2].where;
+    where = {is_written ? package.report.package_dir + "/CMakeLists.txt" : folder.write("source.cpp", source),
+             2, byte_column};
+    if (is_written) package.changes[0].before = source;  // it is no longer on the disk
+    const json log = json::parse(to_sarif({package}, "1"));
+    const json region = log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["region"];
+    EXPECT_EQ(region["startColumn"], byte_column - 3) << region;
+  }
+}
+TEST_F(Sarif, a_column_that_the_source_does_not_have_stays) {
+  EXPECT_EQ(utf16_column("a\n", 1, 7), 7u);
+  EXPECT_EQ(utf16_column("a\n", 9, 7), 7u);
+  EXPECT_EQ(utf16_column("", 1, 0), 0u);
 }
 TEST_F(Sarif, a_large_port_is_in_the_file_once) {
   PackageReport package = test::sample();
