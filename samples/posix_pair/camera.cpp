@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes 30 synthetic frames a second until it is stopped; or as many as its argument says.
+// Publishes 30 synthetic frames a second until it is stopped, or as many frames as its argument says.
 #include <tzc/channel.h>
 
 #include <chrono>

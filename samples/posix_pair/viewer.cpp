@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Receives frames in its own poll loop, until the camera goes; or as many as its argument says.
+// Receives frames in its own poll loop, until the camera ends, or as many frames as its argument says.
 #include <poll.h>
 #include <tzc/channel.h>
 

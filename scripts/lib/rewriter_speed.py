@@ -18,7 +18,7 @@ import subprocess
 import sys
 import time
 
-# As tzc-rewrite has them: old ROS code does not parse without.
+# The flags that tzc-rewrite adds: old ROS code does not parse without them.
 LENIENCY = ["-w", "-Wno-enum-constexpr-conversion", "-Wno-missing-template-arg-list-after-template-kw",
             "-Wno-dynamic-exception-spec", "-Wno-register"]
 

@@ -6,7 +6,7 @@ from collections import namedtuple
 
 import modules
 
-Include = namedtuple("Include", "line spelled target")  # target: the repository's file, or None for anybody else's
+Include = namedtuple("Include", "line spelled target")  # target: the repository's file, or None for another project's
 
 _DIRECTIVE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.M)
 _COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.S)

@@ -23,7 +23,7 @@ constexpr std::size_t memory_size = 4 << 20;
 
 enum class Phase : int {
   run,      ///< publish, take, hold, release
-  quiesce,  ///< let go of everything; the publisher proves that all its memory is free
+  quiesce,  ///< release everything; the publisher proves that all its memory is free
 };
 
 struct Board {
@@ -33,7 +33,7 @@ struct Board {
   std::atomic<int> connections;              // as the publisher sees it
   std::atomic<int> errors;
 
-  std::atomic<int> aimed_role;  // who dies at a step; -1: no one
+  std::atomic<int> aimed_role;  // the role that dies at a step; -1: none
   std::atomic<int> aimed_step;
   std::atomic<int> steps_left;
   std::atomic<std::int64_t> died_at;

@@ -11,7 +11,7 @@ namespace tzc {
 namespace crash {
 namespace {
 
-/// Holds a few messages for a while and looks at every byte when they come and again when they go.
+/// Holds a few messages for a while and checks every byte when they arrive and again before they are released.
 class Hoard {
  public:
   explicit Hoard(unsigned seed) : random_(seed) {}
@@ -24,8 +24,8 @@ class Hoard {
     while (held_.size() > random_() % 5) drop_oldest();
   }
 
-  /// Also without new messages something is let go now and then: with worst_effort none come while the oldest
-  /// is held.
+  /// Releases a message now and then, also when no new ones arrive: with worst_effort none arrive while the
+  /// oldest is held.
   void tire() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!held_.empty() && random_() % 8 == 0) drop_oldest();

@@ -14,7 +14,7 @@
 // Explores every interleaving of a few threads that share a few words.
 //
 // A thread is a function of what it has seen: it is run from the start of its current round, is fed the
-// results that it already got, and stops (by an exception) at the first operation whose result it doesn't
+// results that it already got, and stops (by an exception) at the first operation whose result it does not
 // have yet. So a state is the shared words, plus each thread's local data at the start of its round and what
 // it saw since; no stacks have to be saved, states compare by value, and every state is visited once. At any
 // point a thread may die instead.
@@ -297,7 +297,7 @@ class Explorer {
   std::string trace_;
 
  public:
-  /// Who moved, in order, on the way to the violation.
+  /// The threads that moved, in order, up to the violation.
   const std::string& trace() const { return trace_; }
 };
 

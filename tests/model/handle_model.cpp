@@ -2,9 +2,9 @@
 // usage: handle_model
 // Explores every interleaving of a publisher's threads around one block while a subscriber leaves, on the very code
 // that the library runs for the count of handles (segment/handle_count.h) and for the acknowledgement words: the
-// service thread takes the record back (revive, revoke the mark), sends it to another subscriber and lets go; another
-// thread finds the block by its address; the allocator wants to free it meanwhile. Then plants each mistake and
-// demands that it is found.
+// service thread takes the record back (revive, revoke the mark), sends it to another subscriber and drops its
+// handle; another thread finds the block by its address; the allocator wants to free it meanwhile. Then plants each
+// mistake and demands that it is found.
 #include "exploration.h"
 #include "explorer.h"
 #include "segment/ack_word.h"

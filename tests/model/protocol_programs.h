@@ -8,7 +8,7 @@
 // The lifetime protocol of one publisher and two subscribers, on the very code that the library runs for
 // every shared word: segment/ack_word.h and channel/delivery_cursors.h. What is modelled around it: allocate (reclaim,
 // revoke for best_effort), publish (queue bound, mark, write), receive, take, read twice, release, the death
-// of anybody anywhere and the hang-up that follows.
+// of any thread at any step and the hang-up that follows.
 
 namespace tzc {
 namespace model {

@@ -112,8 +112,8 @@ TEST(HostilePage, with_connections_of_no_topic_and_rows_of_no_kind) {
   EXPECT_TRUE(node.topics[0].connections.empty());
 }
 
-/// Random bytes in the places that steer the reader, and anywhere else: whatever it accepts can be printed in every way,
-/// within the limits of a page and without a byte that a terminal would obey.
+/// Random bytes in the places that steer the reader, and anywhere else: whatever it accepts can be printed in every
+/// format, within the limits of a page and without a byte that a terminal would take for a command.
 TEST(HostilePage, of_random_bytes_is_refused_or_printed) {
   std::mt19937_64 random(20);
   int accepted = 0;

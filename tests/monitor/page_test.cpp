@@ -13,7 +13,7 @@ namespace {
 
 namespace layout = statistics;
 
-// A page is read by builds of other days: when one of these fails, raise page_version and write the new numbers here.
+// Older and newer builds read a page: when one of these fails, raise page_version and write the new numbers here.
 TEST(PageLayout, stays_as_it_is_for_this_version) {
   EXPECT_EQ(layout::page_version, 1u);
   EXPECT_EQ(sizeof(layout::PageHeader), 288u);

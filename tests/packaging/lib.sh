@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 cache=${PACKAGING_CCACHE:-$scratch/ccache}
 mkdir -p "$scratch/home" "$cache"
 
-# Root becomes nobody; anybody else is a normal user already.
+# Root becomes the user nobody; any other user is a normal user already.
 user=()
 if [ "$(id -u)" = 0 ]; then
   chown nobody:nogroup "$scratch" "$scratch/home" "$cache"

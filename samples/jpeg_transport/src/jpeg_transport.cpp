@@ -10,7 +10,7 @@
 
 namespace jpeg_transport {
 
-/// Publishes every image as JPEG, for those who subscribe to base_topic/compressed.
+/// Publishes every image as JPEG, for subscribers of base_topic/compressed.
 class JpegPublisher : public image_transport::SimplePublisherPlugin<sensor_msgs::CompressedImage> {
  public:
   std::string getTransportName() const override { return "compressed"; }

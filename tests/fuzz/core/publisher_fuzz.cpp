@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A hostile subscriber: any greeting, any packets, and any acknowledgements while the publisher goes on.
+// A hostile subscriber: any hello, any packets, and any acknowledgements while the publisher goes on.
 #include <cstdio>
 #include <cstring>
 #include <thread>

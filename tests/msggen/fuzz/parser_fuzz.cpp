@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer target: definition files of one package, each introduced by a line `%% NAME.EXT`, go all the way
+// libFuzzer target: definition files of one package, each introduced by a line `%% NAME.EXT`, are processed
 // from bytes to headers. Beyond not crashing: a fault points into its file, and what has no fault has all its
 // facts.
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the engine asks of those who judge a port, and what it makes of their answers.
+// What the engine asks the judges of a port, and what it makes of their answers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

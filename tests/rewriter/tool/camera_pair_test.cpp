@@ -137,7 +137,7 @@ TEST_F(CameraPair, a_report_from_before_the_port_is_a_baseline_after_it) {
   EXPECT_EQ(check.status, 0) << check.output << check.errors;
 }
 
-/// The publisher is ported, the subscriber is not: code scanning hears of the latter alone.
+/// The publisher is ported, the subscriber is not: the file for code scanning has the latter alone.
 TEST_F(CameraPair, only_what_the_port_would_still_change_is_pending) {
   const std::string viewer = "ws/src/camera_pair/src/viewer_node.cpp", original = folder_.read(viewer);
   const auto pending_files = [&] {

@@ -120,7 +120,7 @@ TEST_F(Catkin, an_included_file_that_keeps_tzc_out_is_refused_and_one_that_lets_
   EXPECT_THAT(source(), HasSubstr("tzc::Publisher pub"));
 }
 
-/// With what the compilers and CMake read for true: the second check asks none of them, and sees each change.
+/// With the files that the compilers and CMake really read: the second check runs none of them, and sees each change.
 TEST_F(Catkin, a_second_check_is_answered_from_the_cache_until_something_changes) {
   put("other/package.xml",
       "<package format=\"2\">\n  <name>other</name>\n  <version>1.0.0</version>\n  "

@@ -83,7 +83,7 @@ TEST_F(Cli, a_package_without_cpp_needs_no_compile_commands) {
   EXPECT_THAT(result.errors, HasSubstr("nothing to port"));
 }
 
-/// Where the kill hits is chance here; swap_test.cpp has it at each step.
+/// The kill hits at a random step here; swap_test.cpp kills at each step.
 
 TEST_F(Cli, without_a_configured_build_nothing_is_written) {
   const auto result = ws.rewrite({"--verify=syntax", "--apply", "--report", ws.folder() / "r.json"});

@@ -97,7 +97,7 @@ TEST(PointCloud2Modifier, modifies_like_the_library) {
   }
 }
 
-/// What a node does with a cloud: describe, make room, write each point.
+/// What a node does with a cloud: describe its fields, resize it, write each point.
 template <class Modifier, template <class> class Iterator, class Cloud>
 void build(Cloud& cloud, std::size_t points) {
   Modifier modifier(cloud);

@@ -75,7 +75,7 @@ int accepting_without_descriptors() {
     SubscriberOptions in;
     in.address = options.address;
     in.own_thread = false;
-    return Subscriber::create(in) ? 0 : 1;  // waits in the backlog until there is room
+    return Subscriber::create(in) ? 0 : 1;  // waits in the backlog until it has space
   });
   const auto out = publish_with(options);
   limit(RLIMIT_NOFILE, 0);  // what is open stays open
@@ -96,7 +96,7 @@ double cpu_seconds() {
 
 // The kernel counts the descriptors that a user (not root) has in flight against the limit on open ones. Each
 // of these records lies in a segment of its own, whose two descriptors are in flight to eight subscribers
-// that don't read. No other process has this user, because the limit counts what all of its processes have in flight.
+// that do not read. No other process has this user, because the limit counts what all of its processes have in flight.
 int too_many_descriptors_in_flight() {
   const auto user = static_cast<uid_t>(20'000 + ::getpid() % 40'000);
   if (::setresuid(user, user, user) != 0 || ::prctl(PR_SET_DUMPABLE, 1) != 0) return skipped;

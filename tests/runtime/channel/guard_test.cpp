@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Guard mode: late writes are reported and reach nobody; programs that write in time hear nothing.
+// Guard mode: late writes are reported and reach no subscriber; programs that write in time get no report.
 #include "tzc/guard.h"
 
 #include <signal.h>

@@ -13,7 +13,7 @@ namespace channel {
 namespace test {
 namespace {
 
-/// A publisher spoken by hand, and a real subscriber.
+/// A publisher whose packets the test writes itself, and a real subscriber.
 class HostilePublisher : public ::testing::Test {
  protected:
   void SetUp() override { listener_ = std::move(*posix::Listener::listen(posix::generate_address())); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Who may go when: unsubscribing, closing, dying and forking, with messages still held.
+// Which end may leave when: unsubscribing, closing, dying and forking, with messages still held.
 #include <dirent.h>
 #include <signal.h>
 
@@ -45,7 +45,7 @@ TEST(Lifetime, a_held_message_outlives_its_subscriber) {
   expect_held_until_released(*out, std::move(held));
 }
 
-/// Keeps the service thread busy, which learns of goodbyes, for as long as it lives.
+/// For as long as it lives, keeps the service thread busy, which reads Unsubscribe packets.
 class BusyServiceThread {
  public:
   BusyServiceThread() {
@@ -69,7 +69,7 @@ class BusyServiceThread {
   std::thread visitor_;
 };
 
-// The write fails before the goodbye is read. Ending the socket then would free what the process still holds.
+// The write fails before the Unsubscribe is read. Ending the socket then would free what the process still holds.
 TEST(Lifetime, a_held_message_outlives_a_write_that_fails) {
   const auto out = publisher(10, mb, Policy::best_effort());
   MessagePtr held;

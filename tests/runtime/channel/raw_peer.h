@@ -12,7 +12,7 @@ namespace test {
 
 using std::chrono::milliseconds;
 
-/// One end of a connection, spoken by hand.
+/// One end of a connection, whose packets the test writes and reads itself.
 class RawPeer {
  public:
   explicit RawPeer(posix::FileDescriptor socket) : socket_(std::move(socket)), memory_(max_packet_bytes) {}

@@ -168,7 +168,7 @@ TEST(TwoWays, records_of_all_sizes_keep_their_order) {
   }
 }
 
-/// A subscriber spoken by hand that asked for the ring.
+/// A subscriber that asked for the ring; the test writes and reads its packets itself.
 class ByHand : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which memory files a subscriber knows: offered when they are needed, let go of when their memory is gone.
+// Which memory files a subscriber knows: offered when they are needed, retired when their memory is gone.
 #include "support.h"
 
 namespace tzc {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The handler of writes to received messages lives with those of other code, whenever they are installed.
+// The handler of writes to received messages works beside those of other code, whenever they are installed.
 #include <setjmp.h>
 #include <signal.h>
 #include <sys/mman.h>
@@ -51,7 +51,7 @@ struct Exchange {
   }
 };
 
-/// Who hears of a fault that is not in a message, in order.
+/// The handlers that get a fault that is not in a message, in order.
 std::string who_hears() {
   auto* none =
       static_cast<volatile char*>(::mmap(nullptr, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));

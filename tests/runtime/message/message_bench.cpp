@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The inner loops of the message room. Not part of the test run: build target message_bench and run it.
+// The inner loops of the module `message`. Not part of the test run: build target message_bench and run it.
 #include <benchmark/benchmark.h>
 #include <tzc/message.h>
 #include <tzc/sensor_msgs/Image.h>

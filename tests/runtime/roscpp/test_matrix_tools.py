@@ -190,7 +190,7 @@ class PortedToTools(ToolCase):
     def test_image_view(self):
         """The binary with the window, unmodified, plain and under tzc-run. It takes one image after the other,
         republishes each of them, and the last one stays on the screen, pixel by pixel."""
-        rows, line = 100, 3 * 1600  # wider than the window's tool bar: the window doesn't scale it
+        rows, line = 100, 3 * 1600  # wider than the window's tool bar: the window does not scale it
         for runner in ([], TZC_RUN):
             with self.subTest(runner=runner):
                 screen = self.screen()

@@ -109,7 +109,7 @@ class TopicCase(unittest.TestCase):
             is_plain = mode in ("plain", "attached_wrong")
             parameters.setdefault("shared", 0 if is_plain else parameters.get("subscribers", 1))
         if not parameters.get("shared", 0):
-            parameters.setdefault("settle", 0.5)  # room for a move that must not be
+            parameters.setdefault("settle", 0.5)  # time for a move that must not happen
         # The queue is for a machine that is busy with others.
         return self.node("talker", name, dict({"queue": 200}, mode=mode, **parameters), remaps, env, runner)
 
@@ -148,7 +148,7 @@ class TopicCase(unittest.TestCase):
             self.wait_for(listener, len(expected), timeout, topic, callback)
         except RuntimeError:
             pass  # the comparison says more
-        time.sleep(0.1)  # room for a message too many
+        time.sleep(0.1)  # time for a message too many
         messages = listener.messages(topic, callback)
         self.assertEqual([message["number"] for message in messages], expected)
         self.assertTrue(all(message["right"] for message in messages), "some bytes are wrong")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Two topics through all that message_filters has for them; each line (image_line.h) tells by which way its
-/// image came.
+/// Two topics through all that message_filters has for them; each line (image_line.h) names the filter that
+/// passed its image on.
 ///
 /// Private parameter: plain (message_filters' own Subscriber).
 #include <message_filters/cache.h>

@@ -2,7 +2,7 @@
 /// Keeps the first messages that it gets, destroys its subscriber in the very callback that brings the last
 /// of them, and prints them afterwards.
 ///
-/// Private parameters: keep (messages), outlive (a process: they are printed when it is no more), direct
+/// Private parameters: keep (messages), outlive (a process ID: they are printed when it has ended), direct
 /// (dispatch), shutdown (end the whole node in the callback: ros::shutdown).
 #include <ros/callback_queue.h>
 #include <ros/ros.h>

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Takes each of the transport's races by the turn that once went wrong. Prints what happened as a line of
-/// JSON ("event"), a subscriber also its images.
+/// Runs each of the transport's races in the order of steps that once went wrong. Prints what happened as lines of
+/// JSON ("event"); a subscriber prints its images, too.
 ///
 /// Private parameters: pid (of the other side), queue (by_reference), race, one of
 ///   by_reference  a publisher: a message goes by reference, since no subscriber takes pointers, while a subscriber
 ///                 moves over
 ///   late_header   a publisher: the subscriber is offered shared memory before its TCPROS header is written
-///   slow_reader   a subscriber: the last TCPROS message is read and not handed over yet when the first
-///                 shared one comes
+///   slow_reader   a subscriber: the last TCPROS message is read and not delivered yet when the first shared
+///                 one arrives
 ///   busy_queue    a publisher: a subscriber goes back to TCPROS while roscpp's queue is full of what it has
 ///                 already
 ///   silent        a publisher: the subscriber (pid) is stopped when it is called with the offer, and goes on
 ///                 when the call is given up
-///   two_at_once   a direct subscriber: a message of another publisher comes while the callback for the first
-///   one runs slow_move     a publisher: the thread that moves the subscriber is held for longer than the subscriber
-///   waits late_attach   a subscriber: it attaches when it is connected, the publisher (pid) is stopped when
-///   it is
+///   two_at_once   a direct subscriber: a message of another publisher arrives while the callback for the first
+///                 one runs
+///   slow_move     a publisher: the thread that moves the subscriber is held for longer than the subscriber waits
+///   late_attach   a subscriber: it attaches when it is connected, the publisher (pid) is stopped when it is
 ///                 asked for an offer, and goes on when the call is given up
 ///   planted       a subscriber with a data race of its own, for ThreadSanitizer to find
 #include <ros/callback_queue_interface.h>
@@ -67,7 +67,7 @@ void publish(const tzc::Publisher& publisher, std::uint32_t from, std::uint32_t 
   for (std::uint32_t number = from; number < to; ++number) publisher.publish(make_image(publisher, number));
 }
 
-/// With the poll thread held: what was published goes on its way, and the node may end.
+/// Releases the poll thread, if it is held, so that it sends what was published; then the node may end.
 void let_go_and_end() {
   gate().tell("let go");
   ros::WallDuration(1.0).sleep();

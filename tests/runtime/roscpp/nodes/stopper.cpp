@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// A publisher among whose subscribers one is stopped, or killed afterwards: the others must not feel it. Prints what
+/// A publisher. One of its subscribers is stopped, or killed afterwards; the others must not notice. Prints what
 /// happened as lines of JSON ("event").
 ///
 /// Private parameters: pid (of the subscriber that is stopped), scene, one of
