@@ -36,6 +36,7 @@ class RunFolder {
       if (!fs::is_empty(path_)) throw Failure(path_.string() + " is not empty", "--keep names a new folder");
       return;
     }
+    // mkdtemp(3) puts a unique name where the six Xs are.
     std::string pattern = (fs::absolute(options.scratch) / "tzc-compare-XXXXXX").string();
     if (!::mkdtemp(pattern.data()))
       throw Failure("no folder can be made in " + options.scratch, "see --scratch");

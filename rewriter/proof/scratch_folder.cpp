@@ -51,6 +51,7 @@ Expected<ScratchFolder> ScratchFolder::make() {
                    "make room there, or name a folder that exists with TMPDIR"};
   if (failed) return none;
   remove_leftovers(parent);
+  // mkdtemp(3) puts a unique name where the six Xs are.
   std::string path = parent / (std::string(prefix) + "XXXXXX");
   const int lock = ::mkdtemp(path.data()) ? lock_of(path, O_CREAT) : -1;
   if (lock < 0) return none;

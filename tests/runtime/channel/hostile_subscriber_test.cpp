@@ -156,6 +156,8 @@ TEST(HostileSubscriber, data_that_is_made_writable_is_a_copy) {
   EXPECT_TRUE(all_bytes_are(ConstBlock{buffer->data(), buffer->size()}, 1));
 }
 
+// Only root may become another user, so a normal user's run leaves this test and the one with another user's silence out;
+// a run as root, as in a clean root or a container, has both.
 TEST(HostileSubscriber, another_users_process_is_refused_in_a_child) {
   if (::geteuid() != 0) GTEST_SKIP() << "needs root to become another user";
   PublisherOptions options;
