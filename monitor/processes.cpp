@@ -16,6 +16,7 @@
 #include <tuple>
 
 #include "page.h"
+#include "posix/file_descriptor.h"
 #include "statistics/page_layout.h"
 
 namespace tzc::monitor {
@@ -25,20 +26,6 @@ namespace fs = std::filesystem;
 
 /// A page is updated once a second; on a busy machine later.
 constexpr double silent_after_s = 5;
-
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return fd_; }
-
- private:
-  const int fd_;
-};
 
 bool is_number(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
@@ -73,7 +60,7 @@ std::optional<std::string> find_page(const std::string& process) {
 
 /// Opened in two steps: what is no regular file any more (the number may be another file's by now) is never opened.
 int open_regular(const std::string& path) {
-  const Descriptor handle(::open(path.c_str(), O_PATH | O_CLOEXEC));
+  const posix::FileDescriptor handle(::open(path.c_str(), O_PATH | O_CLOEXEC));
   struct stat status{};
   if (handle.get() < 0 || ::fstat(handle.get(), &status) != 0 || !S_ISREG(status.st_mode)) return -1;
   return ::open(fmt::format("/proc/self/fd/{}", handle.get()).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -127,7 +114,7 @@ void look_at(const std::string& proc, const std::string& number, Sample& sample)
   if (!may_be_watched(process)) return;
   const std::optional<std::string> path = find_page(process);
   if (!path) return;
-  const Descriptor page(open_regular(*path));
+  const posix::FileDescriptor page(open_regular(*path));
   if (page.get() < 0) return;
   Node node;
   std::string trouble;

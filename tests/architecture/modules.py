@@ -41,8 +41,8 @@ USES = {
     "bench/core": ["bench", "runtime/channel"],
     "bench/roscpp": ["bench", "bench/core", "runtime/roscpp"],
     "bench/paper": ["bench", "bench/core", "bench/roscpp"],
-    # tzc-monitor knows the layout of a statistics page, and nothing else of the runtime.
-    "monitor": ["runtime/statistics"],
+    # tzc-monitor knows the layout of a statistics page and what owns a descriptor, and nothing else of the runtime.
+    "monitor": ["runtime/posix", "runtime/statistics"],
     # tzc-compare needs no ROS to compare; its recorder is a ROS node.
     "compare/wire": [],
     "compare/pairing": ["compare/wire"],
