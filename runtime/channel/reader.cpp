@@ -6,6 +6,7 @@
 #include <new>
 
 #include "channel/delivery_cursors.h"
+#include "channel/recycled.h"
 #include "channel/wire.h"
 #include "sync_point/sync_point.h"
 
@@ -44,7 +45,7 @@ Reader::Result Reader::read(posix::Waiting waiting, MessagePtr& message) try {
 }
 
 posix::ReceiveResult Reader::receive(posix::Waiting waiting, posix::ReceivedPacket& packet) {
-  if (!next_) next_ = std::make_shared<ReceivedMessage>(link_);
+  if (!next_) next_ = make_recycled<ReceivedMessage>(link_);
   const Source source = ring_.await(link_->ended(), waiting == posix::Waiting::block);
   if (source == Source::nothing) return posix::ReceiveResult::nothing;
   if (source == Source::socket) return receive_from_socket(waiting, packet);

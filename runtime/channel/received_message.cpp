@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "channel/recycled.h"
 #include "segment/layout.h"
 #include "sync_point/sync_point.h"
 
@@ -13,6 +14,13 @@ namespace channel {
 namespace {
 
 constexpr std::size_t usual_blocks = 2;
+constexpr std::size_t most_kept_blocks = 64;
+
+// Of messages that came to an end. Never destroyed: a message may end after the program's statics.
+Spares<std::vector<ConstBlock>, most_spares>& spare_lists() {
+  static auto* const lists = new Spares<std::vector<ConstBlock>, most_spares>;
+  return *lists;
+}
 
 std::size_t aligned(std::size_t bytes) {
   return (bytes + segment::cache_line - 1) / segment::cache_line * segment::cache_line;
@@ -25,12 +33,15 @@ std::uintptr_t address_of(const std::uint8_t* memory) {
 }  // namespace
 
 ReceivedMessage::ReceivedMessage(std::shared_ptr<const Link> link) : link_(std::move(link)) {
-  blocks_.reserve(usual_blocks);
+  if (!spare_lists().take(blocks_)) blocks_.reserve(usual_blocks);
 }
 
 // A forked child's copy releases nothing: the blocks are its parent's.
 ReceivedMessage::~ReceivedMessage() {
   if (!link_->forked()) release_blocks();
+  if (blocks_.capacity() > most_kept_blocks) return;
+  blocks_.clear();
+  spare_lists().put(blocks_);
 }
 
 const std::uint8_t* ReceivedMessage::adopt(std::vector<std::uint8_t> body) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "channel/body.h"
+#include "channel/recycled.h"
 #include "posix/hot.h"
 #include "segment/segment.h"
 
@@ -83,11 +84,11 @@ TZC_HOT RecordPtr make_record(std::uint32_t tag, const void* control, std::size_
   for (const BufferPtr& buffer : buffers) buffer->seal();
   BodyHeader header{tag, 0, static_cast<std::uint32_t>(buffers.size()), 0, control_size};
   const BufferPtr block = control_block(control, control_size, memory);
-  if (!block) return std::make_shared<const Record>(header, control, buffers);
+  if (!block) return make_recycled<const Record>(header, control, buffers);
   block->seal();
   header.flags = control_in_last_block;
   ++header.block_count;
-  return std::make_shared<const Record>(header, control, buffers, block);
+  return make_recycled<const Record>(header, control, buffers, block);
 }
 
 RecordParts parts_of(const Record& record) {
