@@ -31,8 +31,8 @@ ConnectionImpl::ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPa
       epoch_(posix::fork_epoch()),
       page_(std::move(page)),
       window_(page_, segments_, options.keeps_undelivered),
-      sender_(std::move(socket), peer_.reads_ring ? &page_.ring() : nullptr, queue_size_ + 2 * max_segments) {
-}
+      sender_(std::move(socket), RingWriter(peer_.reads_ring ? &page_.ring() : nullptr, options.bell),
+              queue_size_ + 2 * max_segments) {}
 
 Status ConnectionImpl::start(Service& service) {
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -48,6 +48,7 @@ class ConnectionImpl final : public Connection,
   struct Options {
     std::size_t queue_size;
     bool keeps_undelivered;
+    BellPull bell;  // at which the subscriber's reader is called
   };
 
   ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPage page, const Options& options,

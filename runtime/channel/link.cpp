@@ -42,14 +42,14 @@ Service* notice_service(const SubscriberOptions& options) {
 
 }  // namespace
 
-Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options, Service* service) {
+Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options, RingPlace place) {
   auto socket = posix::connect_to(options.address, options.handshake_timeout);
   if (!socket) return socket.error();
   const auto peer = posix::peer_credentials(socket->get());
   if (!peer) return peer.error();
   if (!trusted(options, *peer))
     return failed("trust the publisher, a process of another user", options.address);
-  auto link = std::make_shared<Link>(std::move(*socket), *peer, service);
+  auto link = std::make_shared<Link>(std::move(*socket), *peer, std::move(place));
   link->writes_ = view_writes(options);
   link->notice_ = WriteNotice::create(notice_service(options), options.on_write);
   const Status welcome = link->shake_hands(options);
@@ -57,11 +57,11 @@ Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options, 
   return link;
 }
 
-Link::Link(posix::FileDescriptor socket, const Credentials& peer, Service* service)
+Link::Link(posix::FileDescriptor socket, const Credentials& peer, RingPlace place)
     : socket_(std::move(socket)),
       peer_(peer),
       epoch_(posix::fork_epoch()),
-      service_(service),
+      place_(std::move(place)),
       notice_(WriteNotice::create(nullptr, nullptr)) {}
 
 // A forked child must not end the watch: its parent still uses it.
@@ -81,12 +81,21 @@ bool Link::forked() const {
 Status Link::say_hello(const SubscriberOptions& options) const {
   if (options.hello.size() > max_hello_bytes)
     return failed("subscribe with a hello over 32 KB", options.address);
-  const Hello hello{PacketKind::hello, wire_magic, wire_version,
-                    static_cast<std::uint32_t>(options.hello.size()),
-                    service_ != nullptr ? std::uint32_t{reads_ring} : 0};
-  const iovec parts[] = {{const_cast<Hello*>(&hello), sizeof hello},
+  Hello hello{PacketKind::hello, wire_magic, wire_version, static_cast<std::uint32_t>(options.hello.size())};
+  if (place_.service != nullptr) hello.features |= reads_ring;
+  int doorbell = -1;
+  if (place_.service != nullptr && place_.number) {
+    doorbell = place_.number->doorbell()->fd();
+    hello.features |= has_doorbell;
+    hello.doorbell_bytes = static_cast<std::uint32_t>(place_.number->doorbell()->size());
+    hello.doorbell_number = place_.number->value();
+  }
+  const iovec parts[] = {{&hello, sizeof hello},
                          {const_cast<char*>(options.hello.data()), options.hello.size()}};
-  posix::send_packet(fd(), parts, 2);  // when it fails, the publisher's Refusal says why
+  // When the publisher is gone, its Refusal says why.
+  if (posix::send_packet(fd(), parts, 2, &doorbell, doorbell < 0 ? 0 : 1) == posix::SendResult::exhausted)
+    return failed("subscribe: the system has no memory, or too many descriptors are in flight",
+                  options.address);
   return Success{};
 }
 
@@ -122,12 +131,12 @@ Status Link::accept_welcome(const std::uint8_t* data, std::size_t size, posix::F
   if (!opened) return opened.error();
   page_ = std::move(*opened);
   first_sequence_ = welcome.first_sequence;
-  return service_ != nullptr && (welcome.features & reads_ring) != 0 ? use_ring() : Status(Success{});
+  return place_.service != nullptr && (welcome.features & reads_ring) != 0 ? use_ring() : Status(Success{});
 }
 
 Status Link::use_ring() {
   ring_ = &page_.ring();
-  auto watch = HangUpWatch::start(*service_, fd(), *this);
+  auto watch = HangUpWatch::start(*place_.service, fd(), *this);
   if (!watch) return watch.error();
   watch_ = std::move(*watch);
   return Success{};
@@ -135,7 +144,11 @@ Status Link::use_ring() {
 
 void Link::end() {
   ended_ = true;
-  if (ring_ != nullptr) wake_reader(*ring_);
+  if (ring_ == nullptr) return;
+  if (place_.number)
+    place_.number->doorbell()->ring(place_.number->value());
+  else
+    wake_reader(*ring_);
 }
 
 void Link::unsubscribe() {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "channel/hang_up_watch.h"
+#include "channel/receiver.h"
 #include "channel/shared_page.h"
 #include "channel/write_notice.h"
 #include "posix/file_descriptor.h"
@@ -14,14 +15,20 @@
 namespace tzc {
 namespace channel {
 
+/// What a subscriber needs so that records may come through the ring: a service, which watches for the publisher's end, and
+/// a thread of its own or a number of the doorbell where the shared one sleeps. No service: all come through the socket.
+struct RingPlace {
+  Service* service = nullptr;
+  std::shared_ptr<DoorbellNumber> number{};
+};
+
 /// A subscriber's open connection: the socket and the shared page. Every message keeps it open, because the
 /// publisher reclaims everything when the socket hangs up.
 class Link final : public HangUpListener {
  public:
-  /// Connects and shakes hands, within options.handshake_timeout. With a service, which then watches for the
-  /// publisher's end, records may come through the ring.
-  static Expected<std::shared_ptr<Link>> connect(const SubscriberOptions& options, Service* service);
-  Link(posix::FileDescriptor socket, const Credentials& peer, Service* service);
+  /// Connects and shakes hands, within options.handshake_timeout.
+  static Expected<std::shared_ptr<Link>> connect(const SubscriberOptions& options, RingPlace place);
+  Link(posix::FileDescriptor socket, const Credentials& peer, RingPlace place);
   ~Link() override;
   /// On a connected socket.
   Status shake_hands(const SubscriberOptions& options);
@@ -55,7 +62,7 @@ class Link final : public HangUpListener {
   posix::FileDescriptor socket_;
   const Credentials peer_;
   const std::uint32_t epoch_;
-  Service* const service_;
+  const RingPlace place_;
   SharedPage page_;
   Ring* ring_ = nullptr;
   std::atomic<bool> ended_{false};

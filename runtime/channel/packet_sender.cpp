@@ -16,8 +16,8 @@ constexpr std::chrono::milliseconds pause_when_exhausted{20};
 
 }  // namespace
 
-PacketSender::PacketSender(posix::FileDescriptor socket, Ring* ring, std::size_t most_waiting)
-    : socket_(std::move(socket)), ring_(ring), most_waiting_(most_waiting) {}
+PacketSender::PacketSender(posix::FileDescriptor socket, RingWriter ring, std::size_t most_waiting)
+    : socket_(std::move(socket)), ring_(std::move(ring)), most_waiting_(most_waiting) {}
 
 void PacketSender::watched_by(Service& service, std::uint64_t key) {
   service_ = &service;

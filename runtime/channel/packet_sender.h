@@ -25,8 +25,8 @@ class PacketSender {
     too_slow,  ///< the outbox has more than a running subscriber can leave there: it stopped
   };
 
-  /// Corked: until uncork() everything waits. `ring` may be null. `most_waiting`: packets in the outbox.
-  PacketSender(posix::FileDescriptor socket, Ring* ring, std::size_t most_waiting);
+  /// Corked: until uncork() everything waits. `most_waiting`: packets in the outbox.
+  PacketSender(posix::FileDescriptor socket, RingWriter ring, std::size_t most_waiting);
   /// The service watches the socket from now on, under that key.
   void watched_by(Service& service, std::uint64_t key);
   int socket() const { return socket_.get(); }

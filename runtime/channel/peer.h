@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 
+#include "posix/file_descriptor.h"
 #include "tzc/credentials.h"
 
 namespace tzc {
@@ -13,6 +15,10 @@ struct Peer {
   Credentials credentials;
   std::string hello{};
   bool reads_ring = false;
+  bool has_doorbell = false;
+  std::uint32_t doorbell_bytes = 0;
+  std::uint32_t doorbell_number = 0;
+  posix::FileDescriptor doorbell{};
 };
 
 }  // namespace channel

@@ -70,6 +70,9 @@ bool parse_hello(const std::uint8_t* data, std::size_t size, Peer& peer, std::st
       packet.hello_bytes != size - sizeof packet)
     return false;
   peer.reads_ring = (packet.features & reads_ring) != 0 && posix::has_shared_futex();
+  peer.has_doorbell = peer.reads_ring && (packet.features & has_doorbell) != 0;
+  peer.doorbell_bytes = packet.doorbell_bytes;
+  peer.doorbell_number = packet.doorbell_number;
   peer.hello.assign(reinterpret_cast<const char*>(data) + sizeof packet, packet.hello_bytes);
   return true;
 }
@@ -101,7 +104,7 @@ void PendingPeer::on_event(const posix::Poller::Event&) {
   static std::uint8_t memory[max_packet_bytes];  // only the service thread comes here
   posix::ReceivedPacket packet;
   const auto result = posix::receive_packet(socket_.get(), memory, sizeof memory,
-                                            posix::Waiting::return_at_once, false, packet);
+                                            posix::Waiting::return_at_once, true, packet);
   if (result == posix::ReceiveResult::nothing) return;
   const auto admission = admission_.lock();
   Peer peer{credentials_, {}};
@@ -115,6 +118,7 @@ void PendingPeer::on_event(const posix::Poller::Event&) {
   posix::FileDescriptor socket;
   service_.remove(socket_.get(), key_);
   socket.swap(socket_);
+  peer.doorbell = std::move(packet.descriptors[0]);
   if (result == posix::ReceiveResult::packet && admission)
     admission->admit(std::move(socket), std::move(peer));
 }

@@ -26,6 +26,18 @@ Expected<std::shared_ptr<SegmentMemory>> default_memory(std::size_t queue_size) 
   return SegmentMemory::create(options);
 }
 
+Expected<BellPull> bell_of(Peer& peer) {
+  if (!peer.has_doorbell) return BellPull();
+  Error error;
+  error.what = "use a doorbell without its file (too many open files here?)";
+  if (!peer.doorbell) return error;
+  error.what = "use number " + std::to_string(peer.doorbell_number) + " of a doorbell";
+  if (peer.doorbell_number >= doorbell_numbers) return error;
+  auto doorbell = Doorbell::open(std::move(peer.doorbell), peer.doorbell_bytes);
+  if (!doorbell) return doorbell.error();
+  return BellPull{std::move(*doorbell), peer.doorbell_number};
+}
+
 }  // namespace
 
 Expected<std::shared_ptr<PublisherImpl>> PublisherImpl::create(PublisherOptions options) {
@@ -161,7 +173,12 @@ std::shared_ptr<ConnectionImpl> PublisherImpl::connect(posix::FileDescriptor& so
     failure = page.error();
     return nullptr;
   }
-  const ConnectionImpl::Options options{options_.queue_size, options_.keeps_undelivered};
+  auto bell = bell_of(peer);
+  if (!bell) {
+    failure = bell.error();
+    return nullptr;
+  }
+  const ConnectionImpl::Options options{options_.queue_size, options_.keeps_undelivered, std::move(*bell)};
   auto connection = std::make_shared<ConnectionImpl>(std::move(socket), std::move(peer), std::move(*page),
                                                      options, weak_from_this());
   const Status started = connection->start(service_);

@@ -17,13 +17,18 @@ namespace {
 constexpr std::size_t in_message = ReceivedMessage::packet_bytes;
 static_assert(slot_bytes <= in_message, "what comes through the ring lies in the message");
 
+// What of a packet does not fit a message, until it is copied from here: one for each thread that reads, however many
+// connections it reads from. Not initialised, so its pages are committed when such a packet arrives.
+constexpr std::size_t overflow_bytes = max_packet_bytes - in_message;
+std::uint8_t* overflow() {
+  thread_local const std::unique_ptr<std::uint8_t[]> memory(new std::uint8_t[overflow_bytes]);
+  return memory.get();
+}
+
 }  // namespace
 
 Reader::Reader(std::shared_ptr<const Link> link)
-    : link_(std::move(link)),
-      ring_(link_->ring()),
-      overflow_(max_packet_bytes - in_message),
-      last_sequence_(link_->first_sequence()) {}
+    : link_(std::move(link)), ring_(link_->ring()), last_sequence_(link_->first_sequence()) {}
 
 Reader::Result Reader::read(posix::Waiting waiting, MessagePtr& message) try {
   if (!reason_.empty()) return Result::closed;
@@ -54,7 +59,7 @@ posix::ReceiveResult Reader::receive(posix::Waiting waiting, posix::ReceivedPack
 }
 
 posix::ReceiveResult Reader::receive_from_socket(posix::Waiting waiting, posix::ReceivedPacket& packet) {
-  const iovec parts[] = {{next_->packet(), in_message}, {overflow_.data(), overflow_.size()}};
+  const iovec parts[] = {{next_->packet(), in_message}, {overflow(), overflow_bytes}};
   const auto result = posix::receive_packet(link_->fd(), parts, 2, waiting, true, packet);
   if (result == posix::ReceiveResult::packet) ring_.count_packet();
   return result;
@@ -62,7 +67,7 @@ posix::ReceiveResult Reader::receive_from_socket(posix::Waiting waiting, posix::
 
 template <class Packet>
 bool Reader::parse(std::size_t size, Packet& packet) const {
-  static_assert(sizeof packet <= in_message, "overflow_ never holds a part of it");
+  static_assert(sizeof packet <= in_message, "overflow() never holds a part of it");
   if (size < sizeof packet) return false;
   std::memcpy(&packet, next_->packet(), sizeof packet);
   return true;
@@ -71,7 +76,7 @@ bool Reader::parse(std::size_t size, Packet& packet) const {
 void Reader::append_packet(std::size_t from, std::size_t size, std::vector<std::uint8_t>& bytes) const {
   const std::uint8_t* first = next_->packet();
   bytes.insert(bytes.end(), first + from, first + std::min(size, in_message));
-  if (size > in_message) bytes.insert(bytes.end(), overflow_.data(), overflow_.data() + (size - in_message));
+  if (size > in_message) bytes.insert(bytes.end(), overflow(), overflow() + (size - in_message));
 }
 
 bool Reader::handle(posix::ReceivedPacket& packet, MessagePtr& message) {

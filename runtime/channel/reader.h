@@ -34,6 +34,8 @@ class Reader {
 
   /// The next message. `nothing`: none there now (return_at_once only). `closed`: see reason().
   TZC_HOT Result read(posix::Waiting waiting, MessagePtr& message);
+  /// Whether read() has something to look at now.
+  bool has_something() { return ring_.await(link_->ended(), false) != Source::nothing; }
   const std::string& reason() const { return reason_; }
   const ReaderCounters& counters() const { return counters_; }
 
@@ -63,8 +65,7 @@ class Reader {
 
   const std::shared_ptr<const Link> link_;
   RingReader ring_;
-  std::shared_ptr<ReceivedMessage> next_;  // receives a packet's first bytes
-  std::vector<std::uint8_t> overflow_;     // receives the others
+  std::shared_ptr<ReceivedMessage> next_;  // receives a packet's first bytes; overflow() the others
   std::vector<std::shared_ptr<segment::ReceivedSegment>> segments_;
   Assembly assembly_;
   std::uint32_t last_sequence_;

@@ -28,7 +28,7 @@ bool RingWriter::write(const void* prefix, std::size_t prefix_size, const void* 
   sync_point("publish: slot filled");
   ring_->publisher.written.store(++written_, std::memory_order_release);
   sync_point("publish: before bell");
-  wake_reader(*ring_);
+  bell_.pull(*ring_);
   return true;
 }
 
@@ -36,7 +36,7 @@ void RingWriter::sent_packets(std::uint32_t count) {
   if (ring_ == nullptr || ring_start + count == packets_) return;
   packets_ = ring_start + count;
   ring_->publisher.packets.store(packets_, std::memory_order_release);
-  wake_reader(*ring_);
+  bell_.pull(*ring_);
 }
 
 Source RingReader::await(const std::atomic<bool>& ended, bool wait) {
@@ -65,6 +65,13 @@ std::size_t RingReader::read(void* memory) {
 void RingReader::count_packet() {
   if (ring_ == nullptr) return;
   ring_->subscriber.packets_read.store(++packets_read_, std::memory_order_release);
+}
+
+void BellPull::pull(Ring& ring) const {
+  if (doorbell)
+    doorbell->ring(number);
+  else
+    wake_reader(ring);
 }
 
 void wake_reader(Ring& ring) {

@@ -4,7 +4,10 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 
+#include "channel/doorbell.h"
 #include "posix/hot.h"
 
 // A usual record reaches a subscriber's reader thread through a ring in the page that both ends map, and a
@@ -16,8 +19,9 @@
 //   - the publisher writes into the ring only when the subscriber has read every packet of the socket, and
 //   - the subscriber reads a packet only when it has emptied the ring, as it is after it learned of the packet.
 //
-// The bell, a futex, changes with each record and packet that is written. One side writes each word; only the
-// bell is also rung by the subscriber itself, when its connection ends. Neither side trusts what the other
+// The bell, a futex, changes with each record and packet that is written (bell.h); a thread that reads many rings has
+// one bell for all of them (doorbell.h). One side writes each word; only the bell is also rung by the subscriber
+// itself, when its connection ends. Neither side trusts what the other
 // writes: the publisher's words can make the subscriber read garbage, as its packets can, and the
 // subscriber's words can make it lose its own records.
 
@@ -47,14 +51,6 @@ TZC_HOT bool ring_takes(Words& words, std::uint32_t slots, std::uint32_t written
          written - words.read.load(std::memory_order_acquire) < slots;
 }
 
-/// Either this call sees the sleeper, or the sleeper sees the bell before it falls asleep. The `sleeping`
-/// word may be set without need, but never missing while the subscriber sleeps.
-template <class Words, class Wake>
-TZC_HOT void ring_bell(Words& words, Wake wake) {
-  words.bell.fetch_add(1, std::memory_order_seq_cst);
-  if (words.sleeping.load(std::memory_order_seq_cst) != 0) wake();
-}
-
 enum class Source { ring, socket, nothing };
 
 /// Subscriber: where the next thing to read is, after so many records and packets. `written` tells how far
@@ -66,15 +62,6 @@ TZC_HOT Source next_source(Words& words, std::uint32_t read, std::uint32_t packe
   written = words.written.load(std::memory_order_acquire);
   if (written != read) return Source::ring;
   return in_socket ? Source::socket : Source::nothing;
-}
-
-/// Subscriber: sleeps unless the bell has rung since it was `heard`. `sleep` does so for as long as the word
-/// is that value.
-template <class Words, class Sleep>
-TZC_HOT void wait_for_bell(Words& words, std::uint32_t heard, Sleep sleep) {
-  words.sleeping.store(1, std::memory_order_seq_cst);
-  sleep(heard);
-  words.sleeping.store(0, std::memory_order_relaxed);
 }
 
 /// Its memory.
@@ -96,11 +83,20 @@ struct Ring {
   alignas(64) Slot slots[ring_slots];
 };
 
+/// Where the reader of a ring is called: at a doorbell, or, without one, at the ring's own bell.
+struct BellPull {
+  std::shared_ptr<Doorbell> doorbell{};
+  std::uint32_t number = 0;
+
+  TZC_HOT void pull(Ring& ring) const;
+};
+
 /// The publisher's end. Used by one thread at a time.
 class RingWriter {
  public:
   /// Null: the subscriber reads only its socket, so everything goes there.
-  explicit RingWriter(Ring* ring) : ring_(ring) {}
+  /// `bell`: where its reader is called.
+  explicit RingWriter(Ring* ring, BellPull bell = {}) : ring_(ring), bell_(std::move(bell)) {}
 
   /// Puts a packet of two parts into the ring. False: it has to go through the socket.
   TZC_HOT bool write(const void* prefix, std::size_t prefix_size, const void* body, std::size_t body_size);
@@ -109,6 +105,7 @@ class RingWriter {
 
  private:
   Ring* ring_;
+  const BellPull bell_;
   std::uint32_t written_ = ring_start;
   std::uint32_t packets_ = ring_start;
 };
@@ -133,7 +130,7 @@ class RingReader {
   std::uint32_t packets_read_ = ring_start;
 };
 
-/// Makes a reader look again, for example because its connection has ended.
+/// Makes a reader that sleeps at the ring's own bell look again, for example because its connection has ended.
 void wake_reader(Ring& ring);
 
 }  // namespace channel

@@ -14,20 +14,53 @@ namespace tzc {
 namespace channel {
 namespace {
 
-/// State of the reader thread and the user's handle. The thread outlives a handle that is destroyed inside a
-/// callback.
-struct SubscriberImpl {
-  SubscriberImpl(SubscriberOptions given, std::shared_ptr<Link> connected)
-      : options(std::move(given)), link(connected), reader(std::move(connected)) {}
+constexpr int most_in_a_row = 16;  // messages of one subscriber, before others have their turn
 
+/// State of the reading thread and the user's handle. The thread outlives a handle that is destroyed inside a
+/// callback.
+struct SubscriberImpl final : ReceivingEnd {
+  SubscriberImpl(SubscriberOptions given, std::shared_ptr<Link> connected,
+                 std::shared_ptr<DoorbellNumber> given_number)
+      : options(std::move(given)),
+        link(connected),
+        number(link->ring() != nullptr ? std::move(given_number) : nullptr),
+        reader(std::move(connected)) {}
+
+  /// On a thread of its own.
   TZC_HOT void run() {
-    MessagePtr message;
-    while (!stopping && reader.read(posix::Waiting::block, message) == Reader::Result::message) {
-      if (!stopping) options.on_message(message);
-      message.reset();
-      link->write_notice().give();
+    while (read_one(posix::Waiting::block) == Reader::Result::message) {
     }
     report_end();
+  }
+
+  /// On the thread that is shared.
+  TZC_HOT Progress read_some() override {
+    if (!begun && !may_begin()) return reader.has_something() ? Progress::later : Progress::done;
+    for (int i = 0; i < most_in_a_row; ++i) {
+      const Reader::Result result = read_one(posix::Waiting::return_at_once);
+      if (result == Reader::Result::nothing) return Progress::done;
+      if (result == Reader::Result::message) continue;
+      report_end();
+      return Progress::closed;
+    }
+    return Progress::more;
+  }
+
+  /// `closed` also when the subscriber is being destroyed.
+  TZC_HOT Reader::Result read_one(posix::Waiting waiting) {
+    if (stopping) return Reader::Result::closed;
+    MessagePtr message;
+    const Reader::Result result = reader.read(waiting, message);
+    if (result != Reader::Result::message) return result;
+    if (!stopping) options.on_message(message);
+    message.reset();
+    link->write_notice().give();
+    return result;
+  }
+
+  bool may_begin() {
+    begun = stopping || (reader.has_something() && (!options.may_begin || options.may_begin()));
+    return begun;
   }
 
   void report_end() {
@@ -40,9 +73,11 @@ struct SubscriberImpl {
 
   const SubscriberOptions options;
   const std::shared_ptr<Link> link;
+  const std::shared_ptr<DoorbellNumber> number;  // null: a thread of its own reads
   Reader reader;
   std::atomic<bool> stopping{false};
   std::atomic<bool> open{true};
+  bool begun = false;  // reading thread
   bool reported = false;
 };
 
@@ -51,6 +86,13 @@ Service* hang_up_service() {
   if (!posix::has_shared_futex()) return nullptr;
   const auto service = Service::instance();
   return service ? *service : nullptr;
+}
+
+/// Null: a thread of its own reads.
+std::shared_ptr<DoorbellNumber> number_for(const SubscriberOptions& options) {
+  if (!options.own_thread || !options.shared_thread) return nullptr;
+  const auto receiver = Receiver::instance();
+  return receiver ? (*receiver)->take_number() : nullptr;
 }
 
 class SubscriberOwner final : public Subscriber {
@@ -67,12 +109,17 @@ class SubscriberOwner final : public Subscriber {
     impl_->stopping = true;
     impl_->link->unsubscribe();
     impl_->link->write_notice().stop();
+    if (impl_->number) impl_->number->end();
     if (!thread_.joinable()) return;
     const bool inside_callback = thread_.get_id() == std::this_thread::get_id();
     inside_callback ? thread_.detach() : thread_.join();
   }
 
-  Status start_thread() {
+  Status start() {
+    if (impl_->number) {
+      impl_->number->begin(impl_);
+      return Success{};
+    }
     auto thread = posix::start_thread("tzc-reader", [impl = impl_] { impl->run(); });
     if (!thread) return thread.error();
     thread_ = std::move(*thread);
@@ -119,12 +166,13 @@ Expected<std::shared_ptr<Subscriber>> Subscriber::create(SubscriberOptions optio
     return error;
   }
   const bool own_thread = options.own_thread;
-  auto link = Link::connect(options, own_thread ? hang_up_service() : nullptr);
+  const RingPlace place{own_thread ? hang_up_service() : nullptr, number_for(options)};
+  auto link = Link::connect(options, place);
   if (!link) return link.error();
-  auto impl = std::make_shared<SubscriberImpl>(std::move(options), std::move(*link));
+  auto impl = std::make_shared<SubscriberImpl>(std::move(options), std::move(*link), place.number);
   auto subscriber = std::make_shared<SubscriberOwner>(std::move(impl));
   if (own_thread) {
-    const Status started = subscriber->start_thread();
+    const Status started = subscriber->start();
     if (!started) return started.error();
   }
   return std::shared_ptr<Subscriber>(std::move(subscriber));

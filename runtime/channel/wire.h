@@ -11,7 +11,7 @@
 // size; a change needs a new wire_version.
 //
 //   subscriber                                publisher
-//      | ---- Hello, hello text ----------------> |   authorize, on_connect
+//      | ---- Hello, hello text [+ doorbell] ---> |   authorize, on_connect
 //      | <--- Welcome + connection page --------- |   or Refusal, reason
 //      | <--- SegmentPacket + data, acks -------- |   before the first record that refers to the segment
 //      | <--- RecordPrefix, body ---------------- |   or several FragmentPrefix, slice of the body
@@ -22,7 +22,7 @@
 namespace tzc {
 namespace channel {
 
-constexpr std::uint32_t wire_version = 2;
+constexpr std::uint32_t wire_version = 3;
 constexpr std::uint32_t wire_magic = 0x315a4354;  // "TCZ1"
 constexpr std::size_t fragment_bytes = 64 << 10;  // most bytes of a body in one packet
 constexpr std::size_t max_hello_bytes = 32 << 10;
@@ -43,14 +43,20 @@ enum class PacketKind : std::uint32_t {
 };
 
 /// What a subscriber asks for and a publisher agrees to.
-enum Features : std::uint32_t { reads_ring = 1 };  // usual records come through the ring (channel/ring.h)
+enum Features : std::uint32_t {
+  reads_ring = 1,  // usual records come through the ring (channel/ring.h)
+  has_doorbell =
+      2,  // the ring's reader sleeps at a doorbell (channel/doorbell.h), whose file comes with the hello
+};
 
 struct Hello {
   PacketKind kind;
   std::uint32_t magic;
   std::uint32_t version;
   std::uint32_t hello_bytes;
-  std::uint32_t features;
+  std::uint32_t features = 0;
+  std::uint32_t doorbell_bytes = 0;   // of its file
+  std::uint32_t doorbell_number = 0;  // of this connection's bit there
 };
 
 struct Welcome {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 
 namespace tzc {
@@ -12,6 +13,9 @@ bool has_shared_futex();
 
 /// Sleeps until wake_sleeper, unless `word` isn't `expected` any more. May return for no reason.
 void sleep_while(std::atomic<std::uint32_t>& word, std::uint32_t expected);
+
+/// The same, for so long at most.
+void sleep_while(std::atomic<std::uint32_t>& word, std::uint32_t expected, std::chrono::nanoseconds time);
 
 /// Wakes the thread that sleeps on `word`, in any process. Never blocks.
 void wake_sleeper(std::atomic<std::uint32_t>& word);

@@ -10,6 +10,8 @@ bool has_shared_futex() {
 
 void sleep_while(std::atomic<std::uint32_t>&, std::uint32_t) {}
 
+void sleep_while(std::atomic<std::uint32_t>&, std::uint32_t, std::chrono::nanoseconds) {}
+
 void wake_sleeper(std::atomic<std::uint32_t>&) {}
 
 }  // namespace posix

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -65,6 +66,12 @@ Status reserve(const MemoryFile& file, std::size_t offset, std::size_t bytes) {
     return system_error("reserve " + std::to_string(bytes) + " bytes of shared memory");
   }
   return Success{};
+}
+
+Expected<FileIdentity> identify(int fd) {
+  struct stat status{};
+  if (::fstat(fd, &status) != 0) return system_error("inspect a memory file");
+  return FileIdentity{status.st_dev, status.st_ino};
 }
 
 }  // namespace posix

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "posix/file_descriptor.h"
 #include "tzc/error.h"
@@ -46,6 +47,16 @@ Status reserve(const MemoryFile& file, std::size_t offset, std::size_t bytes);
 /// What a receiver must know before it maps a peer's file of `size` bytes: that it is a memory file of that
 /// very size, and (on Linux) that the peer cannot truncate it any more.
 Status check_received(int fd, std::size_t size, Sharing sharing);
+
+/// Tells one memory file from all others, for as long as it has a descriptor or a mapping.
+struct FileIdentity {
+  std::uint64_t device = 0;
+  std::uint64_t number = 0;
+};
+inline bool operator<(const FileIdentity& a, const FileIdentity& b) noexcept {
+  return a.device != b.device ? a.device < b.device : a.number < b.number;
+}
+Expected<FileIdentity> identify(int fd);
 
 }  // namespace posix
 }  // namespace tzc

@@ -55,6 +55,7 @@ void run_subscriber(unsigned seed) {
     std::atomic<bool> ended{false};
     channel::SubscriberOptions options;
     options.address = board->address;
+    options.shared_thread = seed % 2 == 0;
     options.on_message = [&](const channel::MessagePtr& message) { hoard.add(message); };
     options.on_disconnect = [&](const std::string& reason) {
       if (reason.find("broke the protocol") != std::string::npos) report_error(reason.c_str());

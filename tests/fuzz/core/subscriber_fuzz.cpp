@@ -170,7 +170,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     hostile.welcome(sockets);
   }
   Service* service = greeting % 2 == 0 ? *Service::instance() : nullptr;
-  auto link = std::make_shared<Link>(std::move(sockets.theirs), Credentials(), service);
+  auto link = std::make_shared<Link>(std::move(sockets.theirs), Credentials(), RingPlace{service});
   if (!link->shake_hands(options)) return 0;
   Reader reader(link);
   std::vector<MessagePtr> held;

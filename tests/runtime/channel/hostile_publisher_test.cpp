@@ -24,7 +24,12 @@ class HostilePublisher : public ::testing::Test {
     posix::accept_connection(listener_.fd(), socket);
     peer_ = std::make_unique<RawPeer>(std::move(socket));
     peer_->receive();
+    const Hello hello = peer_->as<Hello>();
+    if ((hello.features & has_doorbell) == 0) return;
+    bell_ = {*Doorbell::open(std::move(peer_->packet.descriptors[0]), hello.doorbell_bytes),
+             hello.doorbell_number};
   }
+  void ring_bell() { bell_.pull(ring()); }
 
   void subscribe(std::uint32_t features = 0) {
     std::thread server([&] {
@@ -54,6 +59,7 @@ class HostilePublisher : public ::testing::Test {
   Ring& ring() { return reinterpret_cast<ConnectionPage*>(page_.data())->ring; }
 
   std::unique_ptr<RawPeer> peer_;
+  BellPull bell_;
   posix::Mapping page_;
   std::unique_ptr<Inbox> in_;
 };
@@ -114,7 +120,7 @@ TEST_F(HostilePublisher, a_file_shorter_than_announced_ends_it) {
 TEST_F(HostilePublisher, a_ring_that_claims_more_than_it_holds_ends_it) {
   subscribe(reads_ring);
   ring().publisher.written = ring_start + ring_slots + 1;
-  wake_reader(ring());
+  ring_bell();
   expect_broken("wrong size");
 }
 
@@ -122,21 +128,21 @@ TEST_F(HostilePublisher, a_slot_that_claims_more_than_it_holds_ends_it) {
   subscribe(reads_ring);
   ring().slots[ring_start % ring_slots].size = slot_bytes + 1;
   ring().publisher.written = ring_start + 1;
-  wake_reader(ring());
+  ring_bell();
   expect_broken("wrong size");
 }
 
 TEST_F(HostilePublisher, what_comes_through_the_ring_is_checked_as_a_packet) {
   subscribe(reads_ring);
   const SegmentPacket offer{PacketKind::segment, 0, {1, 4096, 4096, 64}};
-  RingWriter(&ring()).write(&offer, sizeof offer, "", 0);
+  RingWriter(&ring(), bell_).write(&offer, sizeof offer, "", 0);
   expect_broken("without its files");
 }
 
 TEST_F(HostilePublisher, packets_that_never_come_hold_nobody_up) {
   subscribe(reads_ring);
   ring().publisher.packets = ring_start + 1;
-  wake_reader(ring());
+  ring_bell();
   in_.reset();  // waits for the reader thread
 }
 

@@ -215,6 +215,7 @@ TEST(Lifetime, a_subscriber_may_go_inside_its_callback) {
   const auto shared = std::make_shared<Shared>();  // the last callback may still run when the test is over
   SubscriberOptions options;
   options.address = out->address();
+  options.shared_thread = on_shared_thread();
   options.on_message = [shared](const MessagePtr&) {
     const std::lock_guard<std::mutex> lock(shared->mutex);
     shared->subscriber.reset();

@@ -36,6 +36,12 @@ class RawPeer {
                                  posix::Waiting::return_at_once, true, packet);
   }
   PacketKind kind() const { return *reinterpret_cast<const PacketKind*>(memory_.data()); }
+  template <class Packet>
+  Packet as() const {
+    Packet copy{};
+    std::memcpy(&copy, memory_.data(), sizeof copy);
+    return copy;
+  }
   std::string text(std::size_t after) const {
     return std::string(reinterpret_cast<const char*>(memory_.data()) + after, packet.size - after);
   }

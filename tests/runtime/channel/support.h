@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <mutex>
@@ -75,13 +76,19 @@ inline bool all_bytes_are(const ConstBlock& block, unsigned char value) {
   return true;
 }
 
-/// Subscribes with a thread of its own and keeps what it receives.
+/// Subscribers of most tests have the thread that they share; TZC_TEST_OWN_THREAD=1 gives each one of its own.
+inline bool on_shared_thread() {
+  return std::getenv("TZC_TEST_OWN_THREAD") == nullptr;
+}
+
+/// Subscribes, on a thread of the library, and keeps what it receives.
 class Inbox {
  public:
   explicit Inbox(const std::string& address, const std::string& hello = "") {
     SubscriberOptions options;
     options.address = address;
     options.hello = hello;
+    options.shared_thread = on_shared_thread();
     options.on_message = [this](const MessagePtr& message) { add(message); };
     options.on_disconnect = [this](const std::string& reason) { end(reason); };
     auto created = Subscriber::create(std::move(options));

@@ -14,9 +14,9 @@ namespace {
 
 using Word = std::atomic<std::uint64_t>;
 
-TEST(Wire, version_two) {
-  EXPECT_EQ(wire_version, 2u);
-  EXPECT_EQ(sizeof(Hello), 20u);
+TEST(Wire, version_three) {
+  EXPECT_EQ(wire_version, 3u);
+  EXPECT_EQ(sizeof(Hello), 28u);
   EXPECT_EQ(sizeof(Welcome), 20u);
   EXPECT_EQ(sizeof(Refusal), 8u);
   EXPECT_EQ(sizeof(SegmentPacket), 40u);
@@ -26,6 +26,8 @@ TEST(Wire, version_two) {
   EXPECT_EQ(sizeof(Unsubscribe), 4u);
   EXPECT_EQ(sizeof(BodyHeader), 24u);
   EXPECT_EQ(sizeof(ConnectionPage), 4032u);
+  EXPECT_EQ(sizeof(DoorbellPage), 576u);
+  EXPECT_EQ(doorbell_numbers, 4096u);
 }
 
 TEST(DeliveryCursors, exactly_one_side_wins_a_record) {

@@ -17,6 +17,14 @@ TEST(Futex, does_not_sleep_on_another_value) {
   sleep_while(word, 4);
 }
 
+TEST(Futex, sleeps_for_the_time_given_at_most) {
+  if (!has_shared_futex()) return;  // it is not used then
+  const auto begin = std::chrono::steady_clock::now();
+  std::atomic<std::uint32_t> word{5};
+  sleep_while(word, 5, std::chrono::milliseconds(30));
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(30));
+}
+
 TEST(Futex, wakes_another_process) {
   if (!has_shared_futex()) return;  // it is not used then
   void* memory = ::mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);

@@ -164,6 +164,17 @@ TEST(MemoryFile, a_reserve_beyond_the_machines_memory_takes_nothing) {
   EXPECT_EQ(status.st_blocks, 0);
 }
 
+TEST(MemoryFile, is_told_from_others_by_each_of_its_descriptors) {
+  const auto one = create_memory_file("one", page_size(), Sharing::peers_write);
+  const auto other = create_memory_file("other", page_size(), Sharing::peers_write);
+  const FileDescriptor again(::dup(one->descriptor.get()));
+  const FileIdentity first = *identify(one->descriptor.get()), second = *identify(again.get());
+  const FileIdentity third = *identify(other->descriptor.get());
+  EXPECT_FALSE(first < second || second < first);
+  EXPECT_TRUE(first < third || third < first);
+  EXPECT_FALSE(identify(-1));
+}
+
 }  // namespace
 }  // namespace posix
 }  // namespace tzc

@@ -168,6 +168,14 @@ struct SubscriberOptions {
   /// True: the subscriber starts a thread that reads and calls on_message. False: the caller waits on fd()
   /// and calls read().
   bool own_thread = true;
+  /// With own_thread: no thread for this subscriber alone, but the one that reads for all such subscribers of this
+  /// process. on_message must then return quickly and wait for nothing: meanwhile no other of them gets a message. Where
+  /// the system has no futex that processes share (portable build), and for more than 4096 such subscribers, a thread is
+  /// started as without it.
+  bool shared_thread = false;
+  /// With shared_thread: asked on that thread when the first message has come, and again every millisecond until it
+  /// returns true. Messages wait meanwhile. Null: true. Never asked where a thread is started.
+  std::function<bool()> may_begin{};
   std::function<void(const MessagePtr&)> on_message{};
   /// Called once when the publisher left or broke the protocol; `reason` is a text for people.
   std::function<void(const std::string& reason)> on_disconnect{};

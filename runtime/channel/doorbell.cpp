@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "channel/doorbell.h"
+
+#include <map>
+#include <mutex>
+#include <new>
+#include <utility>
+
+#include "posix/futex.h"
+
+namespace tzc {
+namespace channel {
+namespace {
+
+/// The doorbells of other processes that this one has mapped. Thread-safe.
+class OpenDoorbells {
+ public:
+  Expected<std::shared_ptr<Doorbell>> find_or_map(const posix::FileIdentity& file, int fd, std::size_t size) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (auto known = open_[file].lock()) return {std::move(known)};
+    forget_closed();
+    auto mapping = posix::Mapping::map(fd, size, posix::Access::read_write);
+    if (!mapping) return mapping.error();
+    auto doorbell = std::make_shared<Doorbell>(std::move(*mapping));
+    open_[file] = doorbell;
+    return {std::move(doorbell)};
+  }
+
+ private:
+  void forget_closed() {
+    for (auto each = open_.begin(); each != open_.end();)
+      each = each->second.expired() ? open_.erase(each) : std::next(each);
+  }
+
+  std::mutex mutex_;
+  std::map<posix::FileIdentity, std::weak_ptr<Doorbell>> open_;
+};
+
+OpenDoorbells& open_doorbells() {
+  static auto* const one = new OpenDoorbells;  // never destroyed: the service thread runs until the end
+  return *one;
+}
+
+}  // namespace
+
+Expected<std::shared_ptr<Doorbell>> Doorbell::create() {
+  const auto sharing = posix::Sharing::peers_write;
+  auto file = posix::create_memory_file("tzc-doorbell", posix::page_size(), sharing);
+  if (!file) return file.error();
+  const Status reserved = posix::reserve(*file, 0, file->size);
+  if (!reserved) return reserved.error();
+  auto mapping = posix::Mapping::map(file->descriptor.get(), file->size, posix::Access::read_write);
+  if (!mapping) return mapping.error();
+  const Status sealed = posix::seal(*file, sharing);
+  if (!sealed) return sealed.error();
+  auto doorbell = std::make_shared<Doorbell>(std::move(*mapping));
+  doorbell->file_ = std::move(*file);
+  new (doorbell->mapping_.data()) DoorbellPage;
+  return {std::move(doorbell)};
+}
+
+Expected<std::shared_ptr<Doorbell>> Doorbell::open(posix::FileDescriptor file, std::size_t size) {
+  Error wrong;
+  wrong.what = "refuse a doorbell of " + std::to_string(size) + " bytes";
+  if (size < sizeof(DoorbellPage) || size > (std::size_t{1} << 20)) return wrong;
+  const Status checked = posix::check_received(file.get(), size, posix::Sharing::peers_write);
+  if (!checked) return checked.error();
+  const auto identity = posix::identify(file.get());
+  if (!identity) return identity.error();
+  return open_doorbells().find_or_map(*identity, file.get(), size);
+}
+
+void Doorbell::ring(std::uint32_t number) {
+  DoorbellPage& at = page();
+  DoorbellWords<std::atomic<std::uint32_t>&, std::atomic<std::uint64_t>&> words{
+      at.bell, at.sleeping, at.groups, at.leaves[number / 64]};
+  ring_doorbell(words, number, [&at] { posix::wake_sleeper(at.bell); });
+}
+
+}  // namespace channel
+}  // namespace tzc
