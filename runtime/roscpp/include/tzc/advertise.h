@@ -111,14 +111,17 @@ Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32
   publisher_options.memory_size = memory_size;
   return advertise<M>(node, topic, queue_size, publisher_options, latch);
 }
-/// Deleted: `latch` comes after the memory size; here `true` would mean a memory of one byte.
+/// The arguments of ros::NodeHandle::advertise, unchanged. Only a bool is taken for `latch`, and a bool is never
+/// taken for a memory size.
 template <class M, class Bool>
 typename std::enable_if<std::is_same<Bool, bool>::value, Publisher>::type advertise(ros::NodeHandle& node,
                                                                                     const std::string& topic,
                                                                                     std::uint32_t queue_size,
-                                                                                    Bool latch) = delete;
+                                                                                    Bool latch) {
+  return advertise<M>(node, topic, queue_size, PublisherOptions(), latch);
+}
 
-/// ros::NodeHandle::advertise with connect callbacks.
+/// ros::NodeHandle::advertise with connect callbacks, behind the memory size.
 template <class M>
 Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
                     std::size_t memory_size, const ros::SubscriberStatusCallback& connect_cb,
@@ -128,6 +131,15 @@ Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32
   options.tracked_object = tracked_object;
   options.latch = latch;
   return advertise<M>(node, options, memory_size);
+}
+/// The same with the arguments of ros::NodeHandle::advertise, unchanged.
+template <class M>
+Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
+                    const ros::SubscriberStatusCallback& connect_cb,
+                    const ros::SubscriberStatusCallback& disconnect_cb = ros::SubscriberStatusCallback(),
+                    const ros::VoidConstPtr& tracked_object = ros::VoidConstPtr(), bool latch = false) {
+  return advertise<M>(node, topic, queue_size, std::size_t(0), connect_cb, disconnect_cb, tracked_object,
+                      latch);
 }
 
 /// Attaches shared memory to the topic of a publisher that other code advertised, for example a library's

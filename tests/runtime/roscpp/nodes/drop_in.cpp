@@ -53,7 +53,7 @@ struct Ours {
   typedef tzc::Publisher Publisher;
   template <class M, class... Args>
   static Publisher advertise(ros::NodeHandle& node, const std::string& topic, Args&&... args) {
-    return tzc::advertise<M>(node, topic, 10, 0, std::forward<Args>(args)...);
+    return tzc::advertise<M>(node, topic, 10, std::forward<Args>(args)...);
   }
   static Publisher advertise_by(ros::NodeHandle& node, ros::AdvertiseOptions& options) {
     return tzc::advertise<sensor_msgs::Image>(node, options);
