@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "edits/diff.h"
+#include "format/continuations.h"
+#include "format/line_width.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -39,6 +41,7 @@ std::string format_changes(const std::string& path, const std::string& before, c
   llvm::Expected<clang::format::FormatStyle> style =
       clang::format::getStyle("file", path, "none", after, nullptr, true);
   if (!style) return llvm::consumeError(style.takeError()), after;
+  if (*style == clang::format::getNoStyle()) return wrapped(path, before, realigned(before, after));
   if (style->DisableFormat) return after;
   style->MaxEmptyLinesToKeep = 1000;  // keeps the empty lines before a changed line
   style->SortIncludes = clang::format::FormatStyle::SI_Never;

@@ -5,9 +5,9 @@
 
 namespace tzc::rewriter {
 
-/// `after` with its changed lines formatted by the .clang-format that applies to `path`; unchanged where
-/// there is none, or one that Clang 19 cannot read. Changes white space only: ignores options that would do
-/// more.
+/// `after` with its changed lines formatted by the .clang-format that applies to `path`; unchanged where Clang cannot
+/// read it. Where there is none, continuation lines keep their alignment and changed lines the width of the file.
+/// Changes white space only: ignores options that would do more.
 std::string format_changes(const std::string& path, const std::string& before, const std::string& after);
 
 }  // namespace tzc::rewriter
