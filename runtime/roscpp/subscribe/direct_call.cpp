@@ -5,6 +5,8 @@
 #include <ros/subscription_queue.h>
 #include <tzc/direct_dispatch.h>
 
+#include <algorithm>
+
 #include "roscpp/roscpp_access.h"
 #include "sync_point/sync_point.h"
 
@@ -50,6 +52,14 @@ void call(ros::SubscriptionCallbackHelper& helper, const DirectMessage& message)
 }
 
 }  // namespace
+
+bool has_direct_callback(ros::Subscription& subscription) {
+  const boost::mutex::scoped_lock lock(access::callbacks_mutex_(subscription));
+  const auto& callbacks = access::callbacks_(subscription);
+  return std::any_of(callbacks.begin(), callbacks.end(), [](const CallbackInfoPtr& callback) {
+    return callback->callback_queue_ == direct_dispatch_queue();
+  });
+}
 
 bool call_directly(ros::Subscription& subscription, const DirectMessage& message) {
   if (message.latched || access::enable_statistics(access::statistics_(subscription))) return false;

@@ -18,6 +18,9 @@ struct DirectMessage {
   std::function<boost::shared_ptr<void>(bool writes)> decode;
 };
 
+/// Whether a callback of the subscription is dispatched directly.
+bool has_direct_callback(ros::Subscription& subscription);
+
 /// Hot path to the callback of a subscription that has only one and dispatches it directly: does what
 /// Subscription::handleMessage and SubscriptionQueue::call do for such a message, without a queue in between.
 /// Waits for a callback that runs on another thread.

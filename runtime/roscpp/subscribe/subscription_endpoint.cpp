@@ -6,9 +6,7 @@
 #include <cstring>
 
 #include "roscpp/roscpp_access.h"
-#include "roscpp/subscribe/direct_call.h"
 #include "roscpp/subscribe/direct_queue.h"
-#include "roscpp/subscribe/tcpros_drain.h"
 #include "roscpp/throttled_warning.h"
 #include "roscpp/upgrade/offer.h"
 
@@ -36,23 +34,33 @@ bool has_writers(ros::Subscription& subscription) {
 
 }  // namespace
 
+bool SubscriptionEndpoint::may_begin() {
+  tcpros_drained_ = tcpros_.is_over(*link_->getConnection());
+  return tcpros_drained_;
+}
+
 void SubscriptionEndpoint::take(const channel::MessagePtr& message) {
-  // The first record is kSwitch, unless a short queue has dropped it. Messages that arrived over TCPROS come
-  // before any record.
-  if (!tcpros_drained_) wait_until_drained(*link_->getConnection());
+  // The first record is kSwitch, unless a short queue has dropped it.
+  if (!tcpros_drained_) tcpros_.wait(*link_->getConnection());
   tcpros_drained_ = true;
   if (message->tag() == kSwitch) return take_switch(*message);
   const ros::SubscriptionPtr subscription = subscription_.lock();
   if (!subscription || subscription->isDropped()) return;
   counted().messages_received_++;
   counted().bytes_received_ += message->control_size();
+  if (!calls_directly_) return take_indirectly(*subscription, message);
   if (message->tag() == kControlPart && take_directly(*subscription, message)) return;
   {
     const DirectReaderScope scope;
-    if (message->tag() == kControlPart) take_control_part(*subscription, message);
-    if (message->tag() == kWholeMessage) take_whole_message(*subscription, message);
+    take_indirectly(*subscription, message);
   }
   run_direct_callbacks();
+}
+
+void SubscriptionEndpoint::take_indirectly(ros::Subscription& subscription,
+                                           const channel::MessagePtr& message) {
+  if (message->tag() == kControlPart) take_control_part(subscription, message);
+  if (message->tag() == kWholeMessage) take_whole_message(subscription, message);
 }
 
 ros::PublisherLink::Stats& SubscriptionEndpoint::counted() const {

@@ -10,14 +10,16 @@
 #include <memory>
 #include <mutex>
 
+#include "roscpp/subscribe/direct_call.h"
 #include "roscpp/subscribe/hold_limit.h"
+#include "roscpp/subscribe/tcpros_drain.h"
 
 namespace tzc {
 namespace detail {
 
 /// Passes one publisher's shared messages to a subscription of this process, under the name of the parked
-/// TCPROS link: latching, statistics, connection headers and queues stay roscpp's. Runs on the channel's
-/// reader thread.
+/// TCPROS link: latching, statistics, connection headers and queues stay roscpp's. Runs on one thread: the one
+/// that reads for all subscriptions of the process, which must not wait, or one of its own, which may call callbacks.
 class SubscriptionEndpoint {
  public:
   SubscriptionEndpoint(const ros::SubscriptionPtr& subscription, ros::TransportPublisherLinkPtr link,
@@ -25,8 +27,14 @@ class SubscriptionEndpoint {
       : topic_(subscription->getName()),
         subscription_(subscription),
         link_(std::move(link)),
-        codec_(std::move(codec)) {}
+        codec_(std::move(codec)),
+        calls_directly_(has_direct_callback(*subscription)) {}
 
+  /// Whether the subscription had a direct callback when it was connected: it needs a thread of its own. A direct
+  /// callback that is added later is called on the thread that does so for messages over TCPROS.
+  bool calls_directly() const { return calls_directly_; }
+  /// Messages that arrived over TCPROS come before any record.
+  bool may_begin();
   void take(const channel::MessagePtr& message);
 
  private:
@@ -34,6 +42,7 @@ class SubscriptionEndpoint {
   void take_control_part(ros::Subscription& subscription, const channel::MessagePtr& message);
   void take_whole_message(ros::Subscription& subscription, const channel::MessagePtr& message);
   void give(ros::Subscription& subscription, const ros::SerializedMessage& message, bool ser, bool nocopy);
+  void take_indirectly(ros::Subscription& subscription, const channel::MessagePtr& message);
   bool take_directly(ros::Subscription& subscription, const channel::MessagePtr& message);
   /// Adds to the parked link's counters, which topic statistics and getBusStats show. The poll thread, which
   /// owns them, counts nothing while the link is parked.
@@ -47,6 +56,8 @@ class SubscriptionEndpoint {
   const ros::SubscriptionWPtr subscription_;
   const ros::TransportPublisherLinkPtr link_;
   const MessageCodec codec_;
+  const bool calls_directly_;
+  TcprosDrain tcpros_;           ///< reader thread
   bool tcpros_drained_ = false;  ///< reader thread
   HoldLimit limit_;
 };

@@ -3,12 +3,25 @@
 
 #include <ros/connection.h>
 
+#include <chrono>
+
 namespace tzc {
 namespace detail {
 
-/// Blocks until the subscription has got every message that reached this TCPROS connection (or the connection
-/// was dropped, or 5 s have passed). The publisher has stopped sending on it before. Reader thread only.
-void wait_until_drained(ros::Connection& connection);
+/// Whether the subscription has got every message that reached a TCPROS connection whose publisher has stopped sending
+/// on it. One thread.
+class TcprosDrain {
+ public:
+  /// True also when the connection was dropped, or when its socket is not empty 5 s after the first call. Does not
+  /// wait.
+  bool is_over(ros::Connection& connection);
+  /// Blocks until it is.
+  void wait(ros::Connection& connection);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point deadline_{};
+};
 
 }  // namespace detail
 }  // namespace tzc

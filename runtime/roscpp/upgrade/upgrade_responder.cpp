@@ -143,6 +143,8 @@ void UpgradeResponder::connect(const Offer& offer) {
   channel::SubscriberOptions options;
   options.address = offer.address;
   options.hello = offer.token;
+  options.shared_thread = !endpoint->calls_directly();
+  options.may_begin = [endpoint] { return endpoint->may_begin(); };
   options.on_message = [endpoint](const channel::MessagePtr& message) { endpoint->take(message); };
   options.on_disconnect = [this, link](const std::string&) { clerk_.post([this, link] { forget(link); }); };
   options.private_writes = private_writes();

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is scarce (descriptors, memory, room in a record) costs speed and a line in the log, never a message."""
+import os
+
 from topic_case import Listener, TopicCase, main
 
 
@@ -37,6 +39,34 @@ class Descriptors(TopicCase):
         self.assertTrue(1 <= len(warnings) <= 4, crowd.log())
         for word in ("stay on TCPROS", "descriptors", "1024", "ulimit -n"):
             self.assertIn(word, warnings[0])
+
+
+def reading_threads(pid):
+    """The threads of a process that read shared messages."""
+    names = []
+    for task in os.listdir(f"/proc/{pid}/task"):
+        with open(f"/proc/{pid}/task/{task}/comm", encoding="ascii") as name:
+            names.append(name.read().strip())
+    return names.count("tzc-reader")
+
+
+class Threads(TopicCase):
+    def readers_of(self, count, **parameters):
+        listener = self.node("listener", "listener", dict({"topics": " ".join(f"image{i}" for i in range(count))}, **parameters))
+        crowd = self.node("crowd", "crowd", {"topics": count, "subscribers": count})
+        self.ros.wait_until(lambda: '"all published"' in crowd.log() or not crowd.alive(), 60 * self.slowness(), "all published")
+        self.assertIn(f'"shared": {count}', crowd.log())
+        heard = Listener(listener)
+        self.wait_for(heard, 20 * count, 30 * self.slowness())
+        for i in range(count):
+            self.assertEqual(heard.numbers(f"image{i}"), list(range(20)))
+        return reading_threads(listener.pid)
+
+    def test_one_thread_reads_all_topics(self):
+        self.assertEqual(self.readers_of(30), 1)
+
+    def test_direct_callbacks_have_one_each(self):
+        self.assertEqual(self.readers_of(4, mode="direct"), 4)
 
 
 class Records(TopicCase):

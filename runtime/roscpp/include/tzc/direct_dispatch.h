@@ -8,9 +8,10 @@
 
 namespace tzc {
 
-/// A callback queue that needs no spinner. The transport's reader thread calls the callback for a message
-/// from shared memory as soon as it arrives; one further thread does so for messages over TCPROS. This saves
-/// the wake-up of a spinning thread. A slow callback delays only the messages of its own publisher. Callbacks
+/// A callback queue that needs no spinner. The thread that reads a publisher's messages from shared memory
+/// calls the callback as soon as one arrives; one further thread does so for messages over TCPROS, and on topics
+/// to which this process was connected before their first direct callback. This saves the wake-up of a spinning
+/// thread. A slow callback delays only the messages of its own publisher. Callbacks
 /// of one subscription never run concurrently, unless its options allow it. Owned by the library; valid while
 /// the process runs.
 ros::CallbackQueueInterface* direct_dispatch_queue();

@@ -3,7 +3,7 @@
 ///
 /// Private parameters: mode (pointer, reference, value, mutable, event, direct, filter, late_attach,
 /// unreliable, plain, keep: pointers, all of which it keeps, draw and plain_draw: they write to what they get through a
-/// cast and publish it again as `drawn`), handler (the number of the message after which a handler of SIGSEGV is
+/// cast and publish it again as `drawn`; with several topics pointer or direct), handler (the number of the message after which a handler of SIGSEGV is
 /// installed), times (so many callbacks), topics (several, separated by blanks), queue, spinner (spin, multi, async,
 /// own: a callback queue of its own).
 #include <message_filters/simple_filter.h>
@@ -102,14 +102,17 @@ ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& mode, const 
   return subscriber;
 }
 
-std::vector<ros::Subscriber> subscribe_named(ros::NodeHandle& node, std::istringstream topics, int queue) {
+std::vector<ros::Subscriber> subscribe_named(ros::NodeHandle& node, const std::string& mode,
+                                             std::istringstream topics, int queue) {
   std::vector<ros::Subscriber> subscribers;
   for (std::string topic; topics >> topic;) {
     const boost::function<void(const sensor_msgs::ImageConstPtr&)> callback =
         [topic](const sensor_msgs::ImageConstPtr& image) {
           print_image(*image, "\"topic\": \"" + topic + "\", ");
         };
-    subscribers.push_back(tzc::subscribe<sensor_msgs::Image>(node, topic, queue, callback));
+    subscribers.push_back(mode == "direct"
+                              ? tzc::subscribe_direct<sensor_msgs::Image>(node, topic, queue, callback)
+                              : tzc::subscribe<sensor_msgs::Image>(node, topic, queue, callback));
   }
   return subscribers;
 }
@@ -142,7 +145,7 @@ int main(int argc, char** argv) {
   std::unique_ptr<tzc::message_filters::Subscriber<sensor_msgs::Image>> filter;
   std::vector<ros::Subscriber> subscribers;
   if (!topics.empty()) {
-    subscribers = subscribe_named(node, std::istringstream(topics), queue);
+    subscribers = subscribe_named(node, mode, std::istringstream(topics), queue);
   } else if (mode == "filter") {
     filter.reset(new tzc::message_filters::Subscriber<sensor_msgs::Image>(node, "image", queue));
     filter->registerCallback(on_mutable);
