@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""python3 -m port_packages --tzc BUILD --out DIR [OPTION...] -- NAME=FOLDER...; see scripts/port-packages --help."""
+import argparse
+import hashlib
+import json
+import os
+import sys
+
+from .repository import Repository
+from .table import table
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(prog="scripts/port-packages")
+    parser.add_argument("--tzc", required=True)
+    parser.add_argument("--out", required=True)
+    parser.add_argument("--only", action="append", default=[])
+    parser.add_argument("--inputs")
+    parser.add_argument("--with", dest="options", action="append", default=[])
+    parser.add_argument("--no-tests", dest="tests", action="store_false")
+    parser.add_argument("--no-speed", dest="speed", action="store_false")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--timeout", type=float, default=900)
+    parser.add_argument("--again", action="store_true")
+    parser.add_argument("sources", nargs="+", metavar="NAME=FOLDER")
+    return parser.parse_args()
+
+
+def key_of(settings):
+    """What a result depends on besides its source: the program and what it was told."""
+    with open(os.path.join(settings.tzc, "bin/tzc-rewrite"), "rb") as file:
+        program = hashlib.sha256(file.read()).hexdigest()
+    return [program, settings.only, settings.options, settings.tests, settings.speed, settings.inputs]
+
+
+def catkin_share():
+    """Where catkin's CMake files are."""
+    places = [os.path.join(prefix, "share") for prefix in os.environ.get("CMAKE_PREFIX_PATH", "").split(":") if prefix]
+    for share in [*places, "/usr/share"]:
+        if os.path.exists(os.path.join(share, "catkin/cmake/toplevel.cmake")):
+            return os.path.join(share, "catkin")
+    sys.exit("error: catkin was not found; source ROS's setup.bash first")
+
+
+def save(path, text):
+    with open(path + ".new", "w") as file:
+        file.write(text)
+    os.replace(path + ".new", path)
+
+
+def main():
+    settings = parse_arguments()
+    settings.out, settings.tzc = os.path.abspath(settings.out), os.path.abspath(settings.tzc)
+    settings.inputs = settings.inputs and os.path.abspath(settings.inputs)
+    settings.catkin, settings.key = catkin_share(), key_of(settings)
+    os.makedirs(settings.out, exist_ok=True)
+    names = [source.split("=", 1)[0] for source in settings.sources]
+    twice = {name for name in names if names.count(name) > 1}
+    if twice:
+        print(f"error: two sources are called {', '.join(sorted(twice))}; port them into different --out", file=sys.stderr)
+        return 2
+    results = []
+    for source in settings.sources:
+        repository = Repository(*source.split("=", 1), settings)
+        known = None if settings.again else repository.saved()
+        if known:
+            repository.say("is done already")
+        results.append(known or repository.run())
+        save(os.path.join(settings.out, "table.json"), json.dumps(results, indent=1))
+        save(os.path.join(settings.out, "table.txt"), table(results))
+    print(table(results), end="")
+    return 1 if any(result["problems"] for result in results) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

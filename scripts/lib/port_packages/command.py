@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs a command, keeps its output in a file, and measures it."""
+import dataclasses
+import os
+import signal
+import subprocess
+import threading
+import time
+
+
+@dataclasses.dataclass
+class Outcome:
+    status: int  # negative: ended by a signal
+    seconds: float  # processor time of the command and its children
+    wall: float
+    megabytes: float  # largest resident set of one process
+    timed_out: bool = False
+
+
+def run(command, log, cwd=None, env=None, timeout=None, output=None):
+    """Standard error, and standard output unless `output` names a file for it, go to the file `log`. A command that
+    takes longer than `timeout` seconds is stopped with everything it started in its process group."""
+    os.makedirs(os.path.dirname(log), exist_ok=True)
+    begin, late = time.monotonic(), []
+    with open(log, "wb") as errors, open(output or os.devnull, "wb") as file:
+        process = subprocess.Popen(command, cwd=cwd, env=env, stdin=subprocess.DEVNULL, stderr=errors,
+                                   stdout=file if output else errors, start_new_session=True)
+
+        def stop(which=signal.SIGTERM):
+            late.append(which)
+            os.killpg(process.pid, which)
+
+        timers = [threading.Timer(timeout, stop), threading.Timer(timeout + 10, stop, [signal.SIGKILL])] if timeout else []
+        try:
+            for timer in timers:
+                timer.start()
+            _, status, usage = os.wait4(process.pid, 0)
+        except BaseException:  # Ctrl-C
+            os.killpg(process.pid, signal.SIGTERM)
+            raise
+        finally:
+            for timer in timers:
+                timer.cancel()
+        process.returncode = os.waitstatus_to_exitcode(status)
+    return Outcome(process.returncode, usage.ru_utime + usage.ru_stime, time.monotonic() - begin, usage.ru_maxrss / 1024,
+                   bool(late))
+
+
+def tail(path, lines=3):
+    """The last lines of a log that say something."""
+    with open(path, errors="replace") as file:
+        return [line.rstrip() for line in file if line.strip()][-lines:]

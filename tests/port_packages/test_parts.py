@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The parts of scripts/port-packages that need no build."""
+import json
+import os
+import sys
+import tempfile
+import types
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../scripts/lib"))
+from port_packages.command import run  # noqa: E402
+from port_packages.packages import find_packages, with_users  # noqa: E402
+from port_packages.sites import summary_of  # noqa: E402
+from port_packages.table import table  # noqa: E402
+from port_packages.workspace import Workspace, mirror, read_results  # noqa: E402
+
+MANIFEST = "<package format='2'><name>{}</name><buildtool_depend>{}</buildtool_depend>{}</package>"
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(self.temporary.cleanup)
+        self.path = self.temporary.name
+
+    def put(self, name, text=""):
+        path = os.path.join(self.path, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w") as file:
+            file.write(text)
+        return path
+
+    def package(self, folder, needs="", tool="catkin"):
+        self.put(f"{folder}/package.xml", MANIFEST.format(os.path.basename(folder), tool, needs))
+
+
+class Packages(Folder):
+    def test_they_are_found_at_any_depth_and_not_inside_others(self):
+        for folder in ("a", "deep/b", "a/test/inner", ".hidden/c", "ignored/d"):
+            self.package(folder)
+        self.put("ignored/CATKIN_IGNORE")
+        packages, refused = find_packages(self.path)
+        self.assertEqual([package.folder for package in packages], ["a", "deep/b"])
+        self.assertEqual(refused, {})
+
+    def test_those_of_ros_2_and_broken_manifests_are_named(self):
+        self.package("two", tool="ament_cmake")
+        self.put("broken/package.xml", "<package>")
+        packages, refused = find_packages(self.path)
+        self.assertEqual(packages, [])
+        self.assertEqual(refused["two"], "is no catkin package")
+        self.assertIn("package.xml", refused["broken"])
+
+    def test_only_some(self):
+        self.package("image_a")
+        self.package("cloud_a")
+        self.assertEqual([package.name for package in find_packages(self.path, ["image_*"])[0]], ["image_a"])
+
+    def test_users_of_users_are_left_out_too_and_those_of_tests_are_not(self):
+        self.package("a")
+        self.package("b", "<depend>a</depend>")
+        self.package("c", "<build_depend>b</build_depend>")
+        self.package("d", "<test_depend>a</test_depend><exec_depend>a</exec_depend>")
+        self.assertEqual(with_users({"a"}, find_packages(self.path)[0]), {"a", "b", "c"})
+
+
+class WorkspaceOf(Folder):
+    def setUp(self):
+        super().setUp()
+        self.workspace = Workspace(os.path.join(self.path, "ws"), types.SimpleNamespace(tzc="/tzc"))
+
+    def culprit(self, output, *folders):
+        for folder in folders:
+            self.package(folder)
+        packages = find_packages(self.path)[0]
+        return self.workspace.culprit(packages, {}, self.put("log", output))
+
+    def test_the_first_error_names_the_package(self):
+        output = ("-- fine at one/CMakeLists.txt:1\nCMake Error at deep/two/CMakeLists.txt:20 (find_package):\n  Could not\n\n"
+                  "CMake Error at one/CMakeLists.txt:2\n")
+        self.assertEqual(self.culprit(output, "one", "deep/two"), "two")
+
+    def test_an_error_in_a_module_names_it_in_the_calls(self):
+        output = ("CMake Error at /usr/share/cmake/Modules/Find.cmake:230 (message):\n  Could NOT find Bullet\n"
+                  "Call Stack (most recent call first):\n  one/cmake/own.cmake:3 (find_package)\n  one/CMakeLists.txt:9 (x)\n")
+        self.assertEqual(self.culprit(output, "one", "one_more"), "one")
+
+    def test_an_error_of_no_package(self):
+        self.assertIsNone(self.culprit("CMake Error at /usr/share/catkin/all.cmake:1:\n  no\n", "one"))
+        self.assertIsNone(self.culprit("killed\n", "one"))
+
+    def test_a_mirror_keeps_the_times_of_what_is_equal(self):
+        self.put("from/a/same.h", "x")
+        self.put("from/a/changed.h", "x")
+        self.put("to/a/same.h", "x")
+        self.put("to/a/changed.h", "y")
+        self.put("to/a/gone/old.h", "y")
+        os.utime(os.path.join(self.path, "to/a/same.h"), (1, 1))
+        mirror(os.path.join(self.path, "from"), os.path.join(self.path, "to"))
+        self.assertEqual(os.stat(os.path.join(self.path, "to/a/same.h")).st_mtime, 1)
+        with open(os.path.join(self.path, "to/a/changed.h")) as file:
+            self.assertEqual(file.read(), "x")
+        self.assertEqual(sorted(os.listdir(os.path.join(self.path, "to/a"))), ["changed.h", "same.h"])
+
+    def test_results_of_tests(self):
+        path = self.put("r.xml", "<testsuites><testsuite><testcase classname='a' name='x'/><testcase classname='a' name='y'>"
+                        "<failure/></testcase></testsuite></testsuites>")
+        self.assertEqual(read_results(path), {("a", "x"): True, ("a", "y"): False})
+        self.assertEqual(list(read_results(self.put("s.xml", "<testsuite>")).values()), [False])
+
+
+class Commands(Folder):
+    def test_one_that_hangs_is_stopped_with_its_children(self):
+        log = os.path.join(self.path, "log/hang.log")
+        outcome = run(["sh", "-c", "echo begun; sleep 100 & wait"], log, timeout=0.5)
+        self.assertTrue(outcome.timed_out)
+        self.assertLess(outcome.wall, 20)
+        with open(log) as file:
+            self.assertEqual(file.read(), "begun\n")
+
+    def test_its_status_is_kept(self):
+        outcome = run(["sh", "-c", "exit 3"], os.path.join(self.path, "log"))
+        self.assertEqual((outcome.status, outcome.timed_out), (3, False))
+
+
+class Table(Folder):
+    REPORT = {"package": "p", "summary": {"lines_added": 5, "lines_removed": 2}, "sites": [
+        {"kind": "publish", "message_type": "sensor_msgs/Image", "level": "zero_copy", "file": "a", "line": 1, "code": "",
+         "reason": ""},
+        {"kind": "publish", "message_type": "sensor_msgs/Image", "level": "plain", "file": "b.cpp", "line": 7, "code": "TZC1017",
+         "reason": "why"},
+        {"kind": "subscribe", "message_type": "sensor_msgs/Image", "level": "shared", "file": "a", "line": 3, "code": "",
+         "reason": ""}]}
+
+    def test_sites_of_one_package_and_of_several(self):
+        for report in (self.REPORT, {"packages": [self.REPORT]}):
+            summary = summary_of(self.put("r.json", json.dumps(report)))
+            self.assertEqual(summary["counts"]["large zero_copy"], 1)
+            self.assertEqual(summary["median_lines"], 7)
+            self.assertEqual(summary["large_left"], ["p/b.cpp:7 sensor_msgs/Image plain TZC1017 why"])
+
+    def test_a_source_that_failed_has_a_line_and_its_reason(self):
+        text = table([{"name": "bad", "problems": ["build original: no package could be configured"]}])
+        self.assertIn("bad: build original: no package could be configured", text)
+
+    def test_levels_stand_in_their_columns(self):
+        summary = summary_of(self.put("r.json", json.dumps(self.REPORT)))
+        text = table([{"name": "good", "problems": [], "packages": ["p"], "sites": summary, "compiled": 3, "compiled_after": 3,
+                       "rewrite_seconds": 10, "syntax_seconds": 5, "rewrite_megabytes": 100}])
+        self.assertRegex(text, r"good +1 +3, 3 +1/0/1/0 +1/0/0/0 +1/0/1 +7 +- +- +10 +2.00 +100 +0\n")
+        self.assertIn("large publish sites: 2; zero_copy 50 %, one_copy 0, plain 1", text)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# scripts/port-packages on a folder with a package that cannot be configured beside one that can, and on Debian's sources.
+set -euo pipefail
+root=$1 build=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export TZC_BUILD_DIR=$build TZC_PORT_WITHOUT_BUILD=1
+
+fail() { printf 'FAILED: %s\n' "$1" >&2; cat "$work/printed" "$work"/out/*/log/*.log >&2 || true; exit 1; }
+holds() { grep -qE -- "$2" "$1" || fail "$1 does not hold: $2"; }
+
+mkdir "$work/wild"
+cp -a "$root/samples/camera_pair" "$work/wild/"
+mkdir "$work/wild/broken"
+sed 's/camera_pair/broken/' "$root/samples/camera_pair/package.xml" >"$work/wild/broken/package.xml"
+printf 'cmake_minimum_required(VERSION 3.0.2)\nproject(broken)\nfind_package(no_such_thing REQUIRED)\n' >"$work/wild/broken/CMakeLists.txt"
+mkdir "$work/inputs"
+printf '%s\n' --command 'rosrun camera_pair camera_node _count:=20' --duration 20 >"$work/inputs/wild.args"
+
+port() { "$root/scripts/port-packages" --out "$work/out" --no-speed --inputs "$work/inputs" "$@" >"$work/printed" 2>&1; }
+port --no-tests --only camera_pair --only broken --only image_publisher "$work/wild" debian:ros-image-pipeline ||
+  fail "it ends with $?"
+holds "$work/out/table.txt" '^wild +1 \(-1\) +3, 3 +1/0/0/0 +1/0/0/0 +1/0/0 .* equal '
+holds "$work/out/table.txt" '^wild: broken is left out: CMake Error at broken/CMakeLists.txt:3'
+holds "$work/out/table.txt" '^ros-image-pipeline +1 '
+holds "$work/out/wild/port.diff" '^\+.*tzc::advertise'
+[ -x "$work/out/wild/ported/devel/lib/camera_pair/camera_node" ] || fail "the port was not built"
+
+port --no-tests --only camera_pair --only broken --only image_publisher "$work/wild" debian:ros-image-pipeline ||
+  fail "again, it ends with $?"
+holds "$work/printed" '^wild: is done already'
+
+status=0
+port --again --only broken "$work/wild" || status=$?
+[ "$status" = 1 ] || fail "with nothing to port it ends with $status"
+holds "$work/out/table.txt" 'no package could be configured'
+echo passed
