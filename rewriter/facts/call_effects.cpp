@@ -22,6 +22,13 @@ bool swaps(const std::string& function) {
   return function == "std::swap" || function == "boost::swap";
 }
 
+/// f(publisher, x) in a template or generic lambda, where the type of x is not known: the only f that is declared.
+const clang::FunctionDecl* only_candidate(const clang::CallExpr* call) {
+  const auto* names = llvm::dyn_cast<clang::UnresolvedLookupExpr>(call->getCallee()->IgnoreParenImpCasts());
+  if (!names || names->getNumDecls() != 1) return nullptr;
+  return llvm::dyn_cast<clang::FunctionDecl>((*names->decls_begin())->getUnderlyingDecl());
+}
+
 bool casts_const_away(const std::string& function) {
   return function == "boost::const_pointer_cast" || function == "std::const_pointer_cast";
 }
@@ -144,6 +151,9 @@ CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr*
 CallEffect CallEffects::of_call(const EntityId& id, const clang::CallExpr* call, unsigned argument) {
   const clang::FunctionDecl* function = call->getDirectCallee();
   if (!function) {
+    const clang::FunctionDecl* candidate = only_candidate(call);
+    if (entities_[id].role == EntityRole::publisher && unit_.declares(candidate))
+      return into_package(id, {candidate, argument, call->getBeginLoc()});
     if (!call->isTypeDependent())
       entities_.add_obstacle(id, codes::TZC1001, "it is passed to a function that is not known here",
                              call->getBeginLoc());

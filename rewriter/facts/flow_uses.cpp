@@ -97,7 +97,11 @@ bool UseFollower::into_return(const clang::ReturnStmt* statement) {
 }
 
 bool UseFollower::into_expression(const clang::Expr* parent) {
-  if (parent->isTypeDependent()) return false;  // the template's instances tell
+  if (parent->isTypeDependent()) {  // the instances tell, but an argument may be the same node in them
+    const auto* call = llvm::dyn_cast<clang::CallExpr>(parent);
+    if (call && !llvm::isa<clang::CXXMemberCallExpr>(call)) into_call(call);
+    return false;
+  }
   if (parent->getType()->isVoidPointerType() && !at_->getType()->isVoidPointerType())
     return refuse(codes::TZC1001, "its address is kept as '" + parent->getType().getAsString() + "'");
   if (llvm::isa<clang::ParenExpr, clang::ImplicitCastExpr, clang::FullExpr, clang::MaterializeTemporaryExpr,
