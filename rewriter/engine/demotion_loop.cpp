@@ -128,8 +128,19 @@ bool DemotionLoop::demote_unseen(const Attempt& attempt) {
   return demotions_.size() > before;
 }
 
+/// All that a failing unit sees, so that a package with many errors ends, too.
+bool DemotionLoop::demote_all_of(const Attempt& failed) {
+  const std::size_t before = demotions_.size();
+  for (const Failure& failure : failed.failures) {
+    for (const ComponentId component : failure.suspects) demote(component, failure);
+    for (const ComponentId component : failure.candidates) demote(component, failure);
+  }
+  return demotions_.size() > before;
+}
+
 /// False: nothing more can be taken away.
 Expected<bool> DemotionLoop::demote_some(const Attempt& failed) {
+  if (round_ >= careful_rounds && demote_all_of(failed)) return true;
   if (demote_suspects(failed)) return true;
   const std::size_t before = demotions_.size();
   if (Expected<void> done = demote_by_bisection(failed); !done) return done.error();
@@ -148,8 +159,10 @@ Expected<DemotionLoop::Result> DemotionLoop::run() {
     const Expected<bool> demoted = demote_some(attempt);
     if (!demoted) return demoted.error();
     if (!*demoted)
-      return Error{"the unchanged package does not compile: " + attempt.failures[0].error.text,
-                   attempt.failures[0].unit, "Build the package once, then run again."};
+      return Error{
+          "the unchanged package does not compile: " + attempt.failures[0].error.text,
+          attempt.failures[0].unit,
+          "Clang and the package's compiler must accept each unit as it is; please report it when they do."};
   }
 }
 

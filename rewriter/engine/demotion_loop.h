@@ -29,6 +29,9 @@ class DemotionLoop {
   Expected<Result> run();
 
  private:
+  /// After so many rounds whatever a failing unit sees is demoted at once: each round parses units again.
+  static constexpr unsigned careful_rounds = 8;
+
   struct Attempt {
     Result result;
     std::vector<Failure> failures;
@@ -38,6 +41,7 @@ class DemotionLoop {
   Expected<void> verify(Attempt& attempt, const std::set<std::string>& only) const;
   Expected<bool> demote_some(const Attempt& failed);
   bool demote_suspects(const Attempt& attempt);
+  bool demote_all_of(const Attempt& failed);
   Expected<void> demote_by_bisection(const Attempt& failed);
   Expected<std::optional<ComponentId>> culprit_of(const Failure& failure) const;
   Expected<bool> compiles_without(const Failure& failure, const std::vector<ComponentId>& components) const;

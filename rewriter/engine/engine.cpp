@@ -55,17 +55,22 @@ class PortPlanner {
   std::vector<Note> left_out_;  ///< units that do not parse
 };
 
+/// In the words of Clang or GCC.
+bool misses_header(const std::string& error) {
+  return error.find("file not found") != std::string::npos ||
+         error.find("No such file or directory") != std::string::npos;
+}
+
 Error does_not_parse(const Diagnostic& error, const CompileUnit& unit) {
   const std::string where = error.where.file.empty() || error.where.line == 0
                                 ? unit.file
                                 : error.where.file + ":" + std::to_string(error.where.line);
-  const bool missing = error.text.find("file not found") != std::string::npos;
-  return {
-      "does not parse: " + error.text, where,
-      (missing ? "Build the package first (generated headers must be there), then run again; "
+  return {"does not parse: " + error.text, where,
+          (misses_header(error.text)
+               ? "Build the package first (generated headers must be there), then run again; "
                : "Clang must accept each unit, as the package's compiler does; repair it or leave the unit "
                  "out of the build; ") +
-          unit.file + " was being read."};
+              unit.file + " was being read."};
 }
 
 /// Folders of headers that other packages may include.
@@ -136,8 +141,11 @@ std::optional<Error> PortPlanner::collect() {
     reading_.merge(std::move(readings[i]));
   }
   if (!failure && parsed_.empty())
-    failure = Error{"no unit of the package compiles: " + left_out_.front().text,
-                    left_out_.front().where->file, "Build the package first, then run again."};
+    failure =
+        Error{"no unit of the package compiles: " + left_out_.front().text, left_out_.front().where->file,
+              misses_header(left_out_.front().text)
+                  ? "Build the package first (generated headers must be there), then run again."
+                  : "Repair the package until its own compiler accepts it, then run again."};
   return failure;
 }
 

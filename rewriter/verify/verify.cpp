@@ -123,7 +123,6 @@ Expected<Verifier::Judgement> Verifier::ask_compiler(const VerifyRequest& reques
 Failure Verifier::failure_of(const std::string& unit, const Diagnostic& error,
                              const Attribution& attribution) const {
   Failure failure{error, unit, attribution.suspects_of(error), {}, 0};
-  if (!failure.suspects.empty()) return failure;
   std::set<std::string> files;
   for (const auto& [file, users] : package_.facts.units_of_file)
     if (users.count(unit)) files.insert(file);

@@ -24,9 +24,8 @@ struct Failure {
   Diagnostic error;
   std::string unit;
   std::vector<ComponentId> suspects;
-  std::vector<ComponentId>
-      candidates;         ///< when no component is suspected: those named there first, then all of the unit's
-  std::size_t named = 0;  ///< how many of the candidates are named there
+  std::vector<ComponentId> candidates;  ///< those that the error's lines name first, then all of the unit's
+  std::size_t named = 0;                ///< how many of the candidates are named there
 };
 
 struct Verification {

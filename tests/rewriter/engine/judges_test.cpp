@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 const std::string includes = "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n";
 
@@ -114,6 +115,26 @@ TEST_F(JudgesTest, a_unit_is_judged_again_only_when_its_text_changed) {
   EXPECT_LE(asked.size(), 5u);
 }
 
+/// A compiler that stops at its first error would need a round for each message.
+TEST_F(JudgesTest, many_errors_of_a_unit_end_in_few_rounds) {
+  std::string unit = includes;
+  for (int i = 0; i < 30; ++i) unit += publisher("run" + std::to_string(i)).substr(includes.size());
+  unsigned rounds = 0;
+  judges.compiler = [&](const FileContents& contents, const std::set<std::string>& units) {
+    ++rounds;
+    std::vector<CompilerError> errors;
+    const std::string& content = contents.begin()->second;
+    const std::size_t at = content.find("tzc::sensor_msgs::Image image");
+    if (at == std::string::npos) return errors;
+    const auto line = 1 + std::count(content.begin(), content.begin() + static_cast<long>(at), '\n');
+    errors.push_back({*units.begin(), {*units.begin(), static_cast<unsigned>(line), 1}, "no", {}});
+    return errors;
+  };
+  const auto port = plan({{"src/node.cpp", unit}, {"src/other.cpp", publisher("other")}});
+  ASSERT_TRUE(port) << to_string(port.error());
+  EXPECT_LE(rounds, 20u);
+}
+
 TEST_F(JudgesTest, a_unit_that_the_compiler_refuses_too_is_left_out) {
   judges.original_errors = [](const std::string& unit) {
     return std::vector<CompilerError>{{unit, {unit, 1, 1}, "'missing' was not declared", {}}};
@@ -142,7 +163,26 @@ TEST_F(JudgesTest, when_no_unit_compiles_that_is_an_error) {
   judges.original_errors = [](const std::string& unit) {
     return std::vector<CompilerError>{{unit, {}, "no", {}}};
   };
-  EXPECT_FALSE(plan({{"src/bad.cpp", "int x = missing;\n"}}));
+  const auto port = plan({{"src/bad.cpp", "int x = missing;\n"}});
+  ASSERT_FALSE(port);
+  EXPECT_THAT(port.error().hint, Not(HasSubstr("Build the package"))) << "nothing is missing";
+}
+
+TEST_F(JudgesTest, the_hint_to_build_first_stands_at_missing_headers) {
+  const std::string missing = "generated.h: No such file or directory";
+  judges.original_errors = [&](const std::string& unit) {
+    return std::vector<CompilerError>{{unit, {}, missing, {}}};
+  };
+  const auto left_out = plan({{"src/bad.cpp", "#include \"generated.h\"\n"}});
+  ASSERT_FALSE(left_out);
+  EXPECT_THAT(left_out.error().hint, HasSubstr("Build the package first"));
+  strict = true;
+  const auto refused = plan({{"src/bad.cpp", "#include \"generated.h\"\n"}});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().hint, HasSubstr("Build the package first"));
+  const auto other = plan({{"src/bad.cpp", "int x = missing;\n"}});
+  ASSERT_FALSE(other);
+  EXPECT_THAT(other.error().hint, Not(HasSubstr("Build the package")));
 }
 
 /// The build names the package by a symbolic link; the port is judged at that path, too.
