@@ -120,12 +120,13 @@ std::optional<Error> PortPlanner::collect() {
   std::mutex mutex;
   std::atomic<bool> failed{false};  // what remains need not be read: large packages take minutes
   unsigned done = 0;
-  CollectOptions options{options_.package_dir,
-                         options_.build_dir,
-                         exported_dirs(options_.package_dir),
-                         &rules_,
-                         include_dirs(),
-                         trusted_};
+  CollectOptions options{
+      options_.package_dir,
+      options_.build_dir,
+      options_.headers_in_use ? *options_.headers_in_use : exported_dirs(options_.package_dir),
+      &rules_,
+      include_dirs(),
+      trusted_};
   in_parallel(options_.jobs, units_.size(), [&](std::size_t i) {
     if (failed) return;
     readings[i] = read_unit(units_[i], options, options_.accesses);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct EngineOptions : SolveOptions {
   Judges judges;
   Progress* progress = nullptr;
   FileAccesses* accesses = nullptr;  ///< told what the parses read; may be null
+  /// Headers of the package that other code includes, whose declarations stay; none: all in exported folders.
+  std::optional<std::set<std::string>> headers_in_use;
 };
 
 }  // namespace tzc::rewriter

@@ -19,7 +19,7 @@ namespace tzc::rewriter {
 struct CollectOptions {
   std::string package_dir;
   std::string build_dir;
-  std::set<std::string> exported_dirs;  ///< of headers that other packages may include
+  std::set<std::string> exported_dirs;  ///< folders and headers that others may include
   const RuleSet* rules;
   std::vector<std::string> include_dirs;  ///< TZC's: the package may already be ported, but not built since
   std::map<std::string, std::string> trusted;  ///< functions that keep nothing, with the reason

@@ -14,7 +14,8 @@ bool Unit::declares(const clang::FunctionDecl* function) const {
 
 bool Unit::exports(clang::SourceLocation location) const {
   const std::string& file = source.file_of(location);
-  return llvm::any_of(exported_dirs, [&](const std::string& dir) { return file.rfind(dir + "/", 0) == 0; });
+  return llvm::any_of(
+      exported_dirs, [&](const std::string& path) { return file == path || file.rfind(path + "/", 0) == 0; });
 }
 
 bool Unit::has_twin(const std::string& message) const {

@@ -19,7 +19,7 @@ namespace tzc::rewriter {
 struct Unit {
   Source source;
   const RuleSet& rules;
-  std::set<std::string> exported_dirs;    ///< of headers that other packages may include
+  std::set<std::string> exported_dirs;    ///< folders and headers that others may include
   std::vector<std::string> include_dirs;  ///< where headers are looked for
   /// Functions that the workspace says to keep nothing, with the reason that it gives.
   const std::map<std::string, std::string>& trusted;

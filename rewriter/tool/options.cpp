@@ -42,6 +42,7 @@ const std::map<std::string, Level> levels = {
 const std::map<std::string, OnExhausted> exhausted = {{"deliver", OnExhausted::deliver},
                                                       {"drop", OnExhausted::drop},
                                                       {"return", OnExhausted::return_from_function}};
+const std::map<std::string, bool> exported_headers = {{"keep", false}, {"change", true}};
 const std::map<std::string, Verify> verifications = {
     {"source", Verify::source}, {"syntax", Verify::syntax}, {"build", Verify::build}};
 
@@ -50,6 +51,7 @@ struct Raw {
   Options options;
   bool apply = false, check = false, list_codes = false, no_cache = false;
   std::string explain, mem_size, level = "zero_copy", on_exhausted = "deliver", verify = "syntax";
+  std::string exported_headers = "keep";
 };
 
 std::string report_format(const std::string& file) {
@@ -123,6 +125,13 @@ void add_selection(CLI::App& app, Raw& raw) {
       ->check([](const std::string& text) { return one_of(levels, text); })
       ->type_name("LEVEL")
       ->group(group);
+  app.add_option("--exported-headers", raw.exported_headers,
+                 "keep (default): functions and members that exported headers declare stay as they are; "
+                 "change: those "
+                 "of headers that no other package is seen to include are ported")
+      ->check([](const std::string& text) { return one_of(exported_headers, text); })
+      ->type_name("WHAT")
+      ->group(group);
 }
 
 void add_verification(CLI::App& app, Raw& raw) {
@@ -179,10 +188,11 @@ void add_cache(CLI::App& app, Raw& raw) {
   app.add_flag("--no-cache", raw.no_cache, "Analyse everything anew and keep nothing")->group(group);
 }
 
-/// Only runs that write nothing use results of others.
+/// Only runs that write nothing use results of others. Who includes an exported header is searched each time.
 std::string cache_dir_of(const Raw& raw) {
   const bool writes = raw.apply || !raw.options.out_dir.empty();
-  if (raw.no_cache || writes || raw.options.verify == Verify::build) return "";
+  const bool searches = exported_headers.at(raw.exported_headers);
+  if (raw.no_cache || writes || searches || raw.options.verify == Verify::build) return "";
   if (!raw.options.cache_dir.empty()) return std::filesystem::absolute(raw.options.cache_dir);
   const std::string folder = user_folder("XDG_CACHE_HOME", ".cache");
   return folder.empty() ? "" : folder + "/tzc/rewrite";
@@ -209,6 +219,7 @@ std::variant<Options, Answer> checked(Raw& raw) {
   if (raw.check) raw.options.action = Action::check;
   if (!raw.options.out_dir.empty()) raw.options.action = Action::out_dir;
   raw.options.level = levels.at(raw.level);
+  raw.options.change_exported = exported_headers.at(raw.exported_headers);
   raw.options.verify = verifications.at(raw.verify);
   raw.options.on_exhausted = exhausted.at(raw.on_exhausted);
   raw.options.cache_dir = cache_dir_of(raw);

@@ -42,6 +42,7 @@ struct Options {
   std::string cache_dir;  ///< of results; empty: none are kept
   unsigned jobs = 0;
   std::vector<std::string> tzc_includes;
+  bool change_exported = false;  ///< the packages named are taken for all users of their exported headers
 };
 
 std::variant<Options, Answer> parse_options(int argc, const char* const* argv);

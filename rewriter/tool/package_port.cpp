@@ -15,6 +15,7 @@
 #include "proof/configuration.h"
 #include "proof/own_compiler.h"
 #include "tool/filter.h"
+#include "tool/header_users.h"
 #include "tool/invariant.h"
 #include "tool/own_messages.h"
 #include "tool/pending.h"
@@ -86,6 +87,8 @@ class Porter {
     workspace_messages_ = messages->packages();
     OwnCompiler compiler(compiler_setup(engine));
     engine.judges = judges(compiler);
+    if (inputs_.options.change_exported)
+      engine.headers_in_use = find_headers_in_use(compiler_setup(engine).root);
     Expected<PortPlan> plan = inputs_.engine.plan(engine);
     if (!plan) return plan.error();
     plan_ = std::move(*plan);
@@ -104,6 +107,17 @@ class Porter {
     setup.jobs = inputs_.options.jobs;
     setup.accesses = inputs_.accesses;
     return setup;
+  }
+
+  /// Exported headers that no other package is seen to include are the package's own.
+  std::set<std::string> find_headers_in_use(const std::string& workspace) {
+    const std::vector<std::string> roots = roots_of_users(
+        port_.result.report.package, workspace, inputs_.options.packages, share_folders(port_.build_dir));
+    const std::map<std::string, std::string> users = headers_in_use(port_.package_dir, roots);
+    std::set<std::string> headers;
+    for (const auto& item : users) headers.insert(item.first);
+    port_.result.report.notes.push_back(note_on_users(port_.package_dir, users));
+    return headers;
   }
 
   /// Verify the text that is written.

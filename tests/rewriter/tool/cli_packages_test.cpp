@@ -118,5 +118,26 @@ TEST_F(Cli, a_package_that_fails_does_not_take_the_others_with_it) {
   EXPECT_EQ(ws.run({"--apply", broken}).status, 2);
 }
 
+TEST_F(Cli, exported_headers_are_kept_without_a_word) {
+  EXPECT_THAT(ws.rewrite({}).errors, Not(HasSubstr("--exported-headers")));
+  EXPECT_THAT(ws.rewrite({"--exported-headers=keep"}).errors, Not(HasSubstr("--exported-headers")));
+}
+
+TEST_F(Cli, who_uses_exported_headers_is_said_when_they_may_change) {
+  ws.folder().write("ws/src/demo/include/demo/api.h", "");
+  ws.folder().write("ws/src/demo/include/demo/own.h", "");
+  ws.folder().write("ws/src/user/main.cpp", "#include <demo/api.h>\n");
+  const std::string errors = ws.rewrite({"--exported-headers=change"}).errors;
+  EXPECT_THAT(errors, HasSubstr("TZC1005 package.xml"));
+  EXPECT_THAT(errors, HasSubstr("include/demo/api.h (by " + (ws.folder() / "ws/src/user/main.cpp") + ")"));
+  EXPECT_THAT(errors, Not(HasSubstr("own.h")));
+}
+
+TEST_F(Cli, exported_headers_are_kept_or_changed) {
+  const auto mistake = ws.rewrite({"--exported-headers=both"});
+  EXPECT_EQ(mistake.status, 2);
+  EXPECT_THAT(mistake.errors, HasSubstr("both: is none of change, keep"));
+}
+
 }  // namespace
 }  // namespace tzc::rewriter

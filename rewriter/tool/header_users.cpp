@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/header_users.h"
+
+#include <filesystem>
+#include <functional>
+#include <regex>
+#include <sstream>
+
+#include "edits/files.h"
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+std::string text_of(const fs::path& file) {
+  Expected<std::string> text = read_file(file.string());
+  return text ? std::move(*text) : "";
+}
+
+bool is_source(const fs::path& file) {
+  static const std::set<std::string> extensions = {".h",   ".hh",  ".hpp", ".hxx", ".h++", ".inl", ".ipp",
+                                                   ".tcc", ".txx", ".c",   ".cc",  ".cpp", ".cxx", ".c++",
+                                                   ".C",   ".cu",  ".cuh", ".in",  ".impl"};
+  return extensions.count(file.extension().string()) != 0;
+}
+
+/// Calls `visit` with every source below a folder, through links as well, each once.
+class Walk {
+ public:
+  Walk(std::string without, std::function<void(const std::string&)> visit)
+      : without_(std::move(without)), visit_(std::move(visit)) {}
+
+  void operator()(const fs::path& folder) {
+    std::error_code failed;
+    const fs::path here = fs::canonical(folder, failed);
+    if (failed || here == without_ || !seen_.insert(here).second) return;
+    if (fs::exists(here / "CMakeCache.txt", failed)) return;  // a build folder
+    for (const auto& entry : fs::directory_iterator(here, failed)) {
+      if (entry.path().filename().string().front() == '.') continue;
+      std::error_code ignored;
+      if (entry.is_directory(ignored))
+        (*this)(entry.path());
+      else if (is_source(entry.path()))
+        visit_(entry.path().string());
+    }
+  }
+
+ private:
+  std::string without_;
+  std::function<void(const std::string&)> visit_;
+  std::set<std::string> seen_;
+};
+
+/// "../a/./b.h" as "a/b.h": where it is searched from is not known.
+std::string without_dots(const std::string& name) {
+  fs::path path;
+  for (const fs::path& part : fs::path(name).lexically_normal())
+    if (part != ".." && part != ".") path /= part;
+  return path.string();
+}
+
+/// The headers of the package, and which of them an include directive may mean.
+class PackageHeaders {
+ public:
+  explicit PackageHeaders(const std::string& package_dir) {
+    Walk("",
+         [this](const std::string& file) { by_name_[fs::path(file).filename()].insert(file); })(package_dir);
+  }
+
+  /// `file`: where the directive stands. A quoted name that is found beside it means that file.
+  std::set<std::string> meant_by(const std::string& name, bool quoted, const std::string& file) const {
+    const auto known = by_name_.find(fs::path(name).filename());
+    if (known == by_name_.end()) return {};
+    if (quoted) {
+      const std::string beside = canonical_path((fs::path(file).parent_path() / name).string());
+      if (known->second.count(beside)) return {beside};
+      std::error_code failed;
+      if (fs::exists(beside, failed)) return {};
+    }
+    std::set<std::string> found;
+    const std::string end = "/" + without_dots(name);
+    for (const std::string& header : known->second)
+      if (header.size() > end.size() && header.compare(header.size() - end.size(), end.size(), end) == 0)
+        found.insert(header);
+    return found;
+  }
+
+  std::set<std::string> included_by(const std::string& file) const {
+    static const std::regex directive(R"(^\s*#\s*(?:include|include_next|import)\s*([<"])([^>"]+)[>"])");
+    std::set<std::string> found;
+    std::istringstream stream(text_of(file));
+    std::smatch match;
+    for (std::string line; std::getline(stream, line);)
+      if (line.find('#') != std::string::npos && std::regex_search(line, match, directive))
+        found.merge(meant_by(match[2], match[1] == "\"", file));
+    return found;
+  }
+
+ private:
+  std::map<std::string, std::set<std::string>> by_name_;  ///< last part of the path -> paths
+};
+
+/// Source spaces of a catkin workspace that was built into this prefix.
+std::vector<std::string> source_spaces(const fs::path& prefix) {
+  std::vector<std::string> folders;
+  std::istringstream list(text_of(prefix / ".catkin"));
+  for (std::string folder; std::getline(list, folder, ';');)
+    if (!folder.empty()) folders.push_back(folder);
+  return folders;
+}
+
+bool depends_on(const fs::path& manifest, const std::string& package) {
+  const std::string text = text_of(manifest);
+  for (std::size_t at = text.find(package); at != std::string::npos; at = text.find(package, at + 1)) {
+    const std::size_t before = text.find_last_not_of(" \t\r\n", at - 1);
+    const std::size_t after = text.find_first_not_of(" \t\r\n", at + package.size());
+    if (before != std::string::npos && after != std::string::npos && text[before] == '>' &&
+        text.compare(after, 2, "</") == 0 && text.compare(text.find('>', after) - 6, 6, "depend") == 0)
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> headers_in_use(const std::string& package_dir,
+                                                  const std::vector<std::string>& roots) {
+  const PackageHeaders headers(package_dir);
+  std::map<std::string, std::string> users;
+  std::vector<std::string> todo;
+  const auto use = [&](const std::string& file, const std::string& user) {
+    for (const std::string& header : headers.included_by(file))
+      if (users.emplace(header, user).second) todo.push_back(header);
+  };
+  Walk walk(package_dir, [&](const std::string& file) { use(file, file); });
+  for (const std::string& root : roots) walk(root);
+  while (!todo.empty()) {
+    const std::string header = todo.back();
+    todo.pop_back();
+    use(header, users.at(header));
+  }
+  return users;
+}
+
+Note note_on_users(const std::string& package_dir, const std::map<std::string, std::string>& users) {
+  std::string text =
+      "--exported-headers=change: the workspace, the packages named and the installed packages that depend "
+      "on this "
+      "one are taken for all users of its headers; ";
+  std::string separator =
+      users.empty() ? "none of them includes one" : "these headers are included and stay: ";
+  for (const auto& [header, user] : users) {
+    text += separator + header.substr(package_dir.size() + 1) + " (by " + user + ")";
+    separator = ", ";
+  }
+  return {codes::TZC1005, Location{package_dir + "/package.xml", 1, 1},
+          users.empty() ? text + separator : text};
+}
+
+std::vector<std::string> roots_of_users(const std::string& package, const std::string& workspace,
+                                        const std::vector<std::string>& named,
+                                        const std::vector<std::string>& shares) {
+  std::vector<std::string> roots = {workspace};
+  roots.insert(roots.end(), named.begin(), named.end());
+  for (const std::string& share : shares) {
+    const fs::path prefix = fs::path(share) / "..";
+    for (const std::string& folder : source_spaces(prefix)) roots.push_back(folder);
+    std::error_code failed;
+    for (const auto& entry : fs::directory_iterator(share, failed))
+      if (depends_on(entry.path() / "package.xml", package))
+        roots.push_back((prefix / "include" / entry.path().filename()).string());
+  }
+  return roots;
+}
+
+}  // namespace tzc::rewriter

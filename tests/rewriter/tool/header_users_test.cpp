@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/header_users.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/temp_dir.h"
+
+namespace tzc::rewriter {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+/// A workspace with the package `lib`, whose include/lib/api.h and include/lib/detail.h are exported.
+class HeaderUsers : public ::testing::Test {
+ protected:
+  HeaderUsers() {
+    folder.write("ws/src/lib/include/lib/api.h", "void api();\n");
+    folder.write("ws/src/lib/include/lib/detail.h", "void detail();\n");
+    folder.write("ws/src/lib/src/lib.cpp", "#include <lib/api.h>\n#include <lib/detail.h>\n");
+  }
+  std::string in_use() const { return in_use({folder / "ws"}); }
+  /// "api.h detail.h "
+  std::string in_use(const std::vector<std::string>& roots) const {
+    std::string names;
+    for (const auto& item : headers_in_use(folder / "ws/src/lib", roots))
+      names += fs::path(item.first).filename().string() + " ";
+    return names;
+  }
+
+  tzc::test::TempDir folder;
+};
+
+TEST_F(HeaderUsers, the_package_itself_is_no_user) {
+  EXPECT_EQ(in_use(), "");
+}
+
+TEST_F(HeaderUsers, another_package_is) {
+  folder.write("ws/src/node/main.cpp", "  #  include <lib/api.h>  // why\n");
+  EXPECT_EQ(in_use(), "api.h ");
+}
+
+TEST_F(HeaderUsers, what_a_used_header_includes_is_in_use_too) {
+  folder.write("ws/src/lib/include/lib/api.h", "#include \"detail.h\"\n");
+  folder.write("ws/src/node/main.cpp", "#include \"lib/api.h\"\n");
+  EXPECT_EQ(in_use(), "api.h detail.h ");
+}
+
+TEST_F(HeaderUsers, through_a_header_that_is_not_exported_too) {
+  folder.write("ws/src/lib/include/lib/api.h", "#include <hidden.h>\n");
+  folder.write("ws/src/lib/private/hidden.h", "#include <lib/detail.h>\n");
+  folder.write("ws/src/node/main.cpp", "#include \"lib/api.h\"\n");
+  EXPECT_EQ(in_use(), "api.h detail.h hidden.h ");
+}
+
+TEST_F(HeaderUsers, a_path_that_leaves_its_folder_counts) {
+  folder.write("ws/src/node/main.cpp", "#include \"../lib/include/lib/api.h\"\n");
+  EXPECT_EQ(in_use(), "api.h ");
+}
+
+TEST_F(HeaderUsers, a_name_without_a_folder_may_mean_the_header) {
+  folder.write("ws/src/node/main.cpp", "#include <api.h>\n");
+  EXPECT_EQ(in_use(), "api.h ");
+}
+
+TEST_F(HeaderUsers, a_file_beside_the_directive_is_meant_first) {
+  folder.write("ws/src/node/api.h", "");
+  folder.write("ws/src/node/main.cpp", "#include \"api.h\"\n");
+  EXPECT_EQ(in_use(), "");
+  folder.write("ws/src/node/other.cpp", "#include <api.h>\n");
+  EXPECT_EQ(in_use(), "api.h ") << "an angled name does not mean it";
+}
+
+TEST_F(HeaderUsers, a_branch_that_is_not_compiled_counts) {
+  folder.write("ws/src/node/main.cpp", "#ifdef WITH_LIB\n#include <lib/api.h>\n#endif\n");
+  EXPECT_EQ(in_use(), "api.h ");
+}
+
+TEST_F(HeaderUsers, another_header_of_the_same_name_does_not) {
+  folder.write("ws/src/node/main.cpp", "#include <other/api.h>\n#include <notlib/api.h>\n");
+  EXPECT_EQ(in_use(), "");
+}
+
+TEST_F(HeaderUsers, packages_behind_symbolic_links_are_searched_once) {
+  folder.write("elsewhere/main.cpp", "#include <lib/api.h>\n");
+  fs::create_directory_symlink(folder / "elsewhere", folder / "ws/src/node");
+  fs::create_directory_symlink(folder / "ws", folder / "ws/src/circle");
+  EXPECT_EQ(in_use(), "api.h ");
+}
+
+TEST_F(HeaderUsers, build_folders_are_not_searched) {
+  folder.write("ws/build/CMakeCache.txt", "");
+  folder.write("ws/build/unity.cxx", "#include \"/x/lib/api.h\"\n");
+  EXPECT_EQ(in_use(), "");
+}
+
+TEST_F(HeaderUsers, installed_packages_that_depend_on_it_are_searched) {
+  folder.write("opt/share/user/package.xml",
+               "<package>\n <build_export_depend> lib </build_export_depend>\n</package>");
+  folder.write("opt/share/stranger/package.xml", "<package><name>lib</name><depend>lib2</depend></package>");
+  folder.write("opt/include/user/user.h", "#include <lib/api.h>\n");
+  folder.write("opt/include/stranger/stranger.h", "#include <lib/detail.h>\n");
+  EXPECT_EQ(in_use(roots_of_users("lib", folder / "ws", {}, {folder / "opt/share"})), "api.h ");
+}
+
+TEST_F(HeaderUsers, workspaces_below_are_searched) {
+  folder.write("under/devel/.catkin", (folder / "under/src") + ";" + (folder / "gone"));
+  folder.write("under/src/node/main.cpp", "#include <lib/detail.h>\n");
+  fs::create_directories(folder / "under/devel/share");
+  EXPECT_EQ(in_use(roots_of_users("lib", folder / "ws", {}, {folder / "under/devel/share"})), "detail.h ");
+}
+
+TEST_F(HeaderUsers, the_note_names_what_stays_and_who_uses_it) {
+  folder.write("ws/src/node/main.cpp", "#include <lib/api.h>\n");
+  const std::string package = folder / "ws/src/lib";
+  const Note note = note_on_users(package, headers_in_use(package, {folder / "ws"}));
+  EXPECT_THAT(note.text, HasSubstr("stay: include/lib/api.h (by " + (folder / "ws/src/node/main.cpp") + ")"));
+  EXPECT_THAT(note_on_users(package, {}).text, HasSubstr("none of them includes one"));
+}
+
+}  // namespace
+}  // namespace tzc::rewriter
