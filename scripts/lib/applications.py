@@ -141,7 +141,8 @@ class Application:
             table.writeheader()
             table.writerows(stops)
         with open(prefix + ".json", "w", encoding="utf-8") as file:
-            json.dump({"experiment": dataclasses.asdict(self.experiment), "machine": machine(), "stops": stops}, file, indent=1)
+            json.dump({"experiment": dataclasses.asdict(self.experiment), "machine": machine(), "stops": stops}, file,
+                      indent=1)
         pictures = draw(comparison, prefix, self.experiment.title, self.experiment.unit, self.experiment.scale)
         print("written:", *[prefix + ".csv", prefix + ".json"] + pictures, sep="\n  ")
 

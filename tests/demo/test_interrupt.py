@@ -49,7 +49,7 @@ def main():
          "--port-report", os.path.join(applications, "port.json"), "--runs", "1"], stdout=subprocess.DEVNULL)
     try:
         nodes = ("robot_node", "camera_node", "logger_node", "detector_node", "braking_node", "stopwatch_node")
-        wait_until(lambda: all(any(node in command for command in processes_with(scratch, "cmdline").values()) for node in nodes),
+        wait_until(lambda: all(map(" ".join(processes_with(scratch, "cmdline").values()).__contains__, nodes)),
                    "the nodes to start")
         assert any("rosmaster" in command for command in processes_with(scratch, "cmdline").values()), \
             "no rosmaster was found, so its end would not be seen"
