@@ -8,6 +8,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 
 TIMEOUT = 120
@@ -43,6 +44,7 @@ def main():
     source, applications, scratch = sys.argv[1:]
     shutil.rmtree(scratch, ignore_errors=True)
     os.makedirs(scratch)
+    scratch = tempfile.mkdtemp(dir=scratch)  # a name that no command line had before
     demo = subprocess.Popen(
         [sys.executable, os.path.join(source, "scripts/lib/applications.py"), "red_light", scratch,
          os.path.join(applications, "original"), os.path.join(applications, "ported"),
