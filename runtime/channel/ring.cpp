@@ -26,7 +26,7 @@ bool RingWriter::write(const void* prefix, std::size_t prefix_size, const void* 
   std::memcpy(slot.bytes + prefix_size, body, body_size);
   slot.size.store(static_cast<std::uint32_t>(prefix_size + body_size), std::memory_order_relaxed);
   sync_point("publish: slot filled");
-  ring_->publisher.written.store(++written_, std::memory_order_release);
+  announce_record(words, ++written_);
   sync_point("publish: before bell");
   bell_.pull(*ring_);
   return true;
@@ -35,7 +35,8 @@ bool RingWriter::write(const void* prefix, std::size_t prefix_size, const void* 
 void RingWriter::sent_packets(std::uint32_t count) {
   if (ring_ == nullptr || ring_start + count == packets_) return;
   packets_ = ring_start + count;
-  ring_->publisher.packets.store(packets_, std::memory_order_release);
+  auto words = words_of(*ring_);
+  announce_packets(words, packets_);
   bell_.pull(*ring_);
 }
 
@@ -43,7 +44,7 @@ Source RingReader::await(const std::atomic<bool>& ended, bool wait) {
   if (ring_ == nullptr) return Source::socket;
   auto words = words_of(*ring_);
   for (;;) {
-    const std::uint32_t heard = ring_->publisher.bell.load(std::memory_order_acquire);
+    const std::uint32_t heard = listen(words);
     const Source source = next_source(words, read_, packets_read_, ended.load(), written_);
     if (source != Source::nothing || !wait) return source;
     wait_for_bell(words, heard,
@@ -58,13 +59,15 @@ std::size_t RingReader::read(void* memory) {
   if (size > slot_bytes) return 0;
   std::memcpy(memory, slot.bytes, size);
   sync_point("take: slot copied");
-  ring_->subscriber.read.store(++read_, std::memory_order_release);
+  auto words = words_of(*ring_);
+  give_back_slot(words, ++read_);
   return size;
 }
 
 void RingReader::count_packet() {
   if (ring_ == nullptr) return;
-  ring_->subscriber.packets_read.store(++packets_read_, std::memory_order_release);
+  auto words = words_of(*ring_);
+  acknowledge_packet(words, ++packets_read_);
 }
 
 void BellPull::pull(Ring& ring) const {

@@ -51,7 +51,33 @@ TZC_HOT bool ring_takes(Words& words, std::uint32_t slots, std::uint32_t written
          written - words.read.load(std::memory_order_acquire) < slots;
 }
 
+/// Publisher: the slot's record may be read, the socket's packets are there. Each count includes the latest one.
+template <class Words>
+TZC_HOT void announce_record(Words& words, std::uint32_t written) {
+  words.written.store(written, std::memory_order_release);
+}
+template <class Words>
+void announce_packets(Words& words, std::uint32_t packets) {
+  words.packets.store(packets, std::memory_order_release);
+}
+
+/// Subscriber: the slot was copied and may be written again, a packet came out of the socket.
+template <class Words>
+TZC_HOT void give_back_slot(Words& words, std::uint32_t read) {
+  words.read.store(read, std::memory_order_release);
+}
+template <class Words>
+void acknowledge_packet(Words& words, std::uint32_t packets_read) {
+  words.packets_read.store(packets_read, std::memory_order_release);
+}
+
 enum class Source { ring, socket, nothing };
+
+/// Subscriber: the bell, before it looks for anything.
+template <class Words>
+TZC_HOT std::uint32_t listen(Words& words) {
+  return static_cast<std::uint32_t>(words.bell.load(std::memory_order_acquire));
+}
 
 /// Subscriber: where the next thing to read is, after so many records and packets. `written` tells how far
 /// the ring goes. The packets are counted first: whatever precedes them in the ring is seen then, too.

@@ -38,11 +38,8 @@ Expected<std::shared_ptr<AckFile>> AckFile::create(std::uint32_t slots) {
   return ack_file;
 }
 
-// Relaxed: a caller of holds() for this generation has synchronised with the sender through the last
-// BufferPtr.
 bool AckFile::mark(std::uint32_t slot, std::uint32_t generation) {
-  sent_[slot].store(generation, std::memory_order_relaxed);
-  return mark_in_flight(acks_.word(slot), generation);
+  return note_and_mark(sent_[slot], acks_.word(slot), generation);
 }
 
 void AckFile::revoke(std::uint32_t slot, std::uint32_t generation) {
@@ -50,8 +47,7 @@ void AckFile::revoke(std::uint32_t slot, std::uint32_t generation) {
 }
 
 bool AckFile::holds(std::uint32_t slot, std::uint32_t generation) const {
-  if (sent_[slot].load(std::memory_order_relaxed) != generation) return false;
-  return !is_idle(acks_.word(slot).load(std::memory_order_acquire), generation);
+  return may_hold(sent_[slot], acks_.word(slot), generation);
 }
 
 bool AckFile::taken(std::uint32_t slot, std::uint32_t generation) const {

@@ -98,5 +98,19 @@ inline bool is_idle(std::uint64_t word, std::uint32_t generation) {
   return counts.generation != generation || (counts.in_flight == 0 && counts.taken == 0);
 }
 
+/// The publisher's own note of what it marked: a peer can write to the word, and not to this. Relaxed: who asks may_hold
+/// about a generation has synchronised with the sender, through the last BufferPtr.
+template <class Note, class Atomic>
+bool note_and_mark(Note& note, Atomic& word, std::uint32_t generation) {
+  note.store(generation, std::memory_order_relaxed);
+  return mark_in_flight(word, generation);
+}
+
+template <class Note, class Atomic>
+bool may_hold(const Note& note, const Atomic& word, std::uint32_t generation) {
+  if (note.load(std::memory_order_relaxed) != generation) return false;
+  return !is_idle(word.load(std::memory_order_acquire), generation);
+}
+
 }  // namespace segment
 }  // namespace tzc

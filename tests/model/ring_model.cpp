@@ -101,14 +101,15 @@ bool takes(Context& context, const Local& local) {
 }
 
 bool publish_round(Context& context, Local& local, std::size_t) {
+  auto words = words_of(context);
   const auto message = static_cast<std::uint8_t>(local.messages + 1);
   const bool ends = message > scenario.messages;  // which is one packet more, that need not be counted
   if (!ends && (scenario.through_socket >> message & 1) == 0 && takes(context, local)) {
     ModelAtomic(context, first_slot + local.through_ring % slots).store(message);
-    ModelAtomic(context, written).store(++local.through_ring);
+    channel::announce_record(words, ++local.through_ring);
   } else {
     if (!ends) ModelAtomic(context, socket).push(message);
-    ModelAtomic(context, packets).store(++local.through_socket);
+    channel::announce_packets(words, ++local.through_socket);
   }
   ring(context);
   local.messages = message;
@@ -140,19 +141,20 @@ void sleep(Context& context, std::uint32_t heard) {
 }
 
 bool subscribe_round(Context& context, Local& local, std::size_t) {
-  const auto heard = static_cast<std::uint32_t>(ModelAtomic(context, bell).load(std::memory_order_acquire));
+  auto words = words_of(context);
+  const std::uint32_t heard = channel::listen(words);
   std::uint32_t far = 0;
   switch (source(context, local, far)) {
     case channel::Source::ring:
       receive(local,
               ModelAtomic(context, first_slot + local.through_ring % slots).load(std::memory_order_relaxed));
-      ModelAtomic(context, read_count).store(++local.through_ring);
+      channel::give_back_slot(words, ++local.through_ring);
       return true;
     case channel::Source::socket: {
       const Word message = ModelAtomic(context, socket).pop();
       if (message == 0) return false;
       receive(local, message);
-      ModelAtomic(context, packets_read).store(++local.through_socket);
+      channel::acknowledge_packet(words, ++local.through_socket);
       return true;
     }
     case channel::Source::nothing:
