@@ -28,8 +28,12 @@ class PublisherOwner final : public Publisher {
   TZC_HOT std::size_t publish(const RecordPtr& record) override {
     return posix::forked_since(epoch_) ? 0 : publisher_->publish(record);
   }
-  std::vector<ConnectionPtr> connections() const override { return publisher_->connections(); }
-  PublisherStats stats() const override { return publisher_->stats(); }
+  std::vector<ConnectionPtr> connections() const override {
+    return posix::forked_since(epoch_) ? std::vector<ConnectionPtr>() : publisher_->connections();
+  }
+  PublisherStats stats() const override {
+    return posix::forked_since(epoch_) ? PublisherStats() : publisher_->stats();
+  }
 
  private:
   std::shared_ptr<PublisherImpl> publisher_;

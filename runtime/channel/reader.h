@@ -37,6 +37,8 @@ class Reader {
   /// Whether read() has something to look at now.
   bool has_something() { return ring_.await(link_->ended(), false) != Source::nothing; }
   const std::string& reason() const { return reason_; }
+  /// There is no further message.
+  void give_up(const char* reason) { reason_ = reason; }
   const ReaderCounters& counters() const { return counters_; }
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <atomic>
+#include <new>
 #include <thread>
 
 #include "channel/link.h"
@@ -52,7 +53,7 @@ struct SubscriberImpl final : ReceivingEnd {
     MessagePtr message;
     const Reader::Result result = reader.read(waiting, message);
     if (result != Reader::Result::message) return result;
-    if (!stopping) options.on_message(message);
+    if (!stopping) hand_over(message);
     message.reset();
     link->write_notice().give();
     return result;
@@ -61,6 +62,13 @@ struct SubscriberImpl final : ReceivingEnd {
   bool may_begin() {
     begun = stopping || (reader.has_something() && (!options.may_begin || options.may_begin()));
     return begun;
+  }
+
+  // A copy of a large message may not fit; that must not end a process that could go on.
+  TZC_HOT void hand_over(const MessagePtr& message) try {
+    options.on_message(message);
+  } catch (const std::bad_alloc&) {
+    reader.give_up("out of memory");
   }
 
   void report_end() {

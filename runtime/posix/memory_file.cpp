@@ -42,6 +42,38 @@ Error over_the_limit(std::size_t bytes, std::size_t headroom) {
   return error;
 }
 
+Error over_the_ceiling(std::size_t bytes) {
+  Error error;
+  error.what = "reserve " + std::to_string(bytes) + " bytes of shared memory";
+  error.hint = "this process has " + std::to_string(reserved_memory()) + " bytes and may have " +
+               std::to_string(memory_ceiling()) +
+               " in all: raise memory_ceiling, or give its publishers less memory";
+  error.code = ENOMEM;
+  return error;
+}
+
+Status check_headroom(std::size_t bytes) {
+  static HeadroomAllowance allowance;
+  const auto now = HeadroomAllowance::Clock::now();
+  if (allowance.take(bytes, now)) return Success{};
+  const std::size_t headroom = memory_headroom();
+  if (headroom < left_for_the_process || headroom - left_for_the_process < bytes)
+    return over_the_limit(bytes, headroom);
+  allowance.refill(headroom - left_for_the_process, bytes, now);
+  return Success{};
+}
+
+Status reserve_in_steps(const MemoryFile& file, std::size_t offset, std::size_t bytes) {
+  const SizeSignalBlocked blocked;
+  for (std::size_t done = 0; done < bytes; done += step) {
+    const int failure = reserve_step(file, offset + done, std::min(step, bytes - done));
+    if (failure == 0) continue;
+    errno = failure;
+    return system_error("reserve " + std::to_string(bytes) + " bytes of shared memory");
+  }
+  return Success{};
+}
+
 }  // namespace
 
 // The kernel gives the lowest number that is free, so the number tells how many are in use.
@@ -54,18 +86,13 @@ FileDescriptor within_share(FileDescriptor descriptor) noexcept {
   return descriptor;
 }
 
-Status reserve(const MemoryFile& file, std::size_t offset, std::size_t bytes) {
-  const std::size_t headroom = memory_headroom();
-  if (headroom < left_for_the_process || headroom - left_for_the_process < bytes)
-    return over_the_limit(bytes, headroom);
-  const SizeSignalBlocked blocked;
-  for (std::size_t done = 0; done < bytes; done += step) {
-    const int failure = reserve_step(file, offset + done, std::min(step, bytes - done));
-    if (failure == 0) continue;
-    errno = failure;
-    return system_error("reserve " + std::to_string(bytes) + " bytes of shared memory");
-  }
-  return Success{};
+Status reserve(MemoryFile& file, std::size_t offset, std::size_t bytes) {
+  const Status there = check_headroom(bytes);
+  if (!there) return there;
+  if (!file.reserved.add(bytes)) return over_the_ceiling(bytes);
+  const Status reserved = reserve_in_steps(file, offset, bytes);
+  if (!reserved) file.reserved.remove(bytes);
+  return reserved;
 }
 
 Expected<FileIdentity> identify(int fd) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "posix/file_descriptor.h"
+#include "posix/memory_budget.h"
 #include "tzc/error.h"
 
 namespace tzc {
@@ -24,6 +25,7 @@ struct MemoryFile {
   FileDescriptor descriptor;  ///< for the creator: map it read-write before anything else
   FileDescriptor shared;      ///< what peers get; invalid when they get `descriptor`
   std::size_t size = 0;
+  ReservedBytes reserved;  ///< of its pages; a peer's file counts as nothing here
 
   int shared_fd() const noexcept { return shared ? shared.get() : descriptor.get(); }
 };
@@ -40,9 +42,10 @@ FileDescriptor within_share(FileDescriptor descriptor) noexcept;
 /// Closes the door behind the creator's own mapping: from now on the promise of `sharing` holds.
 Status seal(MemoryFile& file, Sharing sharing);
 
-/// Commits the pages of [offset, offset + bytes). The error says what is full: the file system, a limit of
-/// the process or of its control group. Nothing is lost when it fails.
-Status reserve(const MemoryFile& file, std::size_t offset, std::size_t bytes);
+/// Commits the pages of [offset, offset + bytes), which were not committed before. The error says what is full: the
+/// file system, a limit of the process or of its control group, the ceiling (memory_budget.h). Nothing is lost when it
+/// fails.
+Status reserve(MemoryFile& file, std::size_t offset, std::size_t bytes);
 
 /// What a receiver must know before it maps a peer's file of `size` bytes: that it is a memory file of that
 /// very size, and (on Linux) that the peer cannot truncate it any more.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -15,8 +16,10 @@ namespace segment {
 /// the smallest request. First fit by address then never needs more than M * (1 + log2 n) bytes (Robson,
 /// "Worst case fragmentation of first fit and best fit storage allocation strategies", 1977, up to its
 /// additive constant; best fit may need about M * n). With one size (n = 1) nothing is ever lost.
-/// tests/runtime/segment/extents_test.cpp drives it with Robson's adversary and with random traffic. Not
-/// thread-safe.
+/// tests/runtime/segment/extents_test.cpp drives it with Robson's adversary and with random traffic.
+///
+/// A search begins where the first range of the request's size class may be, so that it does not pass again and again
+/// over the small ranges that many messages of other sizes leave. Not thread-safe.
 class Extents {
  public:
   static constexpr std::uint64_t none = ~std::uint64_t{0};
@@ -30,18 +33,22 @@ class Extents {
   void release(std::uint64_t offset, std::uint64_t bytes);
 
   std::uint64_t free_bytes() const { return free_bytes_; }
-  bool empty() const { return free_bytes_ == size_; }  ///< nothing is allocated
+  std::uint64_t looked_at() const { return looked_at_; }  ///< free ranges, by all searches
+  bool empty() const { return free_bytes_ == size_; }     ///< nothing is allocated
 
  private:
   using Map = std::map<std::uint64_t, std::uint64_t>;  // offset -> length
 
   void insert(std::uint64_t offset, std::uint64_t bytes);
+  void note_range(std::uint64_t offset, std::uint64_t bytes);
   Map::iterator erase(Map::iterator at);
 
   Map free_;
-  std::vector<Map::node_type> spare_;  // nodes for reuse: the steady state allocates no memory
+  std::vector<Map::node_type> spare_;      // nodes for reuse: the steady state allocates no memory
+  std::array<std::uint64_t, 64> first_{};  // by the binary logarithm of a length: none that long begins below
   std::uint64_t size_;
   std::uint64_t free_bytes_;
+  std::uint64_t looked_at_ = 0;
 };
 
 }  // namespace segment

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "posix/memory_budget.h"
 #include "segment/segment_memory_impl.h"
 #include "tzc/memory.h"
+#include "tzc/process_memory.h"
 
 namespace tzc {
 
@@ -26,6 +28,14 @@ Error SegmentMemory::last_failure() const {
 }
 const MemoryOptions& SegmentMemory::options() const {
   return impl_->options();
+}
+
+void set_memory_ceiling(std::size_t bytes) {
+  posix::set_memory_ceiling(bytes);
+}
+
+ProcessMemory process_memory() {
+  return {posix::reserved_memory(), posix::memory_ceiling()};
 }
 
 }  // namespace tzc

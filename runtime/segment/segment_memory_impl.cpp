@@ -222,7 +222,9 @@ BufferPtr SegmentMemoryImpl::refuse(std::size_t bytes) {
   return nullptr;
 }
 
+// Another thread of the parent may have held the lock.
 MemoryStats SegmentMemoryImpl::stats() const {
+  if (posix::forked_since(epoch_)) return MemoryStats();
   const std::lock_guard<std::mutex> lock(mutex_);
   MemoryStats stats = stats_;
   stats.segments = segments_.size();
@@ -232,6 +234,7 @@ MemoryStats SegmentMemoryImpl::stats() const {
 }
 
 Error SegmentMemoryImpl::last_failure() const {
+  if (posix::forked_since(epoch_)) return Error();
   const std::lock_guard<std::mutex> lock(mutex_);
   return last_;
 }

@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <atomic>
+#include <new>
 
 #include "support.h"
 
@@ -281,6 +282,51 @@ TEST(Lifetime, a_forked_child_reads_and_leaves_no_trace) {
   EXPECT_TRUE(in->wait_for(1));
   held.reset();
   EXPECT_TRUE(has_room(*out, mb));
+}
+
+TEST(Lifetime, a_callback_without_memory_ends_its_subscription_alone) {
+  const auto out = publisher();
+  Inbox other(out->address());
+  std::atomic<int> calls{0};
+  std::atomic<bool> ended{false};
+  SubscriberOptions options;
+  options.address = out->address();
+  options.on_message = [&](const MessagePtr&) {
+    if (++calls == 2) throw std::bad_alloc();
+  };
+  options.on_disconnect = [&](const std::string& reason) {
+    ended = reason.find("memory") != std::string::npos;
+  };
+  const auto in = Subscriber::create(std::move(options));
+  ASSERT_TRUE(in);
+  ASSERT_TRUE(eventually([&] { return out->connections().size() == 2; }));
+  for (int i = 0; i < 3; ++i) out->publish(text_record("x", {filled(*out->memory(), mb, 8)}));
+  EXPECT_TRUE(eventually([&] { return ended.load(); }));
+  EXPECT_EQ(calls, 2);
+  EXPECT_TRUE(eventually([&] { return out->connections().size() == 1; }));
+  EXPECT_TRUE(other.wait_for(3));
+}
+
+// Other threads of the parent may hold the locks: here one publishes without a pause.
+TEST(Lifetime, a_forked_child_may_ask_for_statistics) {
+  const auto out = publisher();
+  Inbox in(out->address());
+  std::atomic<bool> done{false};
+  std::thread busy([&] {
+    while (!done) out->publish(text_record("x"));
+  });
+  for (int i = 0; i < 20; ++i) {
+    const pid_t child = in_child([&] {
+      ::alarm(10);
+      return out->stats().published == 0 && out->connections().empty() && out->memory()->stats().segments == 0
+                 ? 0
+                 : 1;
+    });
+    EXPECT_EQ(exit_status(child), 0);
+  }
+  done = true;
+  busy.join();
+  EXPECT_EQ(out->connections().size(), 1u);
 }
 
 TEST(Lifetime, a_forked_child_can_start_its_own) {

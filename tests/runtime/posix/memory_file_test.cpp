@@ -154,7 +154,7 @@ TEST(MemoryFile, a_reserve_that_fails_says_why) {
 // Step by step, all that the machine has would be gone before the refusal, and some process with it.
 TEST(MemoryFile, a_reserve_beyond_the_machines_memory_takes_nothing) {
   constexpr std::size_t too_much = std::size_t{1} << 50;
-  const auto file = create_memory_file("too large", too_much, Sharing::peers_read);
+  auto file = create_memory_file("too large", too_much, Sharing::peers_read);
   ASSERT_TRUE(file) << file.error().text();
   const Status refused = reserve(*file, 0, too_much);
   ASSERT_FALSE(refused);

@@ -2,10 +2,12 @@
 #include "posix/socket.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
+#include <string>
 
 #include "posix/address.h"
 #include "posix/nonce.h"
@@ -25,6 +27,20 @@ TEST(Address, refuses_what_the_system_cannot_take) {
   EXPECT_FALSE(parse_address("@"));
   EXPECT_FALSE(parse_address(std::string(108, 'x')));
   EXPECT_TRUE(parse_address(std::string(107, 'x')));
+}
+
+// A process that has no descriptor left may still have to name an address.
+TEST(Nonce, needs_no_descriptor) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_NOFILE, &none);
+    const std::string one = nonce(), other = nonce();
+    ::_exit(one.size() == 32 && other.size() == 32 && one != other ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0) << "status " << status;
 }
 
 TEST(Address, generated_ones_differ) {

@@ -130,6 +130,59 @@ TEST(Extents, robsons_adversary_stays_within_the_bound) {
   }
 }
 
+// 20,000 ranges of 1 KB between blocks that are kept: a search for 2 KB passes over them once, and over those that come
+// back since, one at a time.
+TEST(Extents, ranges_that_are_too_small_are_not_looked_at_again) {
+  constexpr std::uint64_t small = 1024, ranges = 20'000, searches = 1'000;
+  Extents extents(0, 4 * small * ranges);
+  for (std::uint64_t i = 0; i < 2 * ranges; ++i) ASSERT_EQ(extents.allocate(small), i * small);
+  for (std::uint64_t i = 0; i < 2 * ranges; i += 2) extents.release(i * small, small);
+  const std::uint64_t first = extents.allocate(2 * small);
+  EXPECT_EQ(first, 2 * ranges * small);
+  const std::uint64_t before = extents.looked_at();
+  for (std::uint64_t i = 0; i < searches; ++i) {
+    extents.release(first, 2 * small);
+    ASSERT_EQ(extents.allocate(2 * small), first);
+  }
+  EXPECT_LE(extents.looked_at() - before, 2 * searches);
+  extents.release(3 * small, small);  // joins both neighbours: lower, and now large enough
+  EXPECT_EQ(extents.allocate(2 * small), 2 * small);
+}
+
+// As before the searches began anywhere but at the first range.
+std::uint64_t lowest_fit(const std::vector<bool>& used, std::uint64_t bytes) {
+  std::uint64_t length = 0;
+  for (std::uint64_t i = 0; i < used.size(); ++i) {
+    length = used[i] ? 0 : length + 1;
+    if (length == bytes) return i + 1 - bytes;
+  }
+  return Extents::none;
+}
+
+TEST(Extents, finds_the_lowest_fit_whatever_was_released) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    constexpr std::uint64_t size = 2'000;
+    Extents extents(0, size);
+    std::vector<bool> used(size);
+    std::vector<Range> live;
+    for (int i = 0; i < 2'000; ++i) {
+      const std::uint64_t bytes = 1 + random() % (1 << random() % 9);
+      const std::uint64_t expected = lowest_fit(used, bytes), offset = extents.allocate(bytes);
+      ASSERT_EQ(offset, expected) << "seed " << seed << ", step " << i;
+      if (offset != Extents::none) {
+        live.push_back({offset, bytes});
+        std::fill_n(used.begin() + static_cast<std::ptrdiff_t>(offset), bytes, true);
+      }
+      if (live.empty() || (offset != Extents::none && random() % 2 == 0)) continue;
+      std::swap(live[random() % live.size()], live.back());
+      extents.release(live.back().offset, live.back().bytes);
+      std::fill_n(used.begin() + static_cast<std::ptrdiff_t>(live.back().offset), live.back().bytes, false);
+      live.pop_back();
+    }
+  }
+}
+
 TEST(SizeClass, wastes_less_than_a_sixteenth_plus_a_cache_line) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 100'000; ++i) {

@@ -9,7 +9,9 @@
 #include <thread>
 #include <vector>
 
+#include "sync_point/sync_point.h"
 #include "tzc/memory.h"
+#include "tzc/process_memory.h"
 
 namespace tzc {
 namespace {
@@ -216,6 +218,73 @@ TEST(Memory, a_limit_on_file_sizes_is_an_error_and_no_death) {
   int status = -1;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_EQ(status, 0) << "status " << status;
+}
+
+// The parent's thread is in the middle of allocate when it forks, so the child's copy of the lock is taken.
+TEST(Memory, a_forked_child_may_ask_for_statistics) {
+  static SegmentMemory* asked = nullptr;
+  static pid_t child = -1;
+  const auto memory = memory_of(mb);
+  const BufferPtr buffer = memory->allocate(1000);
+  asked = memory.get();
+  sync_point_hook = [](const char*) {
+    sync_point_hook = nullptr;
+    child = ::fork();
+    if (child != 0) return;
+    ::alarm(10);
+    ::_exit(asked->stats().allocated == 0 && asked->last_failure().text().empty() ? 0 : 1);
+  };
+  EXPECT_TRUE(memory->allocate(1000));
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0) << "status " << status;
+  EXPECT_EQ(memory->stats().allocated, 2u);
+}
+
+/// No limit again, whatever a test ends with.
+struct Ceiling {
+  explicit Ceiling(std::size_t bytes) { set_memory_ceiling(bytes); }
+  ~Ceiling() { set_memory_ceiling(SIZE_MAX); }
+};
+
+TEST(MemoryCeiling, limits_all_memories_of_the_process_together) {
+  const std::size_t before = process_memory().reserved_bytes;
+  {
+    const auto first = memory_of(8 * mb), second = memory_of(8 * mb);
+    const Ceiling ceiling(process_memory().reserved_bytes + 5 * mb);
+    BufferPtr small = first->allocate(2 * mb);
+    const BufferPtr other = second->allocate(2 * mb);
+    ASSERT_TRUE(small && other);
+    EXPECT_FALSE(second->allocate(2 * mb));
+    EXPECT_NE(second->last_failure().text().find("memory_ceiling"), std::string::npos)
+        << second->last_failure().text();
+    EXPECT_TRUE(first->allocate(1000)) << "what still fits is given";
+    small.reset();
+    EXPECT_TRUE(first->allocate(2 * mb)) << "memory that was taken before can be used again";
+    EXPECT_LE(process_memory().reserved_bytes, process_memory().ceiling);
+  }
+  EXPECT_EQ(process_memory().reserved_bytes, before) << "memories that are gone count no more";
+}
+
+TEST(MemoryCeiling, refuses_a_memory_that_would_begin_above_it) {
+  const Ceiling ceiling(process_memory().reserved_bytes);
+  MemoryOptions options;
+  options.size = mb;
+  const auto refused = SegmentMemory::create(options);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().text().find("memory_ceiling"), std::string::npos) << refused.error().text();
+}
+
+// As a subscriber that keeps its messages makes room by letting go of one.
+TEST(MemoryCeiling, a_memory_that_grows_stays_below_it_and_goes_on) {
+  const auto memory = *SegmentMemory::create();
+  const Ceiling ceiling(process_memory().reserved_bytes + 20 * mb);
+  std::vector<BufferPtr> held;
+  while (BufferPtr buffer = memory->allocate(mb)) held.push_back(buffer);
+  EXPECT_GE(held.size(), 15u);
+  EXPECT_LE(process_memory().reserved_bytes, process_memory().ceiling);
+  held.pop_back();
+  EXPECT_TRUE(memory->allocate(mb));
 }
 
 TEST(Memory, threads_may_allocate_concurrently) {
