@@ -3,6 +3,7 @@
 
 #include <ros/console.h>
 #include <ros/param.h>
+#include <tzc/process_memory.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <cmath>
@@ -54,6 +55,7 @@ Settings read_settings() {
   const Settings settings = parse_settings(read_texts(), warnings);
   for (const std::string& warning : warnings)
     ROS_WARN_STREAM("TZC: " << warning << " (docs/configuration.md)");
+  if (settings.memory_ceiling.value_or(0) != 0) set_memory_ceiling(*settings.memory_ceiling);
   return settings;
 }
 

@@ -125,6 +125,7 @@ constexpr Setting kSettings[] = {
     {"statistics_page", nullptr,
      [](const Entry& entry, Settings& s) { read_switch(entry, s.statistics_page); }},
     {"memory_size", nullptr, [](const Entry& entry, Settings& s) { read_size(entry, s.memory_size); }},
+    {"memory_ceiling", nullptr, [](const Entry& entry, Settings& s) { read_size(entry, s.memory_ceiling); }},
     {"policy", nullptr, [](const Entry& entry, Settings& s) { read(entry, kPolicies, s.policy); }},
     {"policy_attempts", "attempts", read_policy_attempts},
     {"prefault", nullptr, [](const Entry& entry, Settings& s) { read(entry, kPrefaults, s.prefault); }},

@@ -20,6 +20,7 @@ struct Settings {
   bool statistics_page = true;
   std::set<std::string> disable_topics;
   std::optional<std::size_t> memory_size;
+  std::optional<std::size_t> memory_ceiling;  ///< of the process
   std::optional<PolicyKind> policy;
   std::optional<unsigned> policy_attempts;
   std::optional<Prefault> prefault;

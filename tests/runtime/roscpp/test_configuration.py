@@ -93,6 +93,17 @@ class Memory(Configuration):
             self.assert_warned(talker, "sent serialized", "now 50000")
         self.in_both_ways("memory_size", "50000", check)
 
+    def test_a_ceiling_for_the_process(self):
+        """Too low for a single message, whatever the memory size: they travel whole, and the warning names it."""
+        def check(**how):
+            listener = self.listen()
+            talker = self.start_talker(count=20, memory=4000000, bytes=1000000, **how)
+            self.assertEqual(talker.wait(60), 0, talker.tail())
+            self.assertGreaterEqual(self.counters(talker)["exhausted"], 20)
+            self.assert_got(listener, range(20), shared=False)
+            self.assertIn("memory_ceiling", talker.log())
+        self.in_both_ways("memory_ceiling", "500000", check)
+
     def test_more_memory_than_an_integer_parameter_can_say(self):
         for size in ("4294967296", "4294967296.0"):
             with self.subTest(size):

@@ -43,6 +43,7 @@ TEST(Settings, nothing_set_is_nothing_overridden) {
   EXPECT_EQ(parsed.settings.upgrade_attempts, 10);
   EXPECT_TRUE(parsed.settings.private_writes);
   EXPECT_TRUE(parsed.settings.statistics_page);
+  EXPECT_FALSE(parsed.settings.memory_ceiling);
 }
 
 TEST(Settings, each_of_them) {
@@ -51,6 +52,7 @@ TEST(Settings, each_of_them) {
                                {"private_writes", "off"},
                                {"statistics_page", "no"},
                                {"memory_size", "64M"},
+                               {"memory_ceiling", "2G"},
                                {"policy", "worst_effort"},
                                {"policy_attempts", "7"},
                                {"prefault", "all"},
@@ -62,6 +64,7 @@ TEST(Settings, each_of_them) {
   EXPECT_FALSE(parsed.settings.statistics_page);
   EXPECT_EQ(parsed.settings.disable_topics, (std::set<std::string>{"/a", "/b", "/c"}));
   EXPECT_EQ(parsed.settings.upgrade_attempts, 3);
+  EXPECT_EQ(parsed.settings.memory_ceiling, std::size_t{2} << 30);
   const PublisherOptions options = overridden(PublisherOptions(), parsed.settings);
   EXPECT_EQ(options.memory_size, std::size_t{64} << 20);
   EXPECT_EQ(options.policy.kind, PolicyKind::worst_effort);
