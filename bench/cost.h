@@ -15,6 +15,8 @@ struct Counts {
   std::atomic<std::uint64_t> sent;      // taken by send, sendto, sendmsg
   std::atomic<std::uint64_t> received;  // given by recv, recvfrom, recvmsg
   std::atomic<std::uint64_t> copied;    // by memcpy and memmove, in calls of least_copy_bytes or more
+  std::atomic<std::uint64_t>
+      allocations;  // calls of malloc, calloc, realloc and their like: no bytes, how many
 };
 
 constexpr std::size_t least_copy_bytes = 1024;
@@ -28,6 +30,7 @@ struct Cost {
   std::uint64_t received_bytes = 0;
   std::uint64_t copied_bytes = 0;
   std::uint64_t page_faults = 0;  // the kernel's count: with and without reading a disk
+  std::uint64_t allocations = 0;  // of heap memory
 };
 
 /// What the process has spent since it started.

@@ -67,9 +67,36 @@ void* copy_bytes(void* to, const void* from, std::size_t size) {
   return to;
 }
 
+void* count_allocation(void* memory) {
+  if (counted != nullptr) counted->allocations.fetch_add(1, std::memory_order_relaxed);
+  return memory;
+}
+
 }  // namespace
 
 extern "C" {
+
+// glibc's own names of what the next functions replace: dlsym allocates itself.
+void* __libc_malloc(std::size_t);                 // NOLINT(bugprone-reserved-identifier)
+void* __libc_calloc(std::size_t, std::size_t);    // NOLINT(bugprone-reserved-identifier)
+void* __libc_realloc(void*, std::size_t);         // NOLINT(bugprone-reserved-identifier)
+void* __libc_memalign(std::size_t, std::size_t);  // NOLINT(bugprone-reserved-identifier)
+
+void* malloc(std::size_t bytes) noexcept {
+  return count_allocation(__libc_malloc(bytes));
+}
+
+void* calloc(std::size_t count, std::size_t bytes) noexcept {
+  return count_allocation(__libc_calloc(count, bytes));
+}
+
+void* realloc(void* memory, std::size_t bytes) noexcept {
+  return count_allocation(__libc_realloc(memory, bytes));
+}
+
+void* aligned_alloc(std::size_t alignment, std::size_t bytes) noexcept {
+  return count_allocation(__libc_memalign(alignment, bytes));
+}
 
 void* memcpy(void* to, const void* from, std::size_t size) noexcept {
   count_copy(size);

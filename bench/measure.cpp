@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "processes.h"
+#include "real_time.h"
 
 namespace tzc {
 namespace bench {
@@ -57,7 +58,8 @@ void wait_until_received(const Board& board, const Setup& setup, std::uint64_t m
   }
 }
 
-void enter(Member& member) {
+void enter(Member& member, const Setup& setup) {
+  if (setup.real_time && !become_real_time()) ::_exit(1);
   member.process = ::getpid();
   count_into(&member.counts);
 }
@@ -69,8 +71,10 @@ class Spending {
     members_.push_back(&board.publisher);
     for (std::size_t who = 0; who < setup.subscribers; ++who) members_.push_back(&board.subscriber[who]);
   }
+  // The publisher's process looks: what that costs it must not count.
   void begin() {
-    for (Member* member : members_) member->spent = spent_by(*member);
+    for (auto member = members_.rbegin(); member != members_.rend(); ++member)
+      (*member)->spent = spent_by(**member);
   }
   void end() {
     for (Member* member : members_) member->spent = spent_by(*member) - member->spent;
@@ -128,7 +132,7 @@ std::vector<pid_t> start_subscribers(Contender& contender, const Setup& setup, B
   std::vector<pid_t> subscribers;
   for (std::size_t who = 0; who < setup.subscribers && !contender.in_one_process(); ++who) {
     subscribers.push_back(in_child([&] {
-      enter(board.subscriber[who]);
+      enter(board.subscriber[who], setup);
       Recorder recorder(board, who);
       contender.subscribe(setup, who, recorder);
     }));
@@ -138,7 +142,7 @@ std::vector<pid_t> start_subscribers(Contender& contender, const Setup& setup, B
 
 Outcome run_publisher(Contender& contender, const Setup& setup, Board& board) {
   const pid_t publisher = in_child([&] {
-    enter(board.publisher);
+    enter(board.publisher, setup);
     send_all(contender, setup, board);
   });
   const Ending ending = wait_for(publisher);
@@ -152,6 +156,7 @@ Measurement collect(const Setup& setup, const Board& board, Outcome outcome) {
   result.outcome = outcome;
   result.seconds = static_cast<double>(board.publishing_ns) / 1e9;
   result.publisher = board.publisher.spent;
+  if (setup.real_time) result.published_ns.assign(board.published_ns, board.published_ns + setup.count);
   for (std::size_t who = 0; who < setup.subscribers; ++who) {
     const std::uint64_t* first = board.latency_ns[who];
     result.latency_ns.emplace_back(first, first + setup.count);
@@ -177,6 +182,7 @@ void Recorder::record(const Stamp& stamp) {
   const std::int64_t latency = now_ns() - stamp.nanoseconds;
   ++board_.received[who_];
   if (stamp.index < warm_up || stamp.index - warm_up >= most_messages) return;
+  board_.published_ns[stamp.index - warm_up] = stamp.nanoseconds;  // each subscriber writes the same
   board_.latency_ns[who_][stamp.index - warm_up] =
       static_cast<std::uint64_t>(std::max<std::int64_t>(latency, 1));
 }

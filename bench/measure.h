@@ -43,6 +43,8 @@ struct Board {
   Member subscriber[most_subscribers];
   std::atomic<std::uint64_t> received[most_subscribers];
   std::uint64_t latency_ns[most_subscribers][most_messages];
+  std::atomic<std::int64_t>
+      published_ns[most_messages];  // when each message's latency began, by the clock of now_ns
 };
 
 /// The record of what one subscriber receives.
@@ -65,17 +67,30 @@ struct Setup {
   std::size_t count;
   std::string name;  // unique for each measurement: for addresses and services
   std::size_t queue_size = 10;
+  bool fills = false;  // allocating and filling each message belong to the span of its latency
+  bool real_time =
+      false;  // processes are scheduled by SCHED_FIFO, with memory that is locked: see real_time.h
 };
 
 /// For Setup::name: another one at each call.
 std::string unique_name();
 
-/// One way of carrying messages. Every function but prepare runs in a process of its own.
+/// A process that must run beside a contender's own.
+enum class Daemon { none, rosmaster, roudi };
+
+/// One way of carrying messages. publish and the functions that subscribe run in a process of their own.
 class Contender {
  public:
   virtual ~Contender() = default;
   virtual const char* name() const = 0;
   virtual bool supports(const Setup&) const { return true; }
+  virtual Daemon needs() const { return Daemon::none; }
+  /// Why it cannot run on this machine and what the user can do about it; empty: it can.
+  virtual std::string obstacle() const { return ""; }
+  /// The most memory that its processes need together. A message that is copied may stand in every queue.
+  virtual std::size_t memory_bytes(const Setup& setup) const {
+    return setup.size_bytes * (setup.queue_size + 2) * (1 + setup.subscribers);
+  }
   /// Its subscribers must leave by themselves when recorder.stop() says so, or files stay behind.
   virtual bool cleans_up_at_exit() const { return false; }
   /// In the parent, before any process is forked.
@@ -102,6 +117,7 @@ struct Measurement {
   Outcome outcome = Outcome::failed;
   double seconds = 0;  // from when the first message was due until the last one was published, and a period
   std::vector<std::vector<std::uint64_t>> latency_ns;  // [subscriber][message]; 0: not delivered
+  std::vector<std::int64_t> published_ns;              // [message]; 0: it reached nobody. Only in real time
   Cost publisher;                                      // with its subscribers, where they live in its process
   Cost subscribers;                                    // all of them together
 };
@@ -109,6 +125,11 @@ struct Measurement {
 /// Forks the publisher and the subscribers, sends at the given rate, and returns what arrived. All processes
 /// have ended when it returns.
 Measurement measure(Contender& contender, const Setup& setup);
+
+/// What a contender needs that publishes shared memory: a queue of messages, and a copy for each subscriber where it makes one.
+inline std::size_t shared_memory_bytes(const Setup& setup, bool copied_out) {
+  return setup.size_bytes * (setup.queue_size + 2 + (copied_out ? setup.subscribers : 0));
+}
 
 /// The deliveries of one or several measurements.
 struct Samples {

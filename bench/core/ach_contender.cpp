@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "contenders.h"
+#include "span.h"
 
 namespace tzc {
 namespace bench {
@@ -41,10 +42,11 @@ void* map_shared(std::size_t bytes) {
 /// Frames of one size; the oldest one is overwritten. Whoever copies holds the mutex.
 class Ring {
  public:
-  Ring(std::size_t frame_bytes, std::size_t frames)
+  /// inherits: whoever holds the mutex has the priority of those who wait for it.
+  Ring(std::size_t frame_bytes, std::size_t frames, bool inherits)
       : frame_bytes_(frame_bytes), frames_(frames), bytes_(header_bytes + frame_bytes * frames) {
     header_ = static_cast<RingHeader*>(map_shared(bytes_));
-    if (header_ != nullptr) start();
+    if (header_ != nullptr) start(inherits);
   }
   ~Ring() {
     if (header_ != nullptr) ::munmap(header_, bytes_);
@@ -73,10 +75,11 @@ class Ring {
   }
 
  private:
-  void start() {
+  void start(bool inherits) {
     pthread_mutexattr_t mutex;
     ::pthread_mutexattr_init(&mutex);
     ::pthread_mutexattr_setpshared(&mutex, PTHREAD_PROCESS_SHARED);
+    if (inherits) ::pthread_mutexattr_setprotocol(&mutex, PTHREAD_PRIO_INHERIT);
     ::pthread_mutex_init(&header_->mutex, &mutex);
     pthread_condattr_t condition;
     ::pthread_condattr_init(&condition);
@@ -95,10 +98,11 @@ class Ring {
 class AchContender final : public Contender {
  public:
   const char* name() const override { return "ach"; }
+  std::size_t memory_bytes(const Setup& setup) const override { return shared_memory_bytes(setup, true); }
 
   void prepare(const Setup& setup) override {
     ring_.reset();
-    ring_ = std::make_unique<Ring>(frame_bytes(setup), setup.queue_size);
+    ring_ = std::make_unique<Ring>(frame_bytes(setup), setup.queue_size, setup.real_time);
     if (!ring_->usable()) std::fprintf(stderr, "ach: no shared memory for %zu messages\n", setup.queue_size);
   }
 
@@ -116,8 +120,10 @@ class AchContender final : public Contender {
 
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
     const auto frame = std::make_shared<std::vector<char>>(frame_bytes(setup));
-    return [this, frame](std::uint64_t index) {
-      const Stamp stamp{now_ns(), index};
+    return [this, frame, setup](std::uint64_t index) {
+      const Span span(setup, index);
+      span.fill(frame->data(), frame->size());
+      const Stamp stamp = span.stamp();
       std::memcpy(frame->data(), &stamp, sizeof stamp);
       ring_->put(frame->data());
     };

@@ -32,6 +32,7 @@ std::shared_ptr<channel::Publisher> open_publisher(const Setup& setup, std::size
   options.queue_size = setup.queue_size;
   MemoryOptions memory;
   memory.size = block_bytes * (setup.queue_size + 2);
+  if (setup.real_time) memory.prefault = Prefault::all;
   options.memory = *SegmentMemory::create(memory);
   return *channel::Publisher::create(options);
 }

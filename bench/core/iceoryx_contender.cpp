@@ -14,6 +14,7 @@
 #include <iceoryx_versions.hpp>
 
 #include "contenders.h"
+#include "span.h"
 
 namespace tzc {
 namespace bench {
@@ -56,7 +57,9 @@ class IceoryxContender final : public Contender {
 
   const char* name() const override { return listener_ ? "iceoryx-listener" : "iceoryx-waitset"; }
   bool cleans_up_at_exit() const override { return true; }
-  bool supports(const Setup& setup) const override { return setup.size_bytes <= (4 << 20); }
+  Daemon needs() const override { return Daemon::roudi; }
+  std::size_t memory_bytes(const Setup& setup) const override { return shared_memory_bytes(setup, false); }
+  bool supports(const Setup& setup) const override { return setup.size_bytes <= most_bytes_of_iceoryx; }
 
   void subscribe(const Setup& setup, std::size_t who, Recorder& recorder) override {
     start_runtime(setup.name + "-s" + std::to_string(who));
@@ -73,8 +76,10 @@ class IceoryxContender final : public Contender {
     options.historyCapacity = 0;
     const auto publisher = std::make_shared<iox::popo::UntypedPublisher>(service(setup), options);
     return [publisher, setup](std::uint64_t index) {
+      const Span span(setup, index);
       publisher->loan(static_cast<std::uint32_t>(setup.size_bytes)).and_then([&](auto& payload) {
-        const Stamp stamp{now_ns(), index};
+        span.fill(payload, setup.size_bytes);
+        const Stamp stamp = span.stamp();
         std::memcpy(payload, &stamp, sizeof stamp);
         publisher->publish(payload);
       });

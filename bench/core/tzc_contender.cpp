@@ -6,6 +6,7 @@
 
 #include "channel_pair.h"
 #include "contenders.h"
+#include "span.h"
 #include "tzc/channel.h"
 
 namespace tzc {
@@ -25,10 +26,12 @@ class TzcContender final : public Contender {
   explicit TzcContender(bool own_loop) : own_loop_(own_loop) {}
 
   const char* name() const override { return own_loop_ ? "tzc-own-loop" : "tzc"; }
+  std::size_t memory_bytes(const Setup& setup) const override { return shared_memory_bytes(setup, false); }
 
   void subscribe(const Setup& setup, std::size_t, Recorder& recorder) override {
     channel::SubscriberOptions options;
     options.own_thread = !own_loop_;
+    options.private_writes = !setup.real_time;  // which looks after signal handlers for each message
     options.on_message = [&recorder](const MessagePtr& message) { record(message, recorder); };
     const auto subscriber = connect(setup, options);
     recorder.ready();
@@ -38,9 +41,12 @@ class TzcContender final : public Contender {
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
     const auto publisher = open_publisher(setup, setup.size_bytes);
     return [publisher, setup](std::uint64_t index) {
+      const Span span(setup, index);
       BufferPtr buffer = publisher->memory()->allocate(setup.size_bytes);
+      if (!buffer) return;
+      span.fill(buffer->data(), setup.size_bytes);
       char control[control_bytes] = {};
-      const Stamp stamp{now_ns(), index};
+      const Stamp stamp = span.stamp();
       std::memcpy(control, &stamp, sizeof stamp);
       publisher->publish(channel::make_record(0, control, sizeof control, {std::move(buffer)}));
     };

@@ -8,16 +8,18 @@
 #include <vector>
 
 #include "measure.h"
+#include "paper/conditions.h"
 #include "paper/statistics.h"
 
 namespace tzc {
 namespace bench {
 
-/// One case of the evaluation: a contender, a message size, a number of subscribers.
+/// One case of the evaluation: a contender, a message size, a number of subscribers, and what is special about it.
 struct Cell {
   std::string contender;
   std::size_t size_bytes;
   std::size_t subscribers;
+  Conditions conditions{};
 };
 
 /// What has been measured of a cell, by round. Only complete measurements.

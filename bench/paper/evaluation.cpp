@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
-#include "paper/page.h"
 #include "paper/plots.h"
+#include "paper/real_time_results.h"
 #include "paper/tables.h"
 
 namespace tzc {
@@ -56,8 +57,10 @@ std::string counted(std::size_t number, const char* noun) {
 
 void announce(const Turn& turn, std::size_t number, std::size_t of) {
   const Cell& cell = *turn.cell;
-  fmt::print(stderr, "[{}/{}] {}, {}, {}, round {}: ", number, of, cell.contender, size_text(cell.size_bytes),
-             counted(cell.subscribers, "subscriber"), turn.round + 1);
+  fmt::print(stderr, "[{}/{}] {}, {}, {}{}{}, round {}: ", number, of, cell.contender,
+             size_text(cell.size_bytes), counted(cell.subscribers, "subscriber"),
+             cell.conditions.real_time ? ", real time" : "", cell.conditions.load ? ", under load" : "",
+             turn.round + 1);
 }
 
 std::vector<CellResult> load(const std::vector<Cell>& cells, const Store& store) {
@@ -76,15 +79,28 @@ void estimate(const Options& options, const std::vector<Turn>& turns) {
              counted(static_cast<std::size_t>(seconds / 60) + 1, "minute"));
 }
 
-std::vector<std::string> draw_all(const Options& options, const std::vector<Summary>& summaries,
-                                  const Store& store) {
+/// Of all cells, what was measured under these conditions.
+std::vector<Summary> under(const Conditions& conditions, const std::vector<Summary>& summaries) {
+  std::vector<Summary> chosen;
+  std::copy_if(summaries.begin(), summaries.end(), std::back_inserter(chosen),
+               [&](const Summary& summary) { return summary.cell.conditions == conditions; });
+  return chosen;
+}
+
+/// The plots of latencies, one for each number of subscribers.
+std::vector<std::string> draw_latencies(const Options& options, const std::vector<Summary>& summaries,
+                                        const Store& store) {
   std::vector<std::string> plots;
+  if (summaries.empty()) return plots;
   for (const std::size_t subscribers : options.subscribers) {
-    if (plot_script(summaries, subscribers).empty()) continue;
-    draw(store, summaries, subscribers);
-    plots.push_back(store.read(plot_name(subscribers) + ".svg"));
+    const std::string name = plot_name(subscribers, summaries.front().cell.conditions);
+    plots.push_back(draw(store, name, plot_script(summaries, subscribers)));
   }
   return plots;
+}
+
+void write_table(const Store& store, const std::string& name, const Table& table) {
+  if (!table.rows.empty()) store.write(name, to_csv(table));
 }
 
 void write_json(const Store& store, const std::vector<CellResult>& results,
@@ -125,19 +141,32 @@ Progress measure_missing(const Options& options, const std::vector<Cell>& cells,
 }
 
 void write_reports(const Options& options, const std::vector<Cell>& cells, const Store& store,
-                   bool with_plots) {
+                   bool with_plots, const std::vector<Section>& more) {
   std::vector<CellResult> results = load(cells, store);
   const auto empty = [](const CellResult& result) { return result.rounds.empty(); };
   results.erase(std::remove_if(results.begin(), results.end(), empty), results.end());
   std::vector<Summary> summaries;
   for (const CellResult& result : results) summaries.push_back(summarize(result, options.rate));
-  store.write("latency.csv", to_csv(latency_table(summaries)));
-  store.write("reliability.csv", to_csv(reliability_table(summaries)));
-  store.write("copies.csv", to_csv(copies_table(summaries)));
+  const std::vector<Summary> main = under(usual, summaries), loaded = under(under_load, summaries);
+  const std::vector<RealTimeFigures> real_time = real_time_figures(results, options.rate);
+  store.write("latency.csv", to_csv(latency_table(main)));
+  store.write("reliability.csv", to_csv(reliability_table(main)));
+  store.write("copies.csv", to_csv(copies_table(main)));
+  write_table(store, "latency-load.csv", latency_table(loaded));
+  write_table(store, "reliability-load.csv", reliability_table(loaded));
+  write_table(store, "real-time.csv", real_time_table(real_time));
   write_json(store, results, summaries);
-  const std::vector<std::string> plots =
-      with_plots ? draw_all(options, summaries, store) : std::vector<std::string>();
-  store.write("index.html", page_of(json::parse(store.read("run.json")), summaries, plots));
+  std::vector<std::string> main_plots, load_plots, real_time_plots;
+  if (with_plots) {
+    main_plots = draw_latencies(options, main, store);
+    load_plots = draw_latencies(options, loaded, store);
+    real_time_plots = {draw(store, "real-time", real_time_script(real_time))};
+  }
+  std::vector<Section> sections{latency_section(main, main_plots), reliability_section(main),
+                                copies_section(main), load_section(loaded, load_plots),
+                                real_time_section(real_time, real_time_plots)};
+  sections.insert(sections.end(), more.begin(), more.end());
+  store.write("index.html", page_of(json::parse(store.read("run.json")), sections));
 }
 
 }  // namespace bench

@@ -6,6 +6,7 @@
 
 #include "options.h"
 #include "paper/cell.h"
+#include "paper/page.h"
 #include "paper/store.h"
 
 namespace tzc {
@@ -24,8 +25,9 @@ Progress measure_missing(const Options& options, const std::vector<Cell>& cells,
 
 /// Writes the tables, results.json, the page and, if wanted, the plots of what the store has; cells of which it has
 /// nothing are left out.
+/// `more`: sections that end the page.
 void write_reports(const Options& options, const std::vector<Cell>& cells, const Store& store,
-                   bool with_plots);
+                   bool with_plots, const std::vector<Section>& more = {});
 
 }  // namespace bench
 }  // namespace tzc

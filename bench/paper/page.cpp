@@ -35,17 +35,55 @@ constexpr char span[] = R"(<h2>What is measured</h2>
 <p>One publisher sends at a fixed rate to subscribers that are processes of their own, except for <code>intraprocess</code>.
 The contenders take turns in rounds. Each measurement begins with 20 messages that do not count.</p>
 <p>The span begins right before the publisher calls publish and ends where the subscriber's callback begins. Inside are
-what publish does (for <code>tcpros</code> and <code>asl</code> serialization, for <code>ach</code> the copy into the ring),
-the way, and what comes before the callback (de-serialization, the copy out, a callback queue). Outside are allocating
-the message and filling it: <code>tcpros</code>, <code>asl</code> and <code>ach</code> send the same buffer again, the
-others allocate a message each time, before the span; none writes new content, and no callback reads the content.</p>
+what publish does (serialization, the copy into a ring or into datagrams), the way, and what comes before the callback
+(de-serialization, the copy out, a callback queue). Outside are allocating or borrowing the message and filling it:
+contenders that copy send the same buffer again, the others get a message each time, before the span; none writes new
+content, and no callback reads the content.</p>
 )";
 
-constexpr char plots_note[] =
-    "Box: first to third quartile; line: median; whiskers: 1st to 99th percentile, of all deliveries. * not "
-    "every "
+constexpr char latency_text[] =
+    "<p>Box: first to third quartile; line: median; whiskers: 1st to 99th percentile, of all deliveries. * "
+    "not every "
     "message was delivered, or the publisher did not reach 95&nbsp;% of the rate: the figures are of what "
-    "arrived.";
+    "arrived.</p>\n";
+
+constexpr char reliability_text[] =
+    "<p>Deliveries of each subscriber. A message counts as lost when it has not come after a second in which "
+    "none "
+    "came.</p>\n";
+
+constexpr char copies_text[] =
+    "<p>Of one message, all processes together, counted while the messages of the latency table were sent: "
+    "bytes through "
+    "the libc's memcpy and memmove (calls of 1 KB or more), send, sendto and sendmsg, recv, recvfrom and "
+    "recvmsg; the "
+    "kernel's count of page faults. copies: these bytes divided by the message's. Zero-filling is no "
+    "copy.</p>\n";
+
+constexpr char load_text[] =
+    "<p>The same while every processor is busy with another process of normal priority that computes and "
+    "moves "
+    "memory.</p>\n";
+
+constexpr char real_time_text[] =
+    "<p>Publisher and subscribers scheduled by SCHED_FIFO, with memory that is locked and in place; with and "
+    "without a "
+    "process of normal priority that keeps each processor busy. <code>futex</code>: the bare wake-up of one "
+    "process by "
+    "another, without a message. Error of the period: how far the time between two deliveries is from that "
+    "of the rate. "
+    "Allocations (calls of malloc and its like) and page faults are of one message, all processes "
+    "together.</p>\n";
+
+constexpr char types_text[] =
+    "<p>A type needs support when its definition has an array of variable length, at any depth. It is "
+    "supported when one "
+    "of them is a data part: an array of fixed-length elements, which lies in shared memory.</p>\n";
+
+constexpr char effort_text[] =
+    "<p>What <code>tzc-rewrite</code> changes in a package, build files included, as counted in its diff. "
+    "Nobody writes "
+    "these lines; the paper reports fewer than 100 written by hand for each package.</p>\n";
 
 std::string text_of(const json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
@@ -64,11 +102,10 @@ std::string row(const char* element, const std::vector<std::string>& fields, boo
   return text + "</tr>\n";
 }
 
-/// is_bad: which rows stand out.
-template <class IsBad>
-std::string html(const Table& table, IsBad is_bad) {
-  std::string text = "<table>\n" + row("th", table.columns, false);
-  for (const auto& fields : table.rows) text += row("td", fields, is_bad(fields));
+std::string html(const Section& section) {
+  std::string text = "<table>\n" + row("th", section.table.columns, false);
+  for (const auto& fields : section.table.rows)
+    text += row("td", fields, section.is_bad != nullptr && section.is_bad(fields));
   return text + "</table>\n";
 }
 
@@ -88,8 +125,7 @@ std::string inline_svg(const std::string& document) {
 
 std::string figures(const std::vector<std::string>& plots) {
   std::string text;
-  for (const std::string& plot : plots)
-    text += fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", inline_svg(plot), plots_note);
+  for (const std::string& plot : plots) text += fmt::format("<figure>\n{}</figure>\n", inline_svg(plot));
   return text;
 }
 
@@ -118,26 +154,41 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string page_of(const json& run, const std::vector<Summary>& summaries,
-                    const std::vector<std::string>& plots) {
+Section latency_section(const std::vector<Summary>& summaries, std::vector<std::string> plots) {
+  return {"Latency", latency_text, std::move(plots), latency_table(summaries), lacks_rate};
+}
+
+Section reliability_section(const std::vector<Summary>& summaries) {
+  return {"Reliability", reliability_text, {}, reliability_table(summaries), lost_some};
+}
+
+Section copies_section(const std::vector<Summary>& summaries) {
+  return {"Copies", copies_text, {}, copies_table(summaries)};
+}
+
+Section load_section(const std::vector<Summary>& summaries, std::vector<std::string> plots) {
+  return {"Under load", load_text, std::move(plots), latency_table(summaries), lacks_rate};
+}
+
+Section real_time_section(const std::vector<RealTimeFigures>& figures, std::vector<std::string> plots) {
+  return {"Real time", real_time_text, std::move(plots), real_time_table(figures)};
+}
+
+Section types_section(Table table) {
+  return {"Message types", types_text, {}, std::move(table)};
+}
+
+Section effort_section(Table table) {
+  return {"Effort", effort_text, {}, std::move(table)};
+}
+
+std::string page_of(const json& run, const std::vector<Section>& sections) {
   std::string text = head + definitions(run.at("machine")) + definitions(run.at("versions")) +
                      definitions(run.at("settings")) +
                      fmt::format("<p>Begun {}.</p>\n", escaped(text_of(run.at("begun")))) + span;
-  text += "<h2>Latency</h2>\n" + figures(plots) + html(latency_table(summaries), lacks_rate);
-  text +=
-      "<h2>Reliability</h2>\n<p>Deliveries of each subscriber. A message counts as lost when it has not come "
-      "after a "
-      "second in which none came.</p>\n" +
-      html(reliability_table(summaries), lost_some);
-  text +=
-      "<h2>Copies</h2>\n<p>Of one message, all processes together, counted while the messages of the latency "
-      "table "
-      "were sent: bytes through the libc's memcpy and memmove (calls of 1 KB or more), send, sendto and "
-      "sendmsg, recv, "
-      "recvfrom and recvmsg; the kernel's count of page faults. copies: these bytes divided by the "
-      "message's. Zero-filling "
-      "is no copy.</p>\n" +
-      html(copies_table(summaries), [](const auto&) { return false; });
+  for (const Section& section : sections)
+    if (!section.table.rows.empty())
+      text += "<h2>" + section.heading + "</h2>\n" + section.text + figures(section.plots) + html(section);
   return text + "</body>\n</html>\n";
 }
 

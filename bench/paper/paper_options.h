@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "options.h"
 
@@ -14,6 +15,11 @@ struct PaperOptions {
   Options cells;
   std::string output = "tzc-paper";
   bool plots = true;
+  std::vector<std::string> types;   // folders of message packages to count
+  std::vector<std::string> effort;  // packages to count the rewriter's lines in
+  bool load = false;                // every case also on a busy machine
+  bool real_time = true;            // the cases of TZC-RT, too; by default where no contenders are chosen
+  bool fills = false;               // allocating and filling belong to the span of a latency
 };
 
 /// Sets the options that the command line names. The result is parse's.

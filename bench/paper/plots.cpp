@@ -17,9 +17,11 @@ namespace tzc {
 namespace bench {
 namespace {
 
-// Okabe and Ito's colours, which people with any kind of colour vision can tell apart.
-constexpr const char* colours[] = {"#D55E00", "#009E73", "#0072B2", "#56B4E9",
-                                   "#E69F00", "#CC79A7", "#777777", "#000000"};
+// Okabe and Ito's colours, which people with any kind of colour vision can tell apart, then shades of them: boxes stand
+// in the order of the key.
+constexpr const char* colours[] = {"#D55E00", "#009E73", "#0072B2", "#56B4E9", "#E69F00", "#CC79A7",
+                                   "#777777", "#000000", "#8C3D00", "#00694D", "#7FB8D8", "#A87300",
+                                   "#8F4C73", "#B8A800", "#444466", "#AAAAAA"};
 constexpr double box_share = 0.8;     // of a box's place
 constexpr double group_width = 0.86;  // of the distance between two sizes
 
@@ -107,7 +109,9 @@ bool questionable(const Summary& summary) {
 std::string title(const std::vector<const Summary*>& summaries, std::size_t subscribers) {
   const bool marked = std::any_of(summaries.begin(), summaries.end(),
                                   [](const Summary* summary) { return questionable(*summary); });
-  return fmt::format("set title \"{} subscriber{}{}\"\n", subscribers, subscribers == 1 ? "" : "s",
+  const bool load = summaries.front()->cell.conditions.load;
+  return fmt::format("set title \"{} subscriber{}{}{}\"\n", subscribers, subscribers == 1 ? "" : "s",
+                     load ? ", every processor busy with other work" : "",
                      marked ? "   (* messages were lost, or the publisher did not hold the rate)" : "");
 }
 
@@ -159,20 +163,8 @@ std::string plot(const Places& places) {
         "\"{2}\" "
         "title \"{3}\", \\\n  $boxes{1} using ($1-{4:.4f}):4:({5:.4f}):(0) with vectors nohead linewidth 2.5 "
         "linecolor rgb \"{2}\" notitle",
-        i > 0 ? "," : "", i, colours[i % std::size(colours)], places.contenders[i], box / 2, box);
+        i > 0 ? "," : "", i, colour_at(i), places.contenders[i], box / 2, box);
   return text + "\n";
-}
-
-std::string outputs(const std::string& name, const std::string& plot) {
-  std::string id = name;  // of the elements, where several plots stand in one page
-  std::replace(id.begin(), id.end(), '-', '_');
-  return fmt::format(
-      "set terminal svg size 1100, 560 dynamic font \"sans-serif,13\" name \"{2}\" noenhanced background "
-      "\"white\"\n"
-      "set output \"{0}.svg.tmp\"\n{1}"
-      "set terminal pngcairo size 1650, 840 font \"sans-serif,13\" fontscale 1.4 linewidth 1.5 noenhanced\n"
-      "set output \"{0}.png.tmp\"\n{1}",
-      name, plot, id);
 }
 
 // What gnuplot says goes to the file log.
@@ -200,6 +192,22 @@ void run_gnuplot(const Store& store, const std::string& script) {
 
 }  // namespace
 
+const char* colour_at(std::size_t contender) {
+  return colours[contender % std::size(colours)];
+}
+
+std::string outputs(const std::string& name, const std::string& plot) {
+  std::string id = name;  // of the elements, where several plots stand in one page
+  std::replace(id.begin(), id.end(), '-', '_');
+  return fmt::format(
+      "set terminal svg size 1100, 560 dynamic font \"sans-serif,13\" name \"{2}\" noenhanced background "
+      "\"white\"\n"
+      "set output \"{0}.svg.tmp\"\n{1}"
+      "set terminal pngcairo size 1650, 840 font \"sans-serif,13\" fontscale 1.4 linewidth 1.5 noenhanced\n"
+      "set output \"{0}.png.tmp\"\n{1}",
+      name, plot, id);
+}
+
 std::string gnuplot_version() {
   std::FILE* pipe = ::popen("gnuplot --version 2>/dev/null", "r");
   if (pipe == nullptr) return "";
@@ -211,8 +219,8 @@ std::string gnuplot_version() {
   return text.substr(name_end + 1, text.find('\n') - name_end - 1);
 }
 
-std::string plot_name(std::size_t subscribers) {
-  return fmt::format("latency-{}", subscribers);
+std::string plot_name(std::size_t subscribers, const Conditions& conditions) {
+  return fmt::format("latency-{}{}", subscribers, suffix_of(conditions));
 }
 
 std::string plot_script(const std::vector<Summary>& summaries, std::size_t subscribers) {
@@ -220,12 +228,11 @@ std::string plot_script(const std::vector<Summary>& summaries, std::size_t subsc
   if (shown.empty()) return "";
   const Places places = places_of(shown);
   return head + latency_axis(shown) + title(shown, subscribers) + axes(places) + marks(shown, places) +
-         data(shown, places) + outputs(plot_name(subscribers), plot(places));
+         data(shown, places) + outputs(plot_name(subscribers, shown.front()->cell.conditions), plot(places));
 }
 
-void draw(const Store& store, const std::vector<Summary>& summaries, std::size_t subscribers) {
-  const std::string name = plot_name(subscribers), script = plot_script(summaries, subscribers);
-  if (script.empty()) return;
+std::string draw(const Store& store, const std::string& name, const std::string& script) {
+  if (script.empty()) return "";
   store.write(name + ".gnuplot", script);
   try {
     run_gnuplot(store, name + ".gnuplot");
@@ -235,6 +242,7 @@ void draw(const Store& store, const std::vector<Summary>& summaries, std::size_t
   }
   store.take(name + ".svg");
   store.take(name + ".png");
+  return store.read(name + ".svg");
 }
 
 }  // namespace bench

@@ -13,14 +13,21 @@ namespace bench {
 /// "5.4 patchlevel 4"; empty when gnuplot is not installed.
 std::string gnuplot_version();
 
-/// gnuplot's input that draws box plots of all cells with so many subscribers: sizes along x, latency on a logarithmic
+/// The contenders' colours, in their order; they begin again after the last one.
+const char* colour_at(std::size_t contender);
+
+/// gnuplot's lines that draw `plot` into NAME.svg.tmp and NAME.png.tmp.
+std::string outputs(const std::string& name, const std::string& plot);
+
+/// gnuplot's input that draws box plots of all cells with so many subscribers, measured under the same conditions: sizes along x, latency on a logarithmic
 /// axis, a colour for each contender. The output is plot_name.svg.tmp and plot_name.png.tmp in the working folder.
 std::string plot_script(const std::vector<Summary>& summaries, std::size_t subscribers);
-/// "latency-4": the plot's file name without its ending.
-std::string plot_name(std::size_t subscribers);
+/// "latency-4", "latency-4-load": the plot's file name without its ending.
+std::string plot_name(std::size_t subscribers, const Conditions& conditions);
 
-/// Writes the plot's script, SVG and PNG into the store. Throws StoreError with what gnuplot said.
-void draw(const Store& store, const std::vector<Summary>& summaries, std::size_t subscribers);
+/// Writes NAME.gnuplot, NAME.svg and NAME.png into the store; the SVG document. Nothing for an empty script. Throws
+/// StoreError with what gnuplot said.
+std::string draw(const Store& store, const std::string& name, const std::string& script);
 
 }  // namespace bench
 }  // namespace tzc

@@ -21,7 +21,8 @@ using nlohmann::json;
 constexpr char unfinished[] = ".tmp";
 
 std::string name_of(const Cell& cell) {
-  return fmt::format("cells/{}-{}-{}.json", cell.contender, cell.size_bytes, cell.subscribers);
+  return fmt::format("cells/{}-{}-{}{}.json", cell.contender, cell.size_bytes, cell.subscribers,
+                     suffix_of(cell.conditions));
 }
 
 void remove_unfinished(const std::string& folder) {
@@ -41,11 +42,13 @@ json to_json(const Cost& cost) {
   return {{"sent_bytes", cost.sent_bytes},
           {"received_bytes", cost.received_bytes},
           {"copied_bytes", cost.copied_bytes},
-          {"page_faults", cost.page_faults}};
+          {"page_faults", cost.page_faults},
+          {"allocations", cost.allocations}};
 }
 
 Cost cost_of_json(const json& json) {
-  return {json.at("sent_bytes"), json.at("received_bytes"), json.at("copied_bytes"), json.at("page_faults")};
+  return {json.at("sent_bytes"), json.at("received_bytes"), json.at("copied_bytes"), json.at("page_faults"),
+          json.at("allocations")};
 }
 
 json to_json(const std::vector<std::uint64_t>& latencies) {
@@ -141,6 +144,8 @@ void Store::save(const CellResult& result) const {
   json document{{"contender", result.cell.contender},
                 {"size_bytes", result.cell.size_bytes},
                 {"subscribers", result.cell.subscribers},
+                {"under_load", result.cell.conditions.load},
+                {"real_time", result.cell.conditions.real_time},
                 {"rounds", json::object()}};
   for (const auto& [number, round] : result.rounds)
     document["rounds"][std::to_string(number)] = bench::to_json(round);
@@ -153,7 +158,8 @@ json to_json(const Measurement& round) {
   return {{"seconds", round.seconds},
           {"publisher", to_json(round.publisher)},
           {"subscribers", to_json(round.subscribers)},
-          {"latency_ns", std::move(latencies)}};
+          {"latency_ns", std::move(latencies)},
+          {"published_ns", round.published_ns}};
 }
 
 Measurement round_of_json(const json& json) {
@@ -162,6 +168,7 @@ Measurement round_of_json(const json& json) {
   round.seconds = json.at("seconds");
   round.publisher = cost_of_json(json.at("publisher"));
   round.subscribers = cost_of_json(json.at("subscribers"));
+  round.published_ns = json.at("published_ns").get<std::vector<std::int64_t>>();
   for (const auto& one : json.at("latency_ns")) round.latency_ns.push_back(latencies_of_json(one));
   return round;
 }

@@ -107,6 +107,8 @@ json to_json(const CellResult& result, const Summary& summary) {
   json document{{"contender", summary.cell.contender},
                 {"size_bytes", summary.cell.size_bytes},
                 {"subscribers", summary.cell.subscribers},
+                {"under_load", summary.cell.conditions.load},
+                {"real_time", summary.cell.conditions.real_time},
                 {"rate_hz", summary.rate},
                 {"holds_rate", summary.holds_rate},
                 {"sent", summary.sent},

@@ -35,6 +35,7 @@ void deserialize(const channel::Message& message, Recorder& recorder) {
 class AslContender final : public Contender {
  public:
   const char* name() const override { return "asl"; }
+  std::size_t memory_bytes(const Setup& setup) const override { return shared_memory_bytes(setup, true); }
 
   void subscribe(const Setup& setup, std::size_t, Recorder& recorder) override {
     channel::SubscriberOptions options;
@@ -48,8 +49,8 @@ class AslContender final : public Contender {
     const auto image = std::make_shared<Image>();
     image->data.resize(setup.size_bytes);
     const auto publisher = open_publisher(setup, ros::serialization::serializationLength(*image));
-    return [publisher, image](std::uint64_t index) {
-      write_stamp(*image, index);
+    return [publisher, image, setup](std::uint64_t index) {
+      fill_and_stamp(*image, Span(setup, index));
       const BufferPtr buffer = serialize(*image, *publisher->memory());
       publisher->publish(channel::make_record(0, nullptr, 0, {buffer}));
     };

@@ -45,6 +45,8 @@ void wait_for(const std::function<bool()>& condition) {
 /// Base of the contenders of several processes.
 class NodeContender : public Contender {
  public:
+  Daemon needs() const override { return Daemon::rosmaster; }
+
   void subscribe(const Setup& setup, std::size_t, Recorder& recorder) override {
     start_node(setup, "subscriber");
     ros::NodeHandle node;
@@ -69,8 +71,8 @@ class TcprosContender final : public NodeContender {
     wait_for([&] { return publisher.getNumSubscribers() >= setup.subscribers; });
     const auto image = std::make_shared<::sensor_msgs::Image>();
     image->data.resize(setup.size_bytes);
-    return [node, publisher, image](std::uint64_t index) {
-      write_stamp(*image, index);
+    return [node, publisher, image, setup](std::uint64_t index) {
+      fill_and_stamp(*image, Span(setup, index));
       publisher.publish(*image);
     };
   }
@@ -87,6 +89,7 @@ class TzcNodeContender final : public NodeContender {
  public:
   explicit TzcNodeContender(bool direct) : direct_(direct) {}
   const char* name() const override { return direct_ ? "tzc-direct" : "tzc-queue"; }
+  std::size_t memory_bytes(const Setup& setup) const override { return shared_memory_bytes(setup, false); }
 
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
     start_node(setup, "publisher");
@@ -94,10 +97,11 @@ class TzcNodeContender final : public NodeContender {
     Publisher publisher = advertise<sensor_msgs::Image>(*node, topic_of(setup), queue_size, 0);
     wait_for([&] { return publisher.statistics().shared_subscribers >= setup.subscribers; });
     return [node, publisher, setup](std::uint64_t index) {
+      const Span span(setup, index);
       sensor_msgs::Image image;
       publisher.allocate(image);
       image.data.resize(setup.size_bytes, uninitialized);
-      write_stamp(image, index);
+      fill_and_stamp(image, span);
       publisher.publish(image);
     };
   }
@@ -116,6 +120,7 @@ class TzcNodeContender final : public NodeContender {
 class IntraprocessContender final : public Contender {
  public:
   const char* name() const override { return "intraprocess"; }
+  Daemon needs() const override { return Daemon::rosmaster; }
   bool in_one_process() const override { return true; }
 
   void subscribe_here(const Setup& setup, std::vector<Recorder>& recorders) override {
@@ -138,9 +143,10 @@ class IntraprocessContender final : public Contender {
     ros::Publisher publisher = node->advertise<::sensor_msgs::Image>(topic_of(setup), queue_size);
     wait_for([&] { return publisher.getNumSubscribers() >= 1; });  // one intraprocess link serves all of them
     return [node, publisher, setup](std::uint64_t index) {
+      const Span span(setup, index);
       const auto image = boost::make_shared<::sensor_msgs::Image>();
       image->data.resize(setup.size_bytes);
-      write_stamp(*image, index);
+      fill_and_stamp(*image, span);
       publisher.publish(image);
     };
   }

@@ -4,17 +4,19 @@
 #include <sensor_msgs/Image.h>
 
 #include "measure.h"
+#include "span.h"
 
 namespace tzc {
 namespace bench {
 
 /// The time of publishing travels in header.stamp (monotonic clock), the message's number in width.
 template <class Image>
-void write_stamp(Image& image, std::uint64_t index) {
-  image.width = static_cast<std::uint32_t>(index);
-  const std::int64_t now = now_ns();
-  image.header.stamp.sec = static_cast<std::uint32_t>(now / 1'000'000'000);
-  image.header.stamp.nsec = static_cast<std::uint32_t>(now % 1'000'000'000);
+void fill_and_stamp(Image& image, const Span& span) {
+  span.fill(image.data.data(), image.data.size());
+  const Stamp stamp = span.stamp();
+  image.width = static_cast<std::uint32_t>(stamp.index);
+  image.header.stamp.sec = static_cast<std::uint32_t>(stamp.nanoseconds / 1'000'000'000);
+  image.header.stamp.nsec = static_cast<std::uint32_t>(stamp.nanoseconds % 1'000'000'000);
 }
 
 inline void record(const ::sensor_msgs::Image& image, Recorder& recorder) {

@@ -16,31 +16,9 @@ import tempfile
 import time
 import xml.etree.ElementTree
 
-TINY = ["--rounds", "1", "--rate", "50"]
+from paper_run import ROS_FREE, TINY, environment, key, read, rows, run
+
 INTERRUPTED = "tcpros,tzc-queue,intraprocess,asl"
-ROS_FREE = ["--only", "ach,tzc", "--subscribers", "1"]
-
-
-def environment(scratch, **more):
-    return dict(os.environ, ROS_HOME=scratch, ROS_LOG_DIR=os.path.join(scratch, "log"), **more)
-
-
-def run(bench, scratch, *options, output="out", **more):
-    return subprocess.run([bench, "paper", "--output", os.path.join(scratch, output), *options], text=True, timeout=120,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment(scratch, **more))
-
-
-def read(scratch, name):
-    with open(os.path.join(scratch, "out", name), encoding="utf-8") as file:
-        return file.read()
-
-
-def rows(scratch, name):
-    return list(csv.DictReader(read(scratch, name).splitlines()))
-
-
-def key(row):
-    return row["contender"], int(row["size_bytes"]), int(row["subscribers"])
 
 
 def percentile(samples, percent):
@@ -265,6 +243,10 @@ def mistakes(bench, scratch):
     without_ros = run(bench, scratch, "--only", "tcpros", "--no-plots", "--count", "3", *TINY, "--sizes", "4k",
                       output="without_ros", PATH=scratch)
     assert without_ros.returncode == 1 and "rosmaster" in without_ros.stderr, without_ros
+    too_large = run(bench, scratch, *ROS_FREE, "--sizes", "4k,1tb", "--count", "2", *TINY, "--no-plots", output="large")
+    assert too_large.returncode == 1 and "may need" in too_large.stderr and "is free" in too_large.stderr, too_large
+    with open(os.path.join(scratch, "large", "latency.csv"), encoding="utf-8") as file:
+        assert [row["size_bytes"] for row in csv.DictReader(file)] == ["4096", "4096"]
     shown = run(bench, scratch, "--help")
     assert shown.returncode == 0 and "--quick" in shown.stdout and "Examples:" in shown.stdout, shown
 

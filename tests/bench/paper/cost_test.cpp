@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <vector>
 
@@ -67,6 +68,17 @@ TEST(Cost, has_the_bytes_that_went_through_sockets_and_no_others) {
   EXPECT_EQ(spent.received_bytes, 70u);
   ::close(ends[0]);
   ::close(ends[1]);
+}
+
+TEST(Cost, has_the_allocations_of_the_program_and_of_its_libraries) {
+  std::string text;
+  const Counting counting;
+  void* const memory = std::malloc(100);
+  void* const larger = std::realloc(memory, 200);
+  text.reserve(1000);  // in libstdc++
+  EXPECT_EQ(counting.counts.allocations, 3u);
+  std::free(larger);
+  EXPECT_EQ(counting.counts.allocations, 3u) << "free is none";
 }
 
 TEST(Cost, has_the_kernels_count_of_page_faults) {

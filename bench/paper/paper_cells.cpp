@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paper/paper_cells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include "paper/contender_table.h"
+#include "real_time.h"
+
+namespace tzc {
+namespace bench {
+namespace {
+
+constexpr std::size_t largest_in_real_time = 4 << 20;
+constexpr std::size_t kept_free = std::size_t{256} << 20;
+
+void add(std::vector<Cell>& cells, const Options& options, const Contenders& contenders,
+         Conditions conditions) {
+  for (const auto& [contender, setup] : wanted_cells(options, contenders))
+    cells.push_back({contender->name(), setup.size_bytes, setup.subscribers, conditions});
+}
+
+/// One case: the largest message of those that are wanted, up to 4 MB, for the most subscribers.
+Options in_real_time_case(Options options) {
+  auto& sizes = options.sizes;
+  const auto too_large = [](std::size_t size) { return size > largest_in_real_time; };
+  sizes.erase(std::remove_if(sizes.begin(), sizes.end(), too_large), sizes.end());
+  if (!sizes.empty()) sizes = {*std::max_element(sizes.begin(), sizes.end())};
+  options.subscribers = {*std::max_element(options.subscribers.begin(), options.subscribers.end())};
+  return options;
+}
+
+/// What the kernel could give without swapping.
+std::size_t available_bytes() {
+  std::ifstream file("/proc/meminfo");
+  std::string name, rest;
+  for (std::size_t kilobytes = 0; file >> name >> kilobytes; std::getline(file, rest))
+    if (name == "MemAvailable:") return kilobytes * 1024;
+  return std::numeric_limits<std::size_t>::max();  // not told: nothing is left out
+}
+
+template <class Condition>
+bool remove_cells(std::vector<Cell>& cells, Condition condition) {
+  const auto out = std::remove_if(cells.begin(), cells.end(), condition);
+  const bool any = out != cells.end();
+  cells.erase(out, cells.end());
+  return any;
+}
+
+}  // namespace
+
+Contender* Contestants::find(const std::string& name) const {
+  Contender* found = find_contender(usual, name);
+  return found != nullptr ? found : find_contender(real_time, name);
+}
+
+std::vector<Cell> cells_of(const PaperOptions& options, const Contestants& contestants) {
+  std::vector<Cell> cells;
+  add(cells, options.cells, contestants.usual, usual);
+  if (options.load) add(cells, options.cells, contestants.usual, under_load);
+  if (!options.real_time) return cells;
+  const Options one = in_real_time_case(options.cells);
+  add(cells, one, contestants.real_time, in_real_time);
+  add(cells, one, contestants.real_time, in_real_time_under_load);
+  return cells;
+}
+
+Setup setup_of(const Cell& cell, const PaperOptions& options) {
+  Setup setup{cell.size_bytes, cell.subscribers, options.cells.rate, 0, ""};
+  setup.fills = options.fills;
+  setup.real_time = cell.conditions.real_time;
+  return setup;
+}
+
+void leave_out_impossible(const PaperOptions& options, const Contestants& contestants,
+                          std::vector<Cell>& cells, std::vector<std::string>& said) {
+  const std::size_t available = available_bytes();
+  remove_cells(cells, [&](const Cell& cell) {
+    const std::size_t needed = contestants.find(cell.contender)->memory_bytes(setup_of(cell, options));
+    if (needed <= available && available - needed >= kept_free) return false;
+    said.push_back(fmt::format("{} of {} to {} subscribers may need {} of memory, and {} is free; left out",
+                               cell.contender, size_text(cell.size_bytes), cell.subscribers,
+                               size_text(needed), size_text(available)));
+    return true;
+  });
+  const auto real_time = [](const Cell& cell) { return cell.conditions.real_time; };
+  if (std::none_of(cells.begin(), cells.end(), real_time)) return;
+  const std::string why = real_time_obstacle();
+  if (why.empty()) return;
+  remove_cells(cells, real_time);
+  said.push_back(why + "; left out: real time");
+}
+
+}  // namespace bench
+}  // namespace tzc
