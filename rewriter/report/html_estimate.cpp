@@ -9,17 +9,15 @@
 namespace tzc::rewriter {
 namespace {
 
-std::string in_bytes(double bytes) {
-  const char* const units[] = {"B", "KB", "MB", "GB"};
-  unsigned unit = 0;
-  for (; bytes >= 1000 && unit < 3; ++unit) bytes /= 1000;
-  return unit == 0 || bytes >= 100 ? fmt::format("{:.0f} {}", bytes, units[unit])
-                                   : fmt::format("{:.1f} {}", bytes, units[unit]);
-}
-
 std::string amount(unsigned copies, const std::optional<std::uint64_t>& size) {
   if (copies == 0) return "0";
   return size ? in_bytes(static_cast<double>(*size) * copies) : fmt::format("{} &times; its size", copies);
+}
+
+std::string size_of(const SiteEstimate& estimate) {
+  if (!estimate.size) return "<span class=\"none\">not measured</span>";
+  const std::string size = in_bytes(static_cast<double>(*estimate.size));
+  return estimate.measured ? size : "<span class=\"none\" title=\"usual for the type\">" + size + "</span>";
 }
 
 const char* class_of(unsigned copies) {
@@ -35,11 +33,9 @@ std::string row(const Report& report, const SiteEstimate& estimate) {
       "<td class=\"num\">{}</td><td class=\"num {}\">{}</td><td class=\"num\">{}</td><td class=\"num "
       "{}\">{}</td></tr>\n",
       html_escaped(relative_file(report, site.where.file)), site.where.line, topic,
-      html_escaped(site.message_type),
-      estimate.size ? in_bytes(static_cast<double>(*estimate.size))
-                    : "<span class=\"none\">not measured</span>",
-      estimate.before, class_of(estimate.after), estimate.after, amount(estimate.before, estimate.size),
-      class_of(estimate.after), amount(estimate.after, estimate.size));
+      html_escaped(site.message_type), size_of(estimate), estimate.before, class_of(estimate.after),
+      estimate.after, amount(estimate.before, estimate.size), class_of(estimate.after),
+      amount(estimate.after, estimate.size));
 }
 
 }  // namespace
@@ -63,7 +59,9 @@ std::string html_estimate(const PackageReport& package) {
       sum.left == 0 ? ""
                     : fmt::format(", {} of them at the {} that stay{} on TCPROS", sum.left * tcpros_copies,
                                   sum.left == 1 ? "site" : "sites", sum.left == 1 ? "s" : ""),
-      package.message_sizes.empty() ? " <code>--bag</code> measures the sizes of messages." : "");
+      package.message_sizes.empty()
+          ? " Sizes in grey are usual for the type; <code>--bag</code> measures them."
+          : "");
   html +=
       "<table class=\"sites estimate\"><thead><tr><th>published at</th><th>topic</th><th>message</th><th "
       "class=\"num\">size</th>"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nlohmann/json.hpp>
 
+#include "report/estimate.h"
 #include "report/output.h"
 
 namespace tzc::rewriter {
@@ -50,6 +51,15 @@ json counts(const Report& report, SiteKind kind) {
   return object;
 }
 
+json estimate_json(const PackageReport& package) {
+  const EstimateSum sum = sum_of(estimates(package));
+  return {{"copies_now", sum.before},
+          {"copies_after", sum.after},
+          {"bytes_now", sum.bytes_before},
+          {"bytes_after", sum.bytes_after},
+          {"sites_of_unknown_size", sum.sites - sum.measured - sum.usual}};
+}
+
 json package_json(const PackageReport& package) {
   const Report& report = package.report;
   json sites = json::array(), notes = json::array();
@@ -63,6 +73,7 @@ json package_json(const PackageReport& package) {
           {"summary",
            {{"publish", counts(report, SiteKind::publish)},
             {"subscribe", counts(report, SiteKind::subscribe)},
+            {"estimate", estimate_json(package)},
             {"files_changed", stat.files},
             {"lines_added", stat.added},
             {"lines_removed", stat.removed}}}};

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "report/code_pages.h"
+#include "report/estimate.h"
 #include "report/output.h"
 
 namespace tzc::rewriter {
@@ -114,6 +115,9 @@ class TextReport {
       text_ += fmt::format("  {:<10} {} file{}, {} {}\n", "changes", stat.files, stat.files == 1 ? "" : "s",
                            painted("32", fmt::format("+{}", stat.added)),
                            painted("31", fmt::format("-{}", stat.removed)));
+    if (const std::string estimate = text_estimate(package_); !estimate.empty())
+      text_ +=
+          fmt::format("  {:<10} {}; for one message of each site and one subscriber\n", "estimate", estimate);
     if (text_.size() > before) text_.insert(before, "\n");
   }
 

@@ -293,6 +293,23 @@ TEST(HtmlReport, estimates_what_the_port_buys_and_what_is_left) {
   EXPECT_THAT(page, HasSubstr("<td class=\"num\">24.9 MB</td><td class=\"num good\">0</td>"));
 }
 
+TEST(TextReport, estimates_by_measured_and_usual_sizes) {
+  PackageReport package;
+  EXPECT_EQ(text_estimate(package), "") << "nothing is published";
+  for (const char* type : {"sensor_msgs/Image", "sensor_msgs/PointCloud2", "vendor_msgs/Blob"}) {
+    package.report.sites.push_back(test::site(SiteKind::publish, "src/a.cpp", 1, type, Level::zero_copy));
+    package.report.sites.back().pending = true;
+    package.report.sites.back().topic = type;
+  }
+  EXPECT_EQ(text_estimate(package),
+            "12 copies now, 0 after; 5.6 MB now, 0 B after (usual sizes), 1 of unknown size not counted");
+  package.message_sizes = {{"sensor_msgs/Image", 1000000}, {"vendor_msgs/Blob", 2000000}};
+  EXPECT_EQ(text_estimate(package),
+            "12 copies now, 0 after; 13.9 MB now, 0 B after (measured and usual sizes)");
+  package.report.sites[1].level = Level::not_needed;
+  EXPECT_EQ(text_estimate(package), "8 copies now, 0 after; 12.0 MB now, 0 B after (measured)");
+}
+
 /// Judged by another reader of UTF-8 than the one that made it.
 bool is_utf8(const std::string& text) {
   return !json(text).dump(-1, ' ', false, json::error_handler_t::ignore).empty() && [&] {
