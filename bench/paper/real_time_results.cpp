@@ -108,7 +108,7 @@ set ylabel "deliveries"
 set grid xtics ytics linetype 1 linewidth 0.6 linecolor rgb "#cccccc"
 set border 3
 set xtics nomirror
-set ytics nomirror format "10^{%L}"
+set ytics nomirror format "%.0f"
 set xtics ("100 ns" 0.1, "1 µs" 1, "10 µs" 10, "100 µs" 100, "1 ms" 1000, "10 ms" 1e4, "100 ms" 1e5, "1 s" 1e6)
 )";
 
