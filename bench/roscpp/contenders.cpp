@@ -52,12 +52,13 @@ class NodeContender : public Contender {
     ros::NodeHandle node;
     const ros::Subscriber subscriber = subscribe_node(node, topic_of(setup), recording(recorder));
     recorder.ready();
-    ros::spin();
+    spin();
   }
 
  protected:
   virtual ros::Subscriber subscribe_node(ros::NodeHandle& node, const std::string& topic,
                                          const Callback& callback) = 0;
+  virtual void spin() { ros::spin(); }
 };
 
 class TcprosContender final : public NodeContender {
@@ -87,8 +88,12 @@ class TcprosContender final : public NodeContender {
 
 class TzcNodeContender final : public NodeContender {
  public:
-  explicit TzcNodeContender(bool direct) : direct_(direct) {}
-  const char* name() const override { return direct_ ? "tzc-direct" : "tzc-queue"; }
+  enum class Dispatch { direct, queue, spin };
+  explicit TzcNodeContender(Dispatch dispatch) : dispatch_(dispatch) {}
+  const char* name() const override {
+    if (dispatch_ == Dispatch::direct) return "tzc-direct";
+    return dispatch_ == Dispatch::queue ? "tzc-queue" : "tzc-spin";
+  }
   std::size_t memory_bytes(const Setup& setup) const override { return shared_memory_bytes(setup, false); }
 
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
@@ -109,12 +114,14 @@ class TzcNodeContender final : public NodeContender {
  protected:
   ros::Subscriber subscribe_node(ros::NodeHandle& node, const std::string& topic,
                                  const Callback& callback) override {
-    return direct_ ? subscribe_direct<::sensor_msgs::Image>(node, topic, queue_size, callback)
-                   : tzc::subscribe<::sensor_msgs::Image>(node, topic, queue_size, callback);
+    return dispatch_ == Dispatch::direct
+               ? subscribe_direct<::sensor_msgs::Image>(node, topic, queue_size, callback)
+               : tzc::subscribe<::sensor_msgs::Image>(node, topic, queue_size, callback);
   }
+  void spin() override { dispatch_ == Dispatch::spin ? tzc::spin() : ros::spin(); }
 
  private:
-  const bool direct_;
+  const Dispatch dispatch_;
 };
 
 class IntraprocessContender final : public Contender {
@@ -168,10 +175,13 @@ std::unique_ptr<Contender> tcpros_contender() {
   return std::make_unique<TcprosContender>();
 }
 std::unique_ptr<Contender> tzc_queue_contender() {
-  return std::make_unique<TzcNodeContender>(false);
+  return std::make_unique<TzcNodeContender>(TzcNodeContender::Dispatch::queue);
+}
+std::unique_ptr<Contender> tzc_spin_contender() {
+  return std::make_unique<TzcNodeContender>(TzcNodeContender::Dispatch::spin);
 }
 std::unique_ptr<Contender> tzc_direct_contender() {
-  return std::make_unique<TzcNodeContender>(true);
+  return std::make_unique<TzcNodeContender>(TzcNodeContender::Dispatch::direct);
 }
 std::unique_ptr<Contender> intraprocess_contender() {
   return std::make_unique<IntraprocessContender>();

@@ -13,6 +13,8 @@ namespace bench {
 std::unique_ptr<Contender> tcpros_contender();
 /// The same code ported: callbacks through ros::spin's queue.
 std::unique_ptr<Contender> tzc_queue_contender();
+/// The same with tzc::spin.
+std::unique_ptr<Contender> tzc_spin_contender();
 /// Ported, with direct dispatch.
 std::unique_ptr<Contender> tzc_direct_contender();
 /// The stock message serialized into a block of shared memory and de-serialized by each subscriber, as ETHZ-ASL's

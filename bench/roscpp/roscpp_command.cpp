@@ -26,6 +26,7 @@ int run_roscpp(int argc, char** argv) {
   Contenders contenders;
   contenders.push_back(seqpacket_contender());
   contenders.push_back(tzc_direct_contender());
+  contenders.push_back(tzc_spin_contender());
   contenders.push_back(tzc_queue_contender());
   contenders.push_back(intraprocess_contender());
   contenders.push_back(tcpros_contender());

@@ -14,11 +14,11 @@ namespace tzc {
 namespace channel {
 
 /// Either this call sees the sleeper, or the sleeper sees the bell before it falls asleep. The `sleeping`
-/// word may be set without need, but never missing while the subscriber sleeps.
+/// word may be set without need, but never missing while the subscriber sleeps. `wake` gets the word.
 template <class Words, class Wake>
 TZC_HOT void ring_bell(Words& words, Wake wake) {
   words.bell.fetch_add(1, std::memory_order_seq_cst);
-  if (words.sleeping.load(std::memory_order_seq_cst) != 0) wake();
+  if (const auto sleeper = words.sleeping.load(std::memory_order_seq_cst); sleeper != 0) wake(sleeper);
 }
 
 /// Subscriber: sleeps unless the bell has rung since it was `heard`. `sleep` does so for as long as the word

@@ -74,7 +74,7 @@ void Doorbell::ring(std::uint32_t number) {
   DoorbellPage& at = page();
   DoorbellWords<std::atomic<std::uint32_t>&, std::atomic<std::uint64_t>&> words{
       at.bell, at.sleeping, at.groups, at.leaves[number / 64]};
-  ring_doorbell(words, number, [&at] { posix::wake_sleeper(at.bell); });
+  ring_doorbell(words, number, [&at](std::uint32_t sleeper) { posix::wake_sleeper(at.bell, sleeper); });
 }
 
 }  // namespace channel

@@ -28,12 +28,18 @@ namespace channel {
 /// Connections that share one doorbell.
 constexpr std::uint32_t doorbell_numbers = 4096;
 
+/// Who may sleep at a doorbell; each sleeps at the bell under its own bit (posix/futex.h).
+enum Sleeper : std::uint32_t {
+  reader_sleeps = 1,  // the thread of the library
+  guest_sleeps = 2,   // a thread of the program that reads in its place
+};
+
 /// The words of a doorbell: Bell is a reference to an atomic of 32 bits, Set to one of 64, or both are a model's
 /// (tests/model/doorbell_model.cpp).
 template <class Bell, class Set>
 struct DoorbellWords {
   Bell bell;      // something was written
-  Bell sleeping;  // the reader waits for the bell
+  Bell sleeping;  // whom the bell wakes: Sleeper, or 0
   Set groups;     // of `leaf` (segment/release_hints.h)
   Set leaf;       // of the connection's bit
 };

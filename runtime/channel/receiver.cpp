@@ -20,6 +20,16 @@ constexpr std::chrono::milliseconds between_questions{1};  // to an end that may
 std::atomic<Receiver*> current{nullptr};
 std::mutex start_mutex;
 
+thread_local bool reads_now = false;
+
+class ReadingScope {
+ public:
+  ReadingScope() { reads_now = true; }
+  ~ReadingScope() { reads_now = false; }
+  ReadingScope(const ReadingScope&) = delete;
+  ReadingScope& operator=(const ReadingScope&) = delete;
+};
+
 }  // namespace
 
 DoorbellNumber::DoorbellNumber(Receiver& receiver, std::uint32_t number)
@@ -41,13 +51,16 @@ void DoorbellNumber::end() {
   receiver_.end(number_);
 }
 
+Receiver* Receiver::running() {
+  Receiver* receiver = current.load(std::memory_order_acquire);
+  return receiver != nullptr && !posix::forked_since(receiver->epoch_) ? receiver : nullptr;
+}
+
 // A forked child starts a receiver of its own and leaves the parent's object alone: its locks may be in any state.
 Expected<Receiver*> Receiver::instance() {
-  Receiver* receiver = current.load(std::memory_order_acquire);
-  if (receiver != nullptr && !posix::forked_since(receiver->epoch_)) return receiver;
+  if (Receiver* receiver = running()) return receiver;
   const std::lock_guard<std::mutex> lock(start_mutex);
-  receiver = current.load(std::memory_order_acquire);
-  if (receiver != nullptr && !posix::forked_since(receiver->epoch_)) return receiver;
+  if (Receiver* receiver = running()) return receiver;
   return start();
 }
 
@@ -68,7 +81,7 @@ Expected<Receiver*> Receiver::start() {
 }
 
 Receiver::Receiver(std::shared_ptr<Doorbell> doorbell)
-    : doorbell_(std::move(doorbell)), epoch_(posix::fork_epoch()) {}
+    : doorbell_(std::move(doorbell)), sleepers_(*doorbell_), epoch_(posix::fork_epoch()) {}
 
 std::shared_ptr<DoorbellNumber> Receiver::take_number() {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -106,12 +119,53 @@ void Receiver::give_back(std::uint32_t number) {
 
 void Receiver::run() {
   for (;;) {
-    const std::uint32_t heard = doorbell_->page().bell.load(std::memory_order_acquire);
-    collect();
-    read_all();
-    if (Clock::now() >= round_.next_look_at_all) collect_all();
-    if (round_.ready.empty()) sleep(heard);
+    std::uint32_t heard = 0;
+    const std::chrono::nanoseconds time = read_round(heard);
+    if (time.count() > 0) sleepers_.sleep(reader_sleeps, heard, time, nullptr);
   }
+}
+
+// How long the reader may sleep then: 0 when there is more to read. An exception of a callback ends the process, on a
+// guest's thread as on the library's.
+std::chrono::nanoseconds Receiver::read_round(std::uint32_t& heard) noexcept {
+  const std::lock_guard<std::mutex> turn(turn_);
+  const ReadingScope reading;
+  heard = doorbell_->page().bell.load(std::memory_order_acquire);
+  collect();
+  read_all();
+  if (Clock::now() >= round_.next_look_at_all) collect_all();
+  if (!round_.ready.empty()) return std::chrono::nanoseconds(0);
+  return round_.later.empty() ? std::chrono::nanoseconds(between_looks_at_all) : between_questions;
+}
+
+bool Receiver::host(std::chrono::nanoseconds most, const std::function<bool()>& wanted) {
+  if (reads_now) return false;  // and has both locks
+  const std::unique_lock<std::mutex> guest(guest_, std::try_to_lock);
+  if (!guest.owns_lock()) return false;
+  const Clock::time_point end = Clock::now() + most;
+  for (;;) {
+    std::uint32_t heard = 0;
+    const std::chrono::nanoseconds time = read_round(heard);
+    const std::chrono::nanoseconds left = end - Clock::now();
+    if (left.count() <= 0 || wanted()) break;
+    if (time.count() > 0) sleepers_.sleep(guest_sleeps, heard, std::min(time, left), wanted);
+  }
+  hand_over();
+  return true;
+}
+
+// What the guest leaves unread is the reader's.
+void Receiver::hand_over() {
+  {
+    const std::lock_guard<std::mutex> turn(turn_);
+    if (round_.ready.empty() && round_.later.empty()) return;
+  }
+  doorbell_->page().bell.fetch_add(1, std::memory_order_seq_cst);  // it may be about to fall asleep
+  sleepers_.wake(reader_sleeps);
+}
+
+void Receiver::call_guest() {
+  sleepers_.wake(guest_sleeps);
 }
 
 void Receiver::collect() {
@@ -168,13 +222,6 @@ void Receiver::end_call(ReceivingEnd::Progress progress) {
   called_ = nobody;
   caller_ = std::thread::id();
   call_ended_.notify_all();
-}
-
-void Receiver::sleep(std::uint32_t heard) {
-  DoorbellPage& page = doorbell_->page();
-  const std::chrono::nanoseconds time =
-      round_.later.empty() ? std::chrono::nanoseconds(between_looks_at_all) : between_questions;
-  wait_for_bell(page, heard, [&](std::uint32_t value) { posix::sleep_while(page.bell, value, time); });
 }
 
 }  // namespace channel

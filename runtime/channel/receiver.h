@@ -4,12 +4,14 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 #include "channel/doorbell.h"
+#include "channel/sleepers.h"
 #include "posix/hot.h"
 #include "tzc/error.h"
 
@@ -53,6 +55,10 @@ class DoorbellNumber {
 
 /// The one thread that reads for many subscribers of this process, and the doorbell at which it sleeps. Started with
 /// the first of them, anew in a forked child. Thread-safe.
+///
+/// A thread of the program that has nothing else to do may sleep at the doorbell as a guest and read in the place of
+/// that thread, which sleeps on. When the guest wakes up, it tells publishers to wake the reader again, then reads what
+/// has come until then; so whoever is told of later records, and none is left.
 class Receiver {
  public:
   using Clock = std::chrono::steady_clock;
@@ -60,6 +66,13 @@ class Receiver {
   /// The running receiver of this process. Never destroyed. Error: no thread, memory or descriptor left, or threads of
   /// different processes cannot wait for each other here.
   static Expected<Receiver*> instance();
+  /// As instance(), without starting one. Null: there is none.
+  static Receiver* running();
+  /// The calling thread reads as a guest, and sleeps while there is nothing: until `wanted` says that it has other
+  /// work, or the time is over. False, at once: another guest is there, or this is a callback of a subscriber.
+  bool host(std::chrono::nanoseconds most, const std::function<bool()>& wanted);
+  /// Makes a guest that sleeps ask `wanted` again.
+  void call_guest();
   /// Null: all numbers are taken.
   std::shared_ptr<DoorbellNumber> take_number();
 
@@ -73,19 +86,21 @@ class Receiver {
   void give_back(std::uint32_t number);
 
   void run();
+  TZC_HOT std::chrono::nanoseconds read_round(std::uint32_t& heard) noexcept;
   TZC_HOT void collect();
   void collect_all();
   TZC_HOT void read_all();
   TZC_HOT ReceivingEnd::Progress read(std::uint32_t number);
-  TZC_HOT void sleep(std::uint32_t heard);
+  void hand_over();
   std::shared_ptr<ReceivingEnd> begin_call(std::uint32_t number);
   void end_call(ReceivingEnd::Progress progress);
 
   const std::shared_ptr<Doorbell> doorbell_;
+  Sleepers sleepers_;
   const std::uint32_t epoch_;
   std::thread thread_;
 
-  /// Used by the thread alone.
+  /// Used by the thread whose turn it is.
   struct Round {
     segment::HintReader hints{doorbell_numbers};
     std::vector<std::uint32_t> ready;  // numbers to read for next
@@ -94,6 +109,8 @@ class Receiver {
     Clock::time_point next_look_at_all{};
   };
   Round round_;
+  std::mutex turn_;   // to read
+  std::mutex guest_;  // held by the one that is there
 
   struct Place {
     bool taken = false;

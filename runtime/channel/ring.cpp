@@ -79,7 +79,7 @@ void BellPull::pull(Ring& ring) const {
 
 void wake_reader(Ring& ring) {
   auto words = words_of(ring);
-  ring_bell(words, [&ring] { posix::wake_sleeper(ring.publisher.bell); });
+  ring_bell(words, [&ring](std::uint32_t) { posix::wake_sleeper(ring.publisher.bell); });
 }
 
 }  // namespace channel

@@ -10,9 +10,11 @@ bool has_shared_futex() {
 
 void sleep_while(std::atomic<std::uint32_t>&, std::uint32_t) {}
 
-void sleep_while(std::atomic<std::uint32_t>&, std::uint32_t, std::chrono::nanoseconds) {}
+void sleep_while(std::atomic<std::uint32_t>&, std::uint32_t, std::chrono::nanoseconds, std::uint32_t) {}
 
 void wake_sleeper(std::atomic<std::uint32_t>&) {}
+
+void wake_sleeper(std::atomic<std::uint32_t>&, std::uint32_t) {}
 
 }  // namespace posix
 }  // namespace tzc

@@ -11,7 +11,7 @@ import tempfile
 FIELDS = {"contender": str, "size_bytes": int, "subscribers": int, "sent": int, "delivered": int,
           "median_us": (int, float), "p99_us": (int, float)}
 CONTENDERS = {"core": {"seqpacket", "tzc", "tzc-own-loop"},
-              "roscpp": {"seqpacket", "tzc-direct", "tzc-queue", "intraprocess", "tcpros"},
+              "roscpp": {"seqpacket", "tzc-direct", "tzc-spin", "tzc-queue", "intraprocess", "tcpros"},
               "sustained": {"tzc-sustained"}}
 
 

@@ -62,7 +62,7 @@ channel::DoorbellWords<ModelAtomic, ModelAtomic> words_of(Context& context) {
 
 void ring(Context& context, std::uint32_t number) {
   auto words = words_of(context);
-  const auto wake = [&] { word(context, asleep).store(0); };
+  const auto wake = [&](Word = 1) { word(context, asleep).store(0); };
   switch (scenario.mistake) {
     case Mistake::bell_before_bit:
       channel::ring_bell(words, wake);

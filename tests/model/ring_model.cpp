@@ -84,7 +84,7 @@ channel::RingWords<ModelAtomic> words_of(Context& context) {
 
 void ring(Context& context) {
   auto words = words_of(context);
-  const auto wake = [&] { ModelAtomic(context, asleep).store(0); };
+  const auto wake = [&](Word = 1) { ModelAtomic(context, asleep).store(0); };
   if (scenario.mistake != Mistake::look_before_bell) return channel::ring_bell(words, wake);
   const bool sleeps = words.sleeping.load(std::memory_order_seq_cst) != 0;
   words.bell.fetch_add(1, std::memory_order_seq_cst);

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <new>
+#include <thread>
 
 namespace tzc {
 namespace posix {
@@ -21,8 +22,28 @@ TEST(Futex, sleeps_for_the_time_given_at_most) {
   if (!has_shared_futex()) return;  // it is not used then
   const auto begin = std::chrono::steady_clock::now();
   std::atomic<std::uint32_t> word{5};
-  sleep_while(word, 5, std::chrono::milliseconds(30));
+  sleep_while(word, 5, std::chrono::milliseconds(30), 1);
   EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(30));
+}
+
+TEST(Futex, wakes_the_one_who_is_meant) {
+  if (!has_shared_futex()) return;  // it is not used then
+  std::atomic<std::uint32_t> word{0};
+  std::atomic<bool> returned{false};
+  std::thread sleeper([&] {
+    sleep_while(word, 0, std::chrono::seconds(30), 1);
+    returned = true;
+  });
+  for (int i = 0; i < 20; ++i) {
+    wake_sleeper(word, 2);
+    ::usleep(1000);
+  }
+  EXPECT_FALSE(returned);
+  while (!returned) {
+    wake_sleeper(word, 1);
+    ::usleep(1000);
+  }
+  sleeper.join();
 }
 
 TEST(Futex, wakes_another_process) {

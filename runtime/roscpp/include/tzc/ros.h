@@ -6,4 +6,5 @@
 #include <tzc/advertise.h>
 #include <tzc/direct_dispatch.h>
 #include <tzc/publisher.h>
+#include <tzc/spin.h>
 #include <tzc/subscribe.h>

@@ -4,7 +4,7 @@
 /// Private parameters: mode (pointer, reference, value, mutable, event, direct, filter, late_attach,
 /// unreliable, plain, keep: pointers, all of which it keeps, draw and plain_draw: they write to what they get through a
 /// cast and publish it again as `drawn`; with several topics pointer or direct), handler (the number of the message after which a handler of SIGSEGV is
-/// installed), times (so many callbacks), topics (several, separated by blanks), queue, spinner (spin, multi, async,
+/// installed), times (so many callbacks), topics (several, separated by blanks), queue, spinner (spin, tzc, multi, async,
 /// own: a callback queue of its own).
 #include <message_filters/simple_filter.h>
 #include <ros/callback_queue.h>
@@ -118,7 +118,9 @@ std::vector<ros::Subscriber> subscribe_named(ros::NodeHandle& node, const std::s
 }
 
 void spin(const std::string& spinner, ros::CallbackQueue& own) {
-  if (spinner == "own") {
+  if (spinner == "tzc") {
+    tzc::spin();
+  } else if (spinner == "own") {
     while (ros::ok()) own.callAvailable(ros::WallDuration(0.05));
   } else if (spinner == "multi") {
     ros::MultiThreadedSpinner(3).spin();
