@@ -66,7 +66,7 @@ void wake_sleeper(Context& context) {
 
 void ring(Context& context) {
   auto words = words_of(context);
-  channel::ring_bell(words, [&context] { wake_sleeper(context); });
+  channel::ring_bell(words, [&context](auto) { wake_sleeper(context); });
 }
 
 struct Publisher {
