@@ -6,6 +6,7 @@
 #include "posix/socket.h"
 #include "segment/ack_word.h"
 #include "sync_point/sync_point.h"
+#include "trace/trace.h"
 
 namespace tzc {
 namespace channel {
@@ -13,8 +14,10 @@ namespace {
 
 constexpr std::chrono::seconds linger{1};
 
-std::size_t countable(std::size_t queue_size) {
-  return queue_size == 0 || queue_size > segment::max_ack_count ? segment::max_ack_count : queue_size;
+ConnectionImpl::Options countable(ConnectionImpl::Options options) {
+  std::size_t& size = options.queue_size;
+  if (size == 0 || size > segment::max_ack_count) size = segment::max_ack_count;
+  return options;
 }
 
 bool accepts_records(ConnectionState state) {
@@ -26,13 +29,13 @@ bool accepts_records(ConnectionState state) {
 ConnectionImpl::ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPage page,
                                const Options& options, std::weak_ptr<ConnectionOwner> owner)
     : peer_(std::move(peer)),
-      queue_size_(countable(options.queue_size)),
+      options_(countable(options)),
       owner_(std::move(owner)),
       epoch_(posix::fork_epoch()),
       page_(std::move(page)),
       window_(page_, segments_, options.keeps_undelivered),
       sender_(std::move(socket), RingWriter(peer_.reads_ring ? &page_.ring() : nullptr, options.bell),
-              queue_size_ + 2 * max_segments) {}
+              options_.queue_size + 2 * max_segments) {}
 
 Status ConnectionImpl::start(Service& service) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -50,7 +53,23 @@ bool ConnectionImpl::alive() const {
 
 bool ConnectionImpl::send(const RecordPtr& record) {
   if (!record || posix::forked_since(epoch_)) return false;
+  if (trace::active) return send_traced(record);
   const std::lock_guard<std::mutex> lock(mutex_);
+  return send_now(record);
+}
+
+bool ConnectionImpl::send_traced(const RecordPtr& record) {
+  const std::uint64_t begin = trace::now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool accepted = send_now(record);
+  if (accepted)
+    trace::record(trace::Step::publish, trace::Arrow::begins,
+                  trace_id(page_.trace_number(), window_.last_sequence()), options_.traced_as, begin,
+                  record->size());
+  return accepted;
+}
+
+bool ConnectionImpl::send_now(const RecordPtr& record) {
   if (!accepts_records(state_)) return false;
   if (!segments_.covers(*record)) {
     PacketSender::Result sent = PacketSender::Result::accepted;
@@ -59,7 +78,8 @@ bool ConnectionImpl::send(const RecordPtr& record) {
     if (!announced) failure_ = announced.error();
     if (!announced || !accepts_records(state_)) return false;
   }
-  if (window_.size() >= queue_size_) heed_revocation(window_.revoke_oldest_down_to(queue_size_ - 1));
+  if (window_.size() >= options_.queue_size)
+    heed_revocation(window_.revoke_oldest_down_to(options_.queue_size - 1));
   if (!accepts_records(state_)) return false;
   sync_point("publish: before mark");
   window_.push(record);
@@ -171,17 +191,40 @@ std::size_t ConnectionImpl::in_flight() {
   return window_.size();
 }
 
-// Counted without the lock: a sender must not wait for it.
 std::size_t ConnectionImpl::held() const {
-  if (posix::forked_since(epoch_)) return 0;
+  return held_blocks().size();
+}
+
+// Looked for without the lock: a sender must not wait for it.
+std::vector<HeldBlock> ConnectionImpl::held_blocks() const {
+  std::vector<HeldBlock> held;
+  if (posix::forked_since(epoch_)) return held;
   std::vector<std::shared_ptr<segment::AckFile>> files;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     files = segments_.ack_files();
   }
-  std::size_t blocks = 0;
-  for (const auto& file : files) blocks += file->taken_blocks();
-  return blocks;
+  for (const auto& file : files)
+    file->for_each_taken([&](std::uint32_t slot, std::uint32_t generation) {
+      held.push_back({file.get(), slot, generation});
+    });
+  return held;
+}
+
+ConnectionInspection ConnectionImpl::inspect() const {
+  ConnectionInspection seen;
+  seen.held = held_blocks();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  seen.shared_bytes = window_.shared_bytes();
+  seen.dropped_for_queue = window_.drops().queue;
+  seen.dropped_for_memory = window_.drops().memory;
+  seen.dropped_at_end = window_.drops().end;
+  return seen;
+}
+
+// There is no other implementation.
+ConnectionInspection inspect(const Connection& connection) {
+  return static_cast<const ConnectionImpl&>(connection).inspect();
 }
 
 std::vector<RecordPtr> ConnectionImpl::take_undelivered() {

@@ -8,6 +8,7 @@
 
 #include "channel/announced_segments.h"
 #include "channel/in_flight_window.h"
+#include "channel/inspection.h"
 #include "channel/packet_sender.h"
 #include "channel/peer.h"
 #include "channel/service.h"
@@ -49,6 +50,7 @@ class ConnectionImpl final : public Connection,
     std::size_t queue_size;
     bool keeps_undelivered;
     BellPull bell;  // at which the subscriber's reader is called
+    const char* traced_as;  ///< lives as long as the process
   };
 
   ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPage page, const Options& options,
@@ -65,6 +67,8 @@ class ConnectionImpl final : public Connection,
   std::size_t held() const override;
   std::vector<RecordPtr> take_undelivered() override;
 
+  ConnectionInspection inspect() const;
+
   /// Gives the socket to the service; until uncork() records only queue.
   Status start(Service& service);
   /// Sends Welcome to the subscriber, then what was queued.
@@ -75,6 +79,10 @@ class ConnectionImpl final : public Connection,
   void revoke(const segment::BlockName& block) override;
 
  private:
+  std::vector<HeldBlock> held_blocks() const;
+  bool send_traced(const RecordPtr& record);
+  /// Under mutex_.
+  TZC_HOT bool send_now(const RecordPtr& record);
   void heed(PacketSender::Result result);
   void heed_revocation(bool honest);
   void stop_deliveries();
@@ -83,7 +91,7 @@ class ConnectionImpl final : public Connection,
   void hung_up();
 
   const Peer peer_;
-  const std::size_t queue_size_;
+  const Options options_;
   const std::weak_ptr<ConnectionOwner> owner_;
   const std::uint32_t epoch_;
 

@@ -36,6 +36,7 @@ void InFlightWindow::push(const RecordPtr& record) {
     const segment::BlockName block = segment::Segment::name_of(*buffer);
     if (segments_.ack_file_of(block.segment)->mark(block.slot, block.generation))
       entry.marks.push_back(block);
+    shared_bytes_ += buffer->size();
     sync_point("publish: marked");
   }
 }
@@ -43,7 +44,7 @@ void InFlightWindow::push(const RecordPtr& record) {
 bool InFlightWindow::retire_taken() {
   const DeliveryCursors cursors = unpack_cursors(page_.cursors().load(std::memory_order_acquire));
   if (is_after(cursors.taken, last_sequence_)) return false;
-  while (size() > 0 && !is_after(records_.oldest().sequence, cursors.taken)) drop_oldest(false);
+  while (size() > 0 && !is_after(records_.oldest().sequence, cursors.taken)) drop_oldest();
   return true;
 }
 
@@ -51,7 +52,7 @@ bool InFlightWindow::revoke_oldest_down_to(std::size_t most) {
   if (size() <= most) return true;
   if (!retire_taken()) return false;
   while (size() > most) {
-    if (!revoke_through(records_.oldest().sequence)) return false;
+    if (!revoke_through(records_.oldest().sequence, drops_.queue)) return false;
   }
   return true;
 }
@@ -59,16 +60,16 @@ bool InFlightWindow::revoke_oldest_down_to(std::size_t most) {
 bool InFlightWindow::revoke_block(const segment::BlockName& block) {
   if (!retire_taken()) return false;
   const InFlightRecords::Entry* entry = records_.find_last(block);
-  return entry == nullptr || revoke_through(entry->sequence);
+  return entry == nullptr || revoke_through(entry->sequence, drops_.memory);
 }
 
-bool InFlightWindow::revoke_through(std::uint32_t sequence) {
+bool InFlightWindow::revoke_through(std::uint32_t sequence, std::uint64_t& drops) {
   std::uint32_t taken = 0;
   const bool won = try_revoke(page_.cursors(), sequence, taken);
   sync_point("publish: revoke decided");
   if (!won && is_after(sequence, taken)) return false;  // the subscriber keeps changing the word
   while (size() > 0 && !is_after(records_.oldest().sequence, sequence))
-    drop_oldest(is_after(records_.oldest().sequence, taken));
+    is_after(records_.oldest().sequence, taken) ? revoke_oldest(drops) : drop_oldest();
   revoked_through_ = sequence;
   return true;
 }
@@ -80,8 +81,8 @@ bool InFlightWindow::end() {
   const bool honest = retire_taken();
   while (size() > 0) {
     const bool comes_back = retains_ && rebuild(records_.oldest());
-    drop_oldest(true);
-    if (comes_back) --dropped_;
+    revoke_oldest(drops_.end);
+    if (comes_back) --drops_.end;
   }
   revoked_through_ = last_sequence_;
   return honest;
@@ -103,12 +104,14 @@ bool InFlightWindow::rebuild(const InFlightRecords::Entry& entry) {
   return true;
 }
 
-void InFlightWindow::drop_oldest(bool revoked) {
-  if (revoked) {
-    for (const segment::BlockName& block : records_.oldest().marks) segments_.revoke(block);
-    ++dropped_;
-  }
+void InFlightWindow::drop_oldest() {
   records_.drop_oldest();
+}
+
+void InFlightWindow::revoke_oldest(std::uint64_t& drops) {
+  for (const segment::BlockName& block : records_.oldest().marks) segments_.revoke(block);
+  ++drops;
+  drop_oldest();
 }
 
 }  // namespace channel

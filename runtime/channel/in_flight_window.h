@@ -25,7 +25,16 @@ class InFlightWindow {
   std::uint32_t last_sequence() const { return last_sequence_; }
   /// Records up to this one that were not taken are revoked and need not be sent any more.
   std::uint32_t revoked_through() const { return revoked_through_; }
-  std::uint64_t dropped() const { return dropped_; }
+  /// Records that were revoked.
+  std::uint64_t dropped() const { return drops_.queue + drops_.memory + drops_.end; }
+  struct Drops {
+    std::uint64_t queue = 0;   ///< too many were in flight
+    std::uint64_t memory = 0;  ///< a block of theirs was needed
+    std::uint64_t end = 0;     ///< the deliveries ended
+  };
+  const Drops& drops() const { return drops_; }
+  /// Of the blocks of all records so far.
+  std::uint64_t shared_bytes() const { return shared_bytes_; }
 
   /// Marks the record's blocks for the subscriber. Before the record is written: once the subscriber can know of
   /// a block, the block must be kept for it.
@@ -41,8 +50,9 @@ class InFlightWindow {
   std::vector<RecordPtr> take_undelivered() { return std::move(undelivered_); }
 
  private:
-  bool revoke_through(std::uint32_t sequence);
-  void drop_oldest(bool revoked);
+  bool revoke_through(std::uint32_t sequence, std::uint64_t& drops);
+  void drop_oldest();
+  void revoke_oldest(std::uint64_t& drops);
   bool rebuild(const InFlightRecords::Entry& entry);
 
   const SharedPage& page_;
@@ -50,7 +60,8 @@ class InFlightWindow {
   const bool retains_;
   std::uint32_t last_sequence_;
   std::uint32_t revoked_through_;
-  std::uint64_t dropped_ = 0;
+  Drops drops_;
+  std::uint64_t shared_bytes_ = 0;
   InFlightRecords records_;
   std::vector<RecordPtr> undelivered_;
 };

@@ -36,7 +36,7 @@ class Link final : public HangUpListener {
   int fd() const { return socket_.get(); }
   const Credentials& peer() const { return peer_; }
   std::uint32_t first_sequence() const { return first_sequence_; }
-  std::atomic<std::uint64_t>& cursors() const { return page_.cursors(); }
+  const SharedPage& page() const { return page_; }
   /// Null: everything comes through the socket.
   Ring* ring() const { return ring_; }
   /// Only records that are already sent still arrive; wakes a reader that sleeps on the ring.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "posix/address.h"
+#include "trace/trace.h"
 
 namespace tzc {
 namespace channel {
@@ -178,7 +179,9 @@ std::shared_ptr<ConnectionImpl> PublisherImpl::connect(posix::FileDescriptor& so
     failure = bell.error();
     return nullptr;
   }
-  const ConnectionImpl::Options options{options_.queue_size, options_.keeps_undelivered, std::move(*bell)};
+  const char* const name = trace::active ? trace::keep(trace::name_of_channel(address()).topic) : "";
+  const ConnectionImpl::Options options{options_.queue_size, options_.keeps_undelivered, std::move(*bell),
+                                        name};
   auto connection = std::make_shared<ConnectionImpl>(std::move(socket), std::move(peer), std::move(*page),
                                                      options, weak_from_this());
   const Status started = connection->start(service_);

@@ -5,10 +5,12 @@
 #include <cstring>
 #include <new>
 
+#include "channel/age_stamp.h"
 #include "channel/delivery_cursors.h"
 #include "channel/recycled.h"
 #include "channel/wire.h"
 #include "sync_point/sync_point.h"
+#include "trace/trace.h"
 
 namespace tzc {
 namespace channel {
@@ -27,8 +29,11 @@ std::uint8_t* overflow() {
 
 }  // namespace
 
-Reader::Reader(std::shared_ptr<const Link> link)
-    : link_(std::move(link)), ring_(link_->ring()), last_sequence_(link_->first_sequence()) {}
+Reader::Reader(std::shared_ptr<const Link> link, const SubscriberOptions& options)
+    : link_(std::move(link)),
+      ring_(link_->ring()),
+      last_sequence_(link_->first_sequence()),
+      trace_(options, link_->page().trace_number()) {}
 
 Reader::Result Reader::read(posix::Waiting waiting, MessagePtr& message) try {
   if (!reason_.empty()) return Result::closed;
@@ -41,6 +46,7 @@ Reader::Result Reader::read(posix::Waiting waiting, MessagePtr& message) try {
       return Result::closed;
     }
     counters_.bytes += packet.size;
+    if (trace::active) trace_.woken();
     if (!handle(packet, message)) return Result::closed;
     if (message) return Result::message;
   }
@@ -160,10 +166,11 @@ bool Reader::accept_fragment(const posix::ReceivedPacket& packet, MessagePtr& me
 // Only a subscriber that won the record may read its blocks: those of a revoked record may already be reused.
 bool Reader::deliver(std::uint32_t sequence, const std::uint8_t* body, std::size_t size,
                      MessagePtr& message) {
+  if (trace::active) trace_.taking();
   ParsedBody parsed;
   if (!advance(sequence) || !parse_body(body, size, parsed)) return broken("a malformed record");
   sync_point("take: before cursors");
-  if (!try_take(link_->cursors(), sequence)) {
+  if (!try_take(link_->page().cursors(), sequence)) {
     ++counters_.lost;
     return true;
   }
@@ -176,7 +183,9 @@ bool Reader::deliver(std::uint32_t sequence, const std::uint8_t* body, std::size
     return true;
   }
   ++counters_.received;
+  counters_.latencies.add(age_stamp() - parsed.header.made_at);
   next_->complete(parsed);
+  if (trace::active) next_->traced_as(trace_.taken(sequence, size));
   message = std::move(next_);
   return true;
 }
@@ -197,6 +206,7 @@ bool Reader::take_blocks(const ParsedBody& parsed, bool& complete) {
     if (!(*segment)->take(ref)) return true;
     sync_point("take: block taken");
     next_->hold(*segment, ref);
+    counters_.shared_bytes += ref.size;
   }
   complete = true;
   return true;

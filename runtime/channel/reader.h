@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "channel/latency_histogram.h"
 #include "channel/link.h"
 #include "channel/received_message.h"
 #include "channel/ring.h"
+#include "channel/take_trace.h"
 #include "posix/hot.h"
 #include "posix/packet.h"
 #include "segment/received_segment.h"
@@ -22,6 +24,8 @@ struct ReaderCounters {
   std::atomic<std::uint64_t> received{0};
   std::atomic<std::uint64_t> lost{0};
   std::atomic<std::uint64_t> bytes{0};
+  std::atomic<std::uint64_t> shared_bytes{0};
+  LatencyHistogram latencies;
 };
 
 /// Turns the packets of a link into messages. Trusts none of them: one that breaks the protocol ends the
@@ -30,7 +34,7 @@ class Reader {
  public:
   enum class Result { message, nothing, closed };
 
-  explicit Reader(std::shared_ptr<const Link> link);
+  Reader(std::shared_ptr<const Link> link, const SubscriberOptions& options);
 
   /// The next message. `nothing`: none there now (return_at_once only). `closed`: see reason().
   TZC_HOT Result read(posix::Waiting waiting, MessagePtr& message);
@@ -40,6 +44,7 @@ class Reader {
   /// There is no further message.
   void give_up(const char* reason) { reason_ = reason; }
   const ReaderCounters& counters() const { return counters_; }
+  const TakeTrace& trace() const { return trace_; }
 
  private:
   struct Assembly {
@@ -72,6 +77,7 @@ class Reader {
   Assembly assembly_;
   std::uint32_t last_sequence_;
   ReaderCounters counters_;
+  TakeTrace trace_;
   std::string reason_;
 };
 

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "channel/inspection.h"
 #include "channel/recycled.h"
 #include "segment/layout.h"
 #include "sync_point/sync_point.h"
@@ -104,6 +105,11 @@ void ReceivedMessage::complete(const ParsedBody& parsed) {
   if (control_ != nullptr) return;
   control_ = blocks_.back().data;
   blocks_.pop_back();
+}
+
+// There is no other implementation.
+std::uint64_t trace_id(const Message& message) {
+  return static_cast<const ReceivedMessage&>(message).trace_id();
 }
 
 }  // namespace channel

@@ -35,6 +35,8 @@ class ReceivedMessage final : public Message {
   TZC_HOT void release_blocks();
   /// `parsed` points into the packet or the adopted body; all its blocks are held.
   TZC_HOT void complete(const ParsedBody& parsed);
+  void traced_as(std::uint64_t id) { trace_id_ = id; }
+  std::uint64_t trace_id() const { return trace_id_; }
 
  private:
   struct Hold {
@@ -54,6 +56,7 @@ class ReceivedMessage final : public Message {
   SmallVector<Hold, 2> holds_;  // an image has one block, and one more for a control part that is large
   std::unique_ptr<std::uint8_t, Free> copies_;  // of blocks that this process may write to and have no view
   std::vector<std::uint8_t> body_;
+  std::uint64_t trace_id_ = 0;
   alignas(8) std::uint8_t packet_[packet_bytes];  // not initialised: the kernel fills it
 };
 

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <string>
 
+#include "channel/age_stamp.h"
 #include "channel/body.h"
 #include "channel/recycled.h"
 #include "posix/hot.h"
@@ -82,7 +83,7 @@ TZC_HOT RecordPtr make_record(std::uint32_t tag, const void* control, std::size_
                               BufferSpan buffers, MemorySource* memory) {
   if (!all_valid(buffers) || control_size > max_control_bytes) return nullptr;
   for (const BufferPtr& buffer : buffers) buffer->seal();
-  BodyHeader header{tag, 0, static_cast<std::uint32_t>(buffers.size()), 0, control_size};
+  BodyHeader header{tag, 0, static_cast<std::uint32_t>(buffers.size()), age_stamp(), control_size};
   const BufferPtr block = control_block(control, control_size, memory);
   if (!block) return make_recycled<const Record>(header, control, buffers);
   block->seal();

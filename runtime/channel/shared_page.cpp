@@ -3,8 +3,20 @@
 
 #include <new>
 
+#include "trace/trace.h"
+
 namespace tzc {
 namespace channel {
+namespace {
+
+// The number of its file is the same in both processes.
+std::uint64_t trace_number_of(int file) {
+  if (!trace::active) return 0;
+  const auto identity = posix::identify(file);
+  return identity ? identity->number : 0;
+}
+
+}  // namespace
 
 Expected<SharedPage> SharedPage::create(std::uint32_t first_sequence) {
   const auto sharing = posix::Sharing::peers_write;
@@ -19,6 +31,7 @@ Expected<SharedPage> SharedPage::create(std::uint32_t first_sequence) {
   SharedPage page;
   page.file_ = std::move(*file);
   page.mapping_ = std::move(*mapping);
+  page.trace_number_ = trace_number_of(page.fd());
   new (page.mapping_.data()) ConnectionPage{{pack(DeliveryCursors{first_sequence, first_sequence})}, {}};
   return {std::move(page)};
 }
@@ -33,6 +46,7 @@ Expected<SharedPage> SharedPage::open(posix::FileDescriptor file, std::size_t si
   if (!mapping) return mapping.error();
   SharedPage page;
   page.mapping_ = std::move(*mapping);
+  page.trace_number_ = trace_number_of(file.get());
   return {std::move(page)};
 }
 

@@ -28,6 +28,8 @@ class SharedPage {
   Ring& ring() const { return content().ring; }
   int fd() const { return file_.shared_fd(); }
   std::size_t size() const { return mapping_.size(); }
+  /// What both ends call this connection in a trace; 0 when this process writes none.
+  std::uint64_t trace_number() const { return trace_number_; }
   void close_descriptor() { file_.descriptor.reset(); }
 
  private:
@@ -35,7 +37,13 @@ class SharedPage {
 
   posix::MemoryFile file_;
   posix::Mapping mapping_;
+  std::uint64_t trace_number_ = 0;
 };
+
+/// What both ends of that connection call a record in a trace.
+inline std::uint64_t trace_id(std::uint64_t trace_number, std::uint32_t sequence) {
+  return trace_number << 32 | sequence;
+}
 
 }  // namespace channel
 }  // namespace tzc

@@ -3,12 +3,14 @@
 #include <new>
 #include <thread>
 
+#include "channel/inspection.h"
 #include "channel/link.h"
 #include "channel/reader.h"
 #include "channel/service.h"
 #include "posix/futex.h"
 #include "posix/hot.h"
 #include "posix/thread.h"
+#include "trace/trace.h"
 #include "tzc/channel.h"
 
 namespace tzc {
@@ -25,7 +27,7 @@ struct SubscriberImpl final : ReceivingEnd {
       : options(std::move(given)),
         link(connected),
         number(link->ring() != nullptr ? std::move(given_number) : nullptr),
-        reader(std::move(connected)) {}
+        reader(std::move(connected), options) {}
 
   /// On a thread of its own.
   TZC_HOT void run() {
@@ -66,7 +68,7 @@ struct SubscriberImpl final : ReceivingEnd {
 
   // A copy of a large message may not fit; that must not end a process that could go on.
   TZC_HOT void hand_over(const MessagePtr& message) try {
-    options.on_message(message);
+    trace::active ? reader.trace().call_back(options, message) : options.on_message(message);
   } catch (const std::bad_alloc&) {
     reader.give_up("out of memory");
   }
@@ -159,12 +161,22 @@ class SubscriberOwner final : public Subscriber {
     return stats;
   }
 
+  SubscriberInspection inspect() const {
+    const ReaderCounters& counters = impl_->reader.counters();
+    return {counters.latencies.counts(), counters.shared_bytes};
+  }
+
  private:
   std::shared_ptr<SubscriberImpl> impl_;
   std::thread thread_;
 };
 
 }  // namespace
+
+// There is no other implementation.
+SubscriberInspection inspect(const Subscriber& subscriber) {
+  return static_cast<const SubscriberOwner&>(subscriber).inspect();
+}
 
 Expected<std::shared_ptr<Subscriber>> Subscriber::create(SubscriberOptions options) {
   if (options.own_thread && !options.on_message) {

@@ -22,7 +22,7 @@
 namespace tzc {
 namespace channel {
 
-constexpr std::uint32_t wire_version = 3;
+constexpr std::uint32_t wire_version = 4;
 constexpr std::uint32_t wire_magic = 0x315a4354;  // "TCZ1"
 constexpr std::size_t fragment_bytes = 64 << 10;  // most bytes of a body in one packet
 constexpr std::size_t max_hello_bytes = 32 << 10;
@@ -107,7 +107,7 @@ struct BodyHeader {
   std::uint32_t tag;
   std::uint32_t flags;
   std::uint32_t block_count;
-  std::uint32_t reserved;
+  std::uint32_t made_at;  // age_stamp(), for the subscriber's latencies
   std::uint64_t control_size;
 };
 

@@ -56,14 +56,6 @@ bool AckFile::taken(std::uint32_t slot, std::uint32_t generation) const {
   return counts.generation == generation && counts.taken > 0;
 }
 
-std::size_t AckFile::taken_blocks() const {
-  std::size_t blocks = 0;
-  for_each_sent([&](std::uint32_t slot) {
-    blocks += taken(slot, sent_[slot].load(std::memory_order_relaxed)) ? 1 : 0;
-  });
-  return blocks;
-}
-
 bool AckFile::idle() const {
   bool idle = true;
   for_each_sent(

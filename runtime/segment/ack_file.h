@@ -35,8 +35,15 @@ class AckFile {
   bool holds(std::uint32_t slot, std::uint32_t generation) const;
   /// The subscriber took the block and did not release it yet.
   bool taken(std::uint32_t slot, std::uint32_t generation) const;
-  /// How many blocks the subscriber took and did not release yet. Slow: looks at every slot.
-  std::size_t taken_blocks() const;
+  /// Visits the slot and generation of each block that the subscriber took and did not release yet. Slow: looks at every
+  /// slot.
+  template <class Visit>
+  void for_each_taken(Visit visit) const {
+    for_each_sent([&](std::uint32_t slot) {
+      const std::uint32_t generation = sent_[slot].load(std::memory_order_relaxed);
+      if (taken(slot, generation)) visit(slot, generation);
+    });
+  }
   /// The subscriber holds nothing at all. Slow: looks at every slot.
   bool idle() const;
   /// A slot that the subscriber says it released something of; no_slot: no more now. For the allocator alone.

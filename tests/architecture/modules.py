@@ -6,10 +6,12 @@ USES = {
     "runtime/posix": [],
     "runtime/sync_point": [],
     "runtime/statistics": ["runtime/posix"],
+    "runtime/trace": ["runtime/posix"],
     "runtime/segment": ["runtime/posix", "runtime/sync_point"],
-    "runtime/channel": ["runtime/segment", "runtime/posix", "runtime/sync_point"],
+    "runtime/channel": ["runtime/segment", "runtime/posix", "runtime/sync_point", "runtime/trace"],
     "runtime/message": ["runtime/segment"],
-    "runtime/roscpp": ["runtime/channel", "runtime/message", "runtime/segment", "runtime/sync_point", "runtime/statistics"],
+    "runtime/roscpp": ["runtime/channel", "runtime/message", "runtime/segment", "runtime/sync_point", "runtime/statistics",
+                       "runtime/trace"],
     "runtime/adapters": ["runtime/roscpp", "runtime/message", "runtime/segment"],
     "runtime/preload": ["runtime/roscpp"],
 
@@ -43,6 +45,7 @@ USES = {
     "bench/paper": ["bench", "bench/core", "bench/roscpp"],
     # tzc-monitor knows the layout of a statistics page and what owns a descriptor, and nothing else of the runtime.
     "monitor": ["runtime/posix", "runtime/statistics"],
+    "monitor/diagnostics": ["monitor"],
     # tzc-compare needs no ROS to compare; its recorder is a ROS node.
     "compare/wire": [],
     "compare/pairing": ["compare/wire"],
@@ -64,9 +67,9 @@ SERIALIZATION = (r"ros/(serialization|serialized_message|message_traits|message_
 FOREIGN = {
     "ROS's nodes and topics": (rf"(?!{SERIALIZATION}){ROS}",
                                ["runtime/roscpp", "runtime/adapters", "runtime/preload", "bench/roscpp",
-                                "compare/recorder"]),
+                                "compare/recorder", "monitor/diagnostics"]),
     "ROS's messages": (SERIALIZATION, ["runtime/message", "runtime/roscpp", "runtime/adapters", "runtime/preload",
-                                       "bench/roscpp", "compare/recorder"]),
+                                       "bench/roscpp", "compare/recorder", "monitor/diagnostics"]),
     "Boost": (r"boost/", ["runtime/message", "runtime/roscpp", "runtime/adapters", "bench/roscpp"]),
     "Clang": (r"(clang|clang-c|llvm)/", ["rewriter/parse", "rewriter/facts", "rewriter/verify", "rewriter/engine",
                                        "rewriter/format"]),

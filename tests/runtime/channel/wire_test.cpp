@@ -14,8 +14,8 @@ namespace {
 
 using Word = std::atomic<std::uint64_t>;
 
-TEST(Wire, version_three) {
-  EXPECT_EQ(wire_version, 3u);
+TEST(Wire, version_four) {
+  EXPECT_EQ(wire_version, 4u);
   EXPECT_EQ(sizeof(Hello), 28u);
   EXPECT_EQ(sizeof(Welcome), 20u);
   EXPECT_EQ(sizeof(Refusal), 8u);
@@ -25,6 +25,7 @@ TEST(Wire, version_three) {
   EXPECT_EQ(sizeof(FragmentPrefix), 24u);
   EXPECT_EQ(sizeof(Unsubscribe), 4u);
   EXPECT_EQ(sizeof(BodyHeader), 24u);
+  EXPECT_EQ(offsetof(BodyHeader, made_at), 12u);
   EXPECT_EQ(sizeof(ConnectionPage), 4032u);
   EXPECT_EQ(sizeof(DoorbellPage), 576u);
   EXPECT_EQ(doorbell_numbers, 4096u);

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trace/recorder.h"
+
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include "posix/fork_epoch.h"
+#include "posix/process.h"
+#include "posix/thread.h"
+#include "trace/event_json.h"
+
+namespace tzc {
+namespace trace {
+namespace {
+
+constexpr std::size_t queued_events = 16384;  // a burst of a second at 4000 messages; 1 MB
+constexpr std::chrono::milliseconds pause{50};
+
+std::atomic<Recorder*> the_recorder{nullptr};
+std::atomic<std::uint32_t> epoch{0};
+
+std::uint64_t now_ns() {
+  const auto since_boot = std::chrono::steady_clock::now().time_since_epoch();
+  return static_cast<std::uint64_t>(std::chrono::nanoseconds(since_boot).count());
+}
+
+}  // namespace
+
+Recorder::Recorder(std::FILE* file) : process_(posix::process_number()), file_(file), queue_(queued_events) {}
+
+Recorder* Recorder::open() {
+  const std::string name = file_name(std::getenv("TZC_TRACE"), posix::process_number());
+  std::FILE* const file =
+      std::fopen(name.c_str(), "we");  // e: a program that this one starts does not have it
+  if (file == nullptr) {
+    std::fprintf(stderr,
+                 "TZC: TZC_TRACE: cannot write %s: %s; this process writes no trace (docs/traces.md)\n",
+                 name.c_str(), std::strerror(errno));
+    return nullptr;
+  }
+  auto* const recorder = new Recorder(file);
+  recorder->write("[\n");
+  auto thread = posix::start_thread("tzc-trace", [recorder] { recorder->run(); });
+  if (!thread) {
+    std::fprintf(stderr, "TZC: TZC_TRACE: %s; this process writes no trace\n", thread.error().text().c_str());
+    return nullptr;
+  }
+  recorder->thread_ = std::move(*thread);
+  epoch = posix::fork_epoch();
+  the_recorder.store(recorder, std::memory_order_release);
+  std::atexit(end_at_exit);
+  return recorder;
+}
+
+Recorder* Recorder::begin() {
+  static Recorder* const begun = open();
+  return begun != nullptr ? running() : nullptr;
+}
+
+Recorder* Recorder::running() noexcept {
+  Recorder* const recorder = the_recorder.load(std::memory_order_acquire);
+  return recorder != nullptr && !posix::forked_since(epoch.load(std::memory_order_relaxed)) ? recorder
+                                                                                            : nullptr;
+}
+
+const char* Recorder::keep(const std::string& text) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return names_.kept.insert(text).first->c_str();
+}
+
+void Recorder::name_channel(const std::string& address, const ChannelName& name) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  names_.channels[address] = name;
+}
+
+ChannelName Recorder::name_of_channel(const std::string& address) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto known = names_.channels.find(address);
+  return known != names_.channels.end() ? known->second : ChannelName{address, false};
+}
+
+void Recorder::name_process(const std::string& name) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  names_.of_process = name;
+}
+
+void Recorder::add(const Event& event) noexcept {
+  if (!queue_.push(event)) dropped_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void Recorder::run() {
+  write(process_name(process_, posix::program_name()));
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!is_ending_) {
+    const std::string name = std::exchange(names_.of_process, std::string());
+    lock.unlock();
+    if (!name.empty()) write(process_name(process_, name));
+    write_events();
+    lock.lock();
+    ends_.wait_for(lock, pause, [this] { return is_ending_; });
+  }
+}
+
+void Recorder::write_events() {
+  Event event{};
+  while (queue_.pop(event)) {
+    write_names(event);
+    write(to_json(event, process_));
+  }
+  const std::uint64_t dropped = dropped_.load(std::memory_order_relaxed);
+  if (dropped != reported_drops_) write(dropped_count(process_, now_ns(), dropped));
+  reported_drops_ = dropped;
+  std::fflush(file_);
+}
+
+void Recorder::write_names(const Event& event) {
+  if (named_threads_.insert(event.thread).second)
+    write(thread_name(process_, event.thread, posix::thread_name(event.thread)));
+}
+
+void Recorder::write(const std::string& lines) {
+  std::fwrite(lines.data(), 1, lines.size(), file_);
+}
+
+// The last line has no comma, so that the file of a process that ended by itself is strict JSON.
+void Recorder::end() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_ending_ = true;
+  }
+  ends_.notify_all();
+  thread_.join();
+  write_events();
+  std::string last = dropped_count(process_, now_ns(), dropped_);
+  last.resize(last.rfind(','));
+  write(last + "\n]\n");
+  std::fflush(file_);
+}
+
+void Recorder::end_at_exit() {
+  if (Recorder* const recorder = running()) recorder->end();
+}
+
+}  // namespace trace
+}  // namespace tzc
