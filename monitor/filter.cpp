@@ -16,9 +16,12 @@ void keep_topic(const std::string& topic, std::vector<Node>& nodes) {
       kept.topics.push_back(node.topics[i]);
       if (i < node.rates.size()) kept.rates.push_back(node.rates[i]);
     }
+    kept.subscriptions.clear();
+    for (const Subscription& one : node.subscriptions)
+      if (one.topic == global_name(topic)) kept.subscriptions.push_back(one);
     node = std::move(kept);
   }
-  const auto has_none = [](const Node& node) { return node.topics.empty(); };
+  const auto has_none = [](const Node& node) { return node.topics.empty() && node.subscriptions.empty(); };
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(), has_none), nodes.end());
 }
 

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "latency.h"
+#include "problems.h"
 #include "words.h"
 
 namespace tzc::monitor {
@@ -20,6 +22,14 @@ json connection_json(const Connection& connection) {
           {"in_flight", connection.in_flight},
           {"held", connection.held},
           {"revoked", connection.revoked},
+          {"revoked_by_cause",
+           {{"queue_full", connection.revoked_for_queue},
+            {"memory_needed", connection.revoked_for_memory},
+            {"subscriber_left", connection.revoked_at_end}}},
+          {"oldest_held_s", connection.oldest_held_s},
+          {"shared_bytes", connection.shared_bytes},
+          {"shared_bytes_per_second",
+           connection.shared_bytes_per_s ? json(*connection.shared_bytes_per_s) : json()},
           {"pid", connection.pid == 0 ? json() : json(connection.pid)},
           {"stopped", connection.is_stopped}};
 }
@@ -28,7 +38,32 @@ json rates_json(const Rates& rates) {
   return {{"messages", rates.messages},
           {"shared", rates.shared},
           {"serialized", rates.serialized},
-          {"copied_bytes", rates.copied_bytes}};
+          {"copied_bytes", rates.copied_bytes},
+          {"exhausted", rates.exhausted}};
+}
+
+json latency_json(const Latencies& latencies) {
+  json buckets = json::array();
+  for (std::size_t i = 0; i < latencies.size(); ++i)
+    if (latencies[i] > 0) buckets.push_back({{"below_us", bucket_end_us(i)}, {"messages", latencies[i]}});
+  return buckets;
+}
+
+json subscription_json(const Subscription& one) {
+  return {{"topic", one.topic},
+          {"publisher", one.publisher},
+          {"transport", name(one.transport)},
+          {"messages", one.messages},
+          {"per_second", one.messages_per_s ? json(*one.messages_per_s) : json()},
+          {"lost", one.lost},
+          {"bytes", one.bytes},
+          {"shared_bytes", one.shared_bytes},
+          {"held_messages", one.held_messages},
+          {"held_bytes", one.held_bytes},
+          {"latency", latency_json(one.latencies)},
+          {"latency_since_last_look", latency_json(one.recent)},
+          {"pid", one.pid == 0 ? json() : json(one.pid)},
+          {"stopped", one.is_stopped}};
 }
 
 json topic_json(const Topic& topic, const std::optional<Rates>& rates) {
@@ -58,14 +93,20 @@ json node_json(const Node& node) {
   json topics = json::array();
   for (std::size_t i = 0; i < node.topics.size(); ++i)
     topics.push_back(topic_json(node.topics[i], i < node.rates.size() ? node.rates[i] : std::nullopt));
-  return {{"node", node.name},   {"pid", node.pid},           {"state", name(node.state)},
-          {"age_s", node.age_s}, {"left_out", node.left_out}, {"topics", topics}};
+  json subscriptions = json::array();
+  for (const Subscription& one : node.subscriptions) subscriptions.push_back(subscription_json(one));
+  return {
+      {"node", node.name},         {"pid", node.pid},  {"state", name(node.state)},     {"age_s", node.age_s},
+      {"left_out", node.left_out}, {"topics", topics}, {"subscriptions", subscriptions}};
 }
 
 }  // namespace
 
 std::string json_report(const std::vector<Node>& nodes) {
-  json report{{"version", 1}, {"nodes", json::array()}};
+  json report{{"version", 1}, {"nodes", json::array()}, {"problems", json::array()}};
+  for (const Problem& problem : problems(nodes))
+    report["problems"].push_back(
+        {{"kind", name(problem.kind)}, {"node", problem.node}, {"text", problem.text}});
   for (const Node& node : nodes) report["nodes"].push_back(node_json(node));
   return report.dump(2) + "\n";
 }

@@ -10,9 +10,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
+#include <iostream>
 #include <thread>
 
 #include "filter.h"
+#include "join_trace.h"
 #include "json_report.h"
 #include "options.h"
 #include "processes.h"
@@ -29,9 +32,10 @@ using Clock = std::chrono::steady_clock;
 constexpr int found = 0, nothing_found = 1, wrong_usage = 2;
 
 const char* const nobody =
-    "tzc-monitor: no process of this user publishes with TZC. A node has a statistics page from its first "
-    "subscriber "
-    "on, unless ~tzc/statistics_page or ~tzc/disable say otherwise.\n";
+    "tzc-monitor: no process of this user uses TZC. A node has a statistics page from its first subscriber, "
+    "or "
+    "from its first publisher that offers shared memory, on, unless ~tzc/statistics_page or ~tzc/disable say "
+    "otherwise.\n";
 
 bool wants_colours() {
   const char* const refused = std::getenv("NO_COLOR");
@@ -75,6 +79,17 @@ int explain_why(const Options& options) {
   return explanation.sentences.empty() ? nothing_found : found;
 }
 
+int join_traces(const Options& options) {
+  TraceJoin join(std::cout);
+  for (const std::string& name : options.traces) {
+    std::ifstream file(name);
+    join.add(file, name);
+  }
+  const bool has_events = join.finish();
+  for (const std::string& trouble : join.troubles()) fmt::print(stderr, "tzc-monitor: {}\n", trouble);
+  return has_events ? found : nothing_found;
+}
+
 int print_once(const Options& options) {
   Sample sample = sample_with_rates(options.interval_s);
   report(sample);
@@ -88,7 +103,7 @@ int print_once(const Options& options) {
   if (!has_nodes)
     fmt::print(stderr, "{}", nobody);
   else
-    fmt::print(stderr, "tzc-monitor: no process of this user publishes {} with TZC\n",
+    fmt::print(stderr, "tzc-monitor: no process of this user publishes or receives {} with TZC\n",
                global_name(options.topic));
   return nothing_found;
 }
@@ -111,6 +126,7 @@ int refresh(const Options& options) {
 }
 
 int run(const Options& options) {
+  if (!options.traces.empty()) return join_traces(options);
   if (!options.why.empty()) return explain_why(options);
   const bool is_live = !options.once && !options.json && ::isatty(STDOUT_FILENO) == 1;
   return is_live ? refresh(options) : print_once(options);

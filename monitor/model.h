@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -25,9 +26,14 @@ struct Connection {
   Transport transport = Transport::unknown;
   std::string reason;  ///< why it is not on shared memory
   std::uint64_t messages = 0, bytes = 0, in_flight = 0, held = 0, revoked = 0;
-  std::uint32_t pid = 0;                 ///< 0: not known
-  std::optional<double> messages_per_s;  ///< sent; none: there is only one sample
-  bool is_stopped = false;               ///< the subscriber's process
+  std::uint64_t shared_bytes = 0;  ///< of arrays that were sent in shared memory
+  std::uint64_t revoked_for_queue = 0, revoked_for_memory = 0, revoked_at_end = 0;  ///< `revoked` by cause
+  double oldest_held_s = 0;
+  std::uint32_t pid = 0;                     ///< 0: not known
+  std::optional<double> messages_per_s;      ///< sent; none: there is only one sample
+  std::optional<double> shared_bytes_per_s;  ///< as above
+  std::optional<std::uint64_t> lost_since;  ///< for queue and memory, since the sample before; none: as above
+  bool is_stopped = false;                  ///< the subscriber's process
 };
 
 struct Topic {
@@ -37,9 +43,23 @@ struct Topic {
   std::vector<Connection> connections;
 };
 
+using Latencies = std::array<std::uint64_t, statistics::latency_buckets>;  ///< as in SubscriptionRow
+
+/// One publisher of a topic that a node subscribes to.
+struct Subscription {
+  std::string topic, publisher;
+  Transport transport = Transport::unknown;
+  std::uint64_t messages = 0, lost = 0, bytes = 0, shared_bytes = 0, held_messages = 0, held_bytes = 0;
+  Latencies latencies{};                 ///< from publish to take, since the connection began
+  std::uint32_t pid = 0;                 ///< of the publisher; 0: not known
+  std::optional<double> messages_per_s;  ///< received; none: there is only one sample
+  Latencies recent{};                    ///< those of `latencies` since the sample before
+  bool is_stopped = false;               ///< the publisher's process
+};
+
 /// What changed between two samples of a topic, per second.
 struct Rates {
-  double messages = 0, shared = 0, serialized = 0, copied_bytes = 0;
+  double messages = 0, shared = 0, serialized = 0, copied_bytes = 0, exhausted = 0;
 };
 
 /// One process with a statistics page, as it was sampled.
@@ -51,6 +71,7 @@ struct Node {
   double age_s = 0;  ///< of what is shown
   std::uint32_t left_out = 0;
   std::vector<Topic> topics;
+  std::vector<Subscription> subscriptions;
   std::vector<std::optional<Rates>> rates;  ///< of each topic; empty: there is only one sample
 };
 

@@ -17,6 +17,7 @@ const char* const footer =
     "  tzc-monitor --once --topic /camera/image  one table of one topic\n"
     "  tzc-monitor --json | jq '.nodes[].topics[].connections[]'\n"
     "  tzc-monitor --why /viewer /camera/image   is this connection shared, and if not, why?\n"
+    "  tzc-monitor --join-trace trace.json.* >all.json   one trace of several processes\n"
     "\nExit status: 0 something was found, 1 nothing was found, 2 error in the command line.\n";
 
 void check(const Options& options, bool is_live) {
@@ -47,9 +48,16 @@ std::optional<Options> parse_options(int argc, char** argv, int& status) {
       ->excludes(json)
       ->excludes(topic)
       ->excludes(interval);
+  app.add_option(
+         "--join-trace", options.traces,
+         "print the traces that processes wrote with TZC_TRACE as one, for Perfetto or chrome://tracing")
+      ->type_name("FILE...")
+      ->excludes(json)
+      ->excludes(topic)
+      ->excludes(interval);
   try {
     app.parse(argc, argv);
-    check(options, !options.once && !options.json && options.why.empty());
+    check(options, !options.once && !options.json && options.why.empty() && options.traces.empty());
   } catch (const CLI::ParseError& error) {
     status = app.exit(error) == 0 ? 0 : 2;
     return std::nullopt;

@@ -11,8 +11,9 @@ struct Options {
   bool once = false;
   bool json = false;
   double interval_s = 1;
-  std::string topic;             ///< empty: all
-  std::vector<std::string> why;  ///< node and topic; empty: a table is wanted
+  std::string topic;                ///< empty: all
+  std::vector<std::string> why;     ///< node and topic; empty: a table is wanted
+  std::vector<std::string> traces;  ///< files to join; empty: as above
 };
 
 /// Null: the program ends with `status` (help was printed, or the options are wrong).

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "page.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <iterator>
 #include <vector>
 
 #include "statistics/page_layout.h"
@@ -70,8 +72,29 @@ Connection connection_of(const layout::ConnectionRow& row) {
   connection.in_flight = row.in_flight;
   connection.held = row.held;
   connection.revoked = row.revoked;
+  connection.shared_bytes = row.shared_bytes;
+  connection.revoked_for_queue = row.revoked_for_queue;
+  connection.revoked_for_memory = row.revoked_for_memory;
+  connection.revoked_at_end = row.revoked_at_end;
+  connection.oldest_held_s = static_cast<double>(row.oldest_held_ms) / 1000;
   connection.pid = row.pid;
   return connection;
+}
+
+Subscription subscription_of(const layout::SubscriptionRow& row) {
+  Subscription subscription;
+  subscription.topic = text_of(row.topic);
+  subscription.publisher = text_of(row.publisher);
+  subscription.transport = transport_of(row.transport);
+  subscription.messages = row.messages;
+  subscription.lost = row.lost;
+  subscription.bytes = row.bytes;
+  subscription.shared_bytes = row.shared_bytes;
+  subscription.held_messages = row.held_messages;
+  subscription.held_bytes = row.held_bytes;
+  std::copy(std::begin(row.latencies), std::end(row.latencies), subscription.latencies.begin());
+  subscription.pid = row.pid;
+  return subscription;
 }
 
 template <class Row>
@@ -82,8 +105,8 @@ Row row_at(const std::vector<char>& rows, std::size_t i) {
 }
 
 /// A connection without a topic above it, and a row of an unknown kind, are left out.
-std::vector<Topic> topics_of(const std::vector<char>& rows) {
-  std::vector<Topic> topics;
+void parse_rows(const std::vector<char>& rows, Node& node) {
+  std::vector<Topic>& topics = node.topics;
   for (std::size_t i = 0; i < rows.size() / layout::row_bytes; ++i) {
     std::uint32_t kind = 0;
     std::memcpy(&kind, rows.data() + i * layout::row_bytes, sizeof kind);
@@ -91,8 +114,9 @@ std::vector<Topic> topics_of(const std::vector<char>& rows) {
       topics.push_back(topic_of(row_at<layout::TopicRow>(rows, i)));
     else if (kind == static_cast<std::uint32_t>(layout::RowKind::connection) && !topics.empty())
       topics.back().connections.push_back(connection_of(row_at<layout::ConnectionRow>(rows, i)));
+    else if (kind == static_cast<std::uint32_t>(layout::RowKind::subscription))
+      node.subscriptions.push_back(subscription_of(row_at<layout::SubscriptionRow>(rows, i)));
   }
-  return topics;
 }
 
 /// False: the table is not that number's, or its count of rows is out of range.
@@ -139,7 +163,7 @@ bool read_page(const ReadAt& read_at, Node& node, std::string& trouble) {
     if (!is_table || after != before) continue;
     node.updated_ns = table.updated_ns;
     node.left_out = table.left_out;
-    node.topics = topics_of(rows);
+    parse_rows(rows, node);
     return true;
   }
   return refuse(trouble, "it changes while it is read, or is damaged");

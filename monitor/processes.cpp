@@ -103,10 +103,13 @@ void judge_state(const std::string& proc, const std::string& process, Node& node
     node.state = State::stopped;
   else if (node.age_s > silent_after_s)
     node.state = State::silent;
+  const auto is_other_stopped = [&](std::uint32_t pid) {
+    return pid != 0 && is_stopped(state_of(fmt::format("{}/{}", proc, pid)));
+  };
   for (Topic& topic : node.topics)
-    for (Connection& connection : topic.connections)
-      connection.is_stopped =
-          connection.pid != 0 && is_stopped(state_of(fmt::format("{}/{}", proc, connection.pid)));
+    for (Connection& connection : topic.connections) connection.is_stopped = is_other_stopped(connection.pid);
+  for (Subscription& subscription : node.subscriptions)
+    subscription.is_stopped = is_other_stopped(subscription.pid);
 }
 
 void look_at(const std::string& proc, const std::string& number, Sample& sample) {

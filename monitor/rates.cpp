@@ -21,7 +21,8 @@ Rates rates_of(const statistics::TopicCounters& before, const statistics::TopicC
                double seconds) {
   return {per_second(before.messages, now.messages, seconds), per_second(before.shared, now.shared, seconds),
           per_second(before.serialized, now.serialized, seconds),
-          per_second(before.copied_bytes, now.copied_bytes, seconds)};
+          per_second(before.copied_bytes, now.copied_bytes, seconds),
+          per_second(before.exhausted, now.exhausted, seconds)};
 }
 
 std::optional<Rates> rates_between(const Node& before, const Node& now, const Topic& earlier,
@@ -34,12 +35,21 @@ std::optional<Rates> rates_between(const Node& before, const Node& now, const To
   return place < before.rates.size() ? before.rates[place] : std::nullopt;
 }
 
-std::optional<double> rate_between(const Node& before, const Node& now, const Connection& earlier,
-                                   const Connection& connection) {
+/// Of a count whose earlier rate is known.
+std::optional<double> rate_between(const Node& before, const Node& now, std::uint64_t earlier,
+                                   std::uint64_t count, std::optional<double> earlier_rate) {
   if (now.updated_ns > before.updated_ns)
-    return per_second(earlier.messages, connection.messages,
-                      static_cast<double>(now.updated_ns - before.updated_ns) * 1e-9);
-  return now.state == State::running ? earlier.messages_per_s : 0;
+    return per_second(earlier, count, static_cast<double>(now.updated_ns - before.updated_ns) * 1e-9);
+  return now.state == State::running ? earlier_rate : 0;
+}
+
+std::uint64_t added(std::uint64_t before, std::uint64_t now) {
+  return now > before ? now - before : 0;
+}
+
+/// What the subscriber could have had.
+std::uint64_t lost_in_time(const Connection& connection) {
+  return connection.revoked_for_queue + connection.revoked_for_memory;
 }
 
 /// A connection that moved to another transport counts from 0 again.
@@ -48,7 +58,34 @@ void add_connection_rates(const Node& before, const Node& now, const Topic& earl
     const Connection* const same = find_if(earlier.connections, [&](const Connection& other) {
       return other.subscriber == connection.subscriber && other.transport == connection.transport;
     });
-    if (same) connection.messages_per_s = rate_between(before, now, *same, connection);
+    if (!same) continue;
+    connection.messages_per_s =
+        rate_between(before, now, same->messages, connection.messages, same->messages_per_s);
+    connection.shared_bytes_per_s =
+        rate_between(before, now, same->shared_bytes, connection.shared_bytes, same->shared_bytes_per_s);
+    connection.lost_since = now.updated_ns > before.updated_ns
+                                ? added(lost_in_time(*same), lost_in_time(connection))
+                                : same->lost_since;
+  }
+}
+
+Latencies added(const Latencies& before, const Latencies& now) {
+  Latencies recent{};
+  for (std::size_t i = 0; i < now.size(); ++i) recent[i] = added(before[i], now[i]);
+  return recent;
+}
+
+void add_subscription_rates(const Node& before, Node& now) {
+  for (Subscription& subscription : now.subscriptions) {
+    const Subscription* const same = find_if(before.subscriptions, [&](const Subscription& other) {
+      return other.topic == subscription.topic && other.publisher == subscription.publisher &&
+             other.transport == subscription.transport;
+    });
+    if (!same) continue;
+    subscription.messages_per_s =
+        rate_between(before, now, same->messages, subscription.messages, same->messages_per_s);
+    subscription.recent =
+        now.updated_ns > before.updated_ns ? added(same->latencies, subscription.latencies) : same->recent;
   }
 }
 
@@ -60,6 +97,7 @@ void add_rates(const std::vector<Node>& before, std::vector<Node>& now) {
     const Node* const earlier = find_if(before, [&](const Node& other) {
       return other.pid == node.pid && other.started_ns == node.started_ns;
     });
+    if (earlier) add_subscription_rates(*earlier, node);
     for (std::size_t i = 0; earlier && i < node.topics.size(); ++i) {
       Topic& topic = node.topics[i];
       const Topic* const same =

@@ -35,12 +35,51 @@ std::string cut(const std::string& line, std::size_t columns) {
   return kept;
 }
 
+std::size_t width(const std::string& text) {
+  std::size_t columns = 0;
+  bool is_escape = false;
+  for (const char c : text) {
+    if (c == '\x1b') is_escape = true;
+    if (!is_escape) ++columns;
+    if (is_escape && c == 'm') is_escape = false;
+  }
+  return columns;
+}
+
+/// Problems and connections are words; topics are rows of numbers, whose last column matters least.
+bool is_of_words(const std::string& line) {
+  return line.rfind("    -> ", 0) == 0 || line.rfind("    <- ", 0) == 0 ||
+         line.find(". ") != std::string::npos || (!line.empty() && line.back() == '.');
+}
+
+/// Lines of at most so many columns, broken between words.
+void wrap(const std::string& line, std::size_t columns, std::vector<std::string>& lines) {
+  const std::string indent(columns > 40 ? 11 : 2, ' ');
+  std::string current;
+  std::istringstream words(line);
+  const std::size_t margin = line.find_first_not_of(' ');
+  for (std::string word, gap(margin == std::string::npos ? 0 : margin, ' '); words >> word; gap = " ") {
+    if (!current.empty() && width(current) + 1 + width(word) > columns) {
+      lines.push_back(cut(current, columns));
+      current.clear();
+      gap = indent;
+    }
+    current += gap + word;
+  }
+  lines.push_back(cut(current, columns));
+}
+
 }  // namespace
 
 std::string fitted(const std::string& text, std::size_t rows, std::size_t columns) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(cut(line, columns));
+  for (std::string line; std::getline(stream, line);) {
+    if (width(line) > columns && is_of_words(line))
+      wrap(line, columns, lines);
+    else
+      lines.push_back(cut(line, columns));
+  }
   if (lines.size() > rows && rows > 0) {
     const std::size_t hidden = lines.size() - rows + 1;
     lines.resize(rows - 1);

@@ -25,7 +25,8 @@ class Screen {
   sigset_t ends_, before_;
 };
 
-/// The lines of a text that fit into a terminal, each followed by what clears the rest of its line. Colours stay.
+/// The lines of a text that fit into a terminal, each followed by what clears the rest of its line. A line of words (a
+/// problem, a connection) goes on in the next one, a row of the table is cut. Colours stay.
 std::string fitted(const std::string& text, std::size_t rows, std::size_t columns);
 
 }  // namespace tzc::monitor

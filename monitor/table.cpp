@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "latency.h"
+#include "problems.h"
 #include "words.h"
 
 namespace tzc::monitor {
@@ -15,19 +17,37 @@ constexpr const char* red = "31";
 constexpr const char* green = "32";
 constexpr const char* yellow = "33";
 
+std::string per_second(const std::optional<double>& rate) {
+  return rate ? fmt::format("{:.1f}/s", *rate) : "-";
+}
+
+std::string bytes(std::uint64_t count) {
+  return short_bytes(static_cast<double>(count));
+}
+
+/// A phrase about a count, only when there is something to say.
+std::string unless_0(std::uint64_t count, const std::string& phrase) {
+  return count == 0 ? "" : fmt::format(fmt::runtime(phrase), count);
+}
+
 class Table {
  public:
   Table(const std::vector<Node>& nodes, bool has_colours) : nodes_(nodes), has_colours_(has_colours) {
-    for (const Node& node : nodes)
+    for (const Node& node : nodes) {
       for (const Topic& topic : node.topics) widen(topic);
+      for (const Subscription& one : node.subscriptions)
+        peers_ = std::max(peers_, one.topic.size() + one.publisher.size() + 6);
+    }
   }
 
   std::string text() {
+    add_problems();
     head();
     for (const Node& node : nodes_) {
       add_node(node);
       for (std::size_t i = 0; i < node.topics.size(); ++i)
         add_topic(node.topics[i], i < node.rates.size() ? node.rates[i] : std::nullopt);
+      for (const Subscription& one : node.subscriptions) add_subscription(one);
     }
     return std::move(text_);
   }
@@ -35,9 +55,8 @@ class Table {
  private:
   void widen(const Topic& topic) {
     names_ = std::max(names_, topic.name.size());
-    types_ = std::max(types_, topic.type.size());
     for (const Connection& connection : topic.connections)
-      subscribers_ = std::max(subscribers_, connection.subscriber.size());
+      peers_ = std::max(peers_, connection.subscriber.size());
   }
 
   std::string paint(const char* colour, const std::string& text) const {
@@ -48,12 +67,27 @@ class Table {
     const std::string text = fmt::format("{:>{}}", count, width);
     return count == 0 ? text : paint(red, text);
   }
+  std::string paint(Transport transport) const {
+    const bool is_good = transport == Transport::shared || transport == Transport::intraprocess;
+    return paint(is_good ? green : yellow, fmt::format("{:10}", name(transport)));
+  }
+
+  void add_problems() {
+    const std::vector<Problem> found = problems(nodes_);
+    if (found.empty()) return;
+    text_ += paint(bold, "PROBLEMS") + "\n";
+    for (const Problem& problem : found)
+      text_ += fmt::format(
+          "  {}  {}\n",
+          paint(problem.kind == ProblemKind::tcpros ? yellow : red, fmt::format("{:7}", name(problem.kind))),
+          problem.text);
+    text_ += "\n";
+  }
 
   void head() {
-    const std::string line =
-        fmt::format("  {:{}}  {:{}}  {:>7}  {:>8}  {:>8}  {:>8}  {:>6}  {:>9}  {:>6}  {:>9}  {:>7}  {:>7}",
-                    "TOPIC", names_, "TYPE", types_, "MSG/S", "SHARED/S", "SERIAL/S", "COPIED/S", "USED",
-                    "COMMITTED", "SIZE", "EXHAUSTED", "DROPPED", "REVOKED");
+    const std::string line = fmt::format(
+        "  {:{}}  {:>6}  {:>8}  {:>8}  {:>8}  {:>6}  {:>6}  {:>6}  {:>6}  {:>6}  {}", "TOPIC", names_,
+        "MSG/S", "SERIAL/S", "SAVED/S", "COPIED/S", "USED", "PEAK", "SIZE", "NO MEM", "LOST", "TYPE");
     text_ += paint(bold, line) + "\n";
   }
 
@@ -67,39 +101,68 @@ class Table {
       text_ += fmt::format("  {} further rows have no room in its page\n", node.left_out);
   }
 
+  /// Of all subscribers; none: there is only one sample.
+  static std::optional<double> saved(const Topic& topic) {
+    std::optional<double> sum;
+    for (const Connection& connection : topic.connections)
+      if (connection.shared_bytes_per_s) sum = sum.value_or(0) + *connection.shared_bytes_per_s;
+    return sum;
+  }
+
   void add_topic(const Topic& topic, const std::optional<Rates>& rates) {
     const auto rate = [](double value) { return fmt::format("{:.1f}", value); };
-    text_ +=
-        fmt::format("  {:{}}  {:{}}  {:>7}  {:>8}  {:>8}  {:>8}", topic.name, names_, topic.type, types_,
-                    rates ? rate(rates->messages) : "-", rates ? rate(rates->shared) : "-",
-                    rates ? rate(rates->serialized) : "-", rates ? short_bytes(rates->copied_bytes) : "-");
-    text_ += fmt::format(
-        "  {:>6}  {:>9}  {:>6}  {}  {}  {}\n", short_bytes(static_cast<double>(topic.memory.used)),
-        short_bytes(static_cast<double>(topic.memory.committed)),
-        short_bytes(static_cast<double>(topic.memory.size)), alarm(topic.counters.exhausted, 9),
-        alarm(topic.counters.dropped, 7), alarm(topic.counters.revoked, 7));
+    const std::optional<double> saved_bytes = saved(topic);
+    text_ += fmt::format("  {:{}}  {:>6}  {:>8}  {:>8}  {:>8}", topic.name, names_,
+                         rates ? rate(rates->messages) : "-", rates ? rate(rates->serialized) : "-",
+                         saved_bytes ? short_bytes(*saved_bytes) : "-",
+                         rates ? short_bytes(rates->copied_bytes) : "-");
+    text_ += fmt::format("  {:>6}  {:>6}  {:>6}  {}  {}  {}\n", bytes(topic.memory.used),
+                         bytes(topic.memory.committed), bytes(topic.memory.size),
+                         alarm(topic.counters.exhausted, 6),
+                         alarm(topic.counters.dropped + topic.counters.revoked, 6), topic.type);
     for (const Connection& connection : topic.connections) add_connection(connection);
   }
 
   void add_connection(const Connection& connection) {
-    const bool is_shared = connection.transport == Transport::shared;
-    const std::string transport = fmt::format("{:10}", name(connection.transport));
-    const std::string rate =
-        connection.messages_per_s ? fmt::format("{:.1f}/s", *connection.messages_per_s) : "-";
-    text_ += fmt::format("    -> {:{}}  {}  {:>9}  sent {}", connection.subscriber, subscribers_,
-                         paint(is_shared ? green : yellow, transport), rate, connection.messages);
-    if (is_shared)
-      text_ += fmt::format(", in flight {}, holds {}, revoked {}", connection.in_flight, connection.held,
-                           connection.revoked);
-    else
-      text_ += ": " + connection.reason;
+    text_ += fmt::format("    -> {:{}}  {}  {:>8}  ", connection.subscriber, peers_,
+                         paint(connection.transport), per_second(connection.messages_per_s));
+    text_ += connection.transport == Transport::shared ? shared_words(connection) : connection.reason;
     if (connection.is_stopped) text_ += paint(red, "  stopped");
     text_ += "\n";
   }
 
+  std::string shared_words(const Connection& connection) const {
+    std::string text = fmt::format("in flight {}, holds {}", connection.in_flight, connection.held);
+    if (connection.held > 0 && connection.oldest_held_s >= 1)
+      text += fmt::format(" for up to {:.0f} s", connection.oldest_held_s);
+    const std::string causes = unless_0(connection.revoked_for_queue, " {} queue full") +
+                               unless_0(connection.revoked_for_memory, " {} memory needed") +
+                               unless_0(connection.revoked_at_end, " {} at its end");
+    return text + fmt::format(", lost {}{}", connection.revoked, causes.empty() ? "" : ":" + causes);
+  }
+
+  void add_subscription(const Subscription& one) {
+    text_ += fmt::format("    <- {:{}}  {}  {:>8}", fmt::format("{} from {}", one.topic, one.publisher),
+                         peers_, paint(one.transport), per_second(one.messages_per_s));
+    if (one.transport == Transport::shared) text_ += "  " + received_words(one);
+    if (one.is_stopped) text_ += paint(red, "  stopped");
+    text_ += "\n";
+  }
+
+  static std::string received_words(const Subscription& one) {
+    const Latencies& latencies = count(one.recent) > 0 ? one.recent : one.latencies;
+    std::string text = "latency -";
+    if (count(latencies) > 0)
+      text = fmt::format("latency < {} (99%: < {})", short_time(quantile_s(latencies, 0.5)),
+                         short_time(quantile_s(latencies, 0.99)));
+    if (one.held_messages > 0)
+      text += fmt::format(", holds {} ({})", one.held_messages, bytes(one.held_bytes));
+    return text + fmt::format(", lost {}", one.lost);
+  }
+
   const std::vector<Node>& nodes_;
   const bool has_colours_;
-  std::size_t names_ = 5, types_ = 4, subscribers_ = 0;
+  std::size_t names_ = 5, peers_ = 0;
   std::string text_;
 };
 

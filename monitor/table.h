@@ -8,7 +8,7 @@
 
 namespace tzc::monitor {
 
-/// The nodes with their topics and connections, for people. Each line ends with a newline.
+/// What is wrong, then the nodes with their topics and connections, for people. Each line ends with a newline.
 std::string table(const std::vector<Node>& nodes, bool has_colours);
 
 }  // namespace tzc::monitor

@@ -36,6 +36,13 @@ std::string short_bytes(double bytes) {
   return fmt::format("{:.{}f}{}", bytes, unit == 0 || bytes >= 99.95 ? 0 : 1, units[unit]);
 }
 
+std::string short_time(double seconds) {
+  if (seconds < 999.5e-6) return fmt::format("{:.0f} us", seconds * 1e6);
+  if (seconds < 9.95e-3) return fmt::format("{:.1f} ms", seconds * 1e3);
+  if (seconds < 0.9995) return fmt::format("{:.0f} ms", seconds * 1e3);
+  return fmt::format("{:.{}f} s", seconds, seconds < 9.95 ? 1 : 0);
+}
+
 const char* name(State state) {
   switch (state) {
     case State::running:

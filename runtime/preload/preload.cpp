@@ -8,6 +8,7 @@
 
 #include "preload/codec_table.h"
 #include "roscpp/publish/plain_attachment.h"
+#include "roscpp/traces/traced_callback.h"
 
 namespace tzc {
 namespace {
@@ -38,7 +39,11 @@ Subscriber NodeHandle::subscribe(SubscribeOptions& options) {
   const tzc::detail::MessageCodec* codec = tzc::codec_for(options.datatype, options.md5sum);
   if (codec && options.helper && options.helper->getTypeInfo() == *codec->type)
     tzc::detail::attach_topic(resolveName(options.topic), *codec);
-  return subscribe(this, options);
+  const ros::SubscriptionCallbackHelperPtr callback = options.helper;
+  options.helper = tzc::detail::traced(callback, resolveName(options.topic));
+  const Subscriber subscriber = subscribe(this, options);
+  options.helper = callback;  // the program may subscribe with them again
+  return subscriber;
 }
 
 Publisher NodeHandle::advertise(AdvertiseOptions& options) {

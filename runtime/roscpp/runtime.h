@@ -19,9 +19,9 @@ struct Runtime {
   Worker clerk;    ///< connect callbacks and the like: never waits
   PeerPool peers;  ///< calls the master and other nodes, and may wait for each of them for some seconds
   WorkerQueue queue{clerk};
-  UpgradeResponder responder{clerk, peers};
+  UpgradeResponder responder{clerk, peers, [this] { statistics.begin(); }};
   OfferRequests requests{clerk};
-  StatisticsUpdater statistics{clerk};
+  StatisticsUpdater statistics{clerk, [this] { return responder.look(); }};
 };
 
 Runtime& runtime();

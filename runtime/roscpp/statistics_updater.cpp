@@ -44,12 +44,41 @@ statistics::ConnectionRow row_of(const LinkStatistics& seen) {
   row.messages = seen.messages;
   row.bytes = seen.bytes;
   row.in_flight = seen.in_flight;
-  row.held = seen.held;
+  row.held = seen.inspection.held.size();
+  row.shared_bytes = seen.inspection.shared_bytes;
+  row.revoked_for_queue = seen.inspection.dropped_for_queue;
+  row.revoked_for_memory = seen.inspection.dropped_for_memory;
+  row.revoked_at_end = seen.inspection.dropped_at_end;
   row.revoked = seen.revoked;
   row.pid = seen.pid;
   copy_text(row.subscriber, seen.subscriber);
   copy_text(row.reason, seen.reason);
   return row;
+}
+
+static_assert(channel::latency_buckets == statistics::latency_buckets, "a row has one place for each bucket");
+
+statistics::SubscriptionRow row_of(const SubscriptionStatistics& seen) {
+  statistics::SubscriptionRow row{};
+  row.kind = statistics::RowKind::subscription;
+  row.transport = seen.transport;
+  row.messages = seen.messages;
+  row.lost = seen.lost;
+  row.bytes = seen.bytes;
+  row.shared_bytes = seen.inspection.shared_bytes;
+  row.held_messages = seen.held_messages;
+  row.held_bytes = seen.held_bytes;
+  std::copy(seen.inspection.latencies.begin(), seen.inspection.latencies.end(), row.latencies);
+  row.pid = seen.pid;
+  copy_text(row.topic, seen.topic);
+  copy_text(row.publisher, seen.publisher);
+  return row;
+}
+
+std::uint64_t now_ms() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return static_cast<std::uint64_t>(
+      std::chrono::milliseconds(std::chrono::duration_cast<std::chrono::milliseconds>(now)).count());
 }
 
 }  // namespace
@@ -111,7 +140,11 @@ std::vector<EndpointStatistics> StatisticsUpdater::look_at_plain() {
 bool StatisticsUpdater::add(EndpointStatistics seen, Links& links) {
   if (!seen.has_links) seen.links = last_links_[seen.topic];
   page_->add(row_of(seen));
-  for (const LinkStatistics& link : seen.links) page_->add(row_of(link));
+  for (const LinkStatistics& link : seen.links) {
+    statistics::ConnectionRow row = row_of(link);
+    row.oldest_held_ms = held_since_.oldest_ms(link.inspection.held);
+    page_->add(row);
+  }
   links[seen.topic] = std::move(seen.links);
   return seen.has_links;
 }
@@ -120,9 +153,12 @@ bool StatisticsUpdater::write() {
   bool is_complete = true;
   Links links;
   page_->begin();
+  held_since_.begin(now_ms());
   for (const std::shared_ptr<PublicationEndpoint>& endpoint : all_endpoints())
     is_complete = add(endpoint->look(), links) && is_complete;
   for (EndpointStatistics& plain : look_at_plain()) is_complete = add(std::move(plain), links) && is_complete;
+  for (const SubscriptionStatistics& subscription : look_at_subscriptions_())
+    page_->add(row_of(subscription));
   page_->publish();
   last_links_ = std::move(links);
   return is_complete;

@@ -1,24 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "roscpp/held_since.h"
 #include "roscpp/publish/endpoint_statistics.h"
+#include "roscpp/subscribe/subscription_statistics.h"
 #include "roscpp/worker.h"
 #include "statistics/page_writer.h"
 
 namespace tzc {
 namespace detail {
 
-/// Copies the counters of this process's publications into its statistics page, once a second, on the clerk's thread
+/// Copies the counters of this process's publications and subscriptions into its statistics page, once a second, on the clerk's thread
 /// (decision 505). Publishing does nothing for it, and it does not wait for a thread that publishes.
 class StatisticsUpdater {
  public:
-  explicit StatisticsUpdater(Worker& clerk) : clerk_(clerk) {}
+  using LookAtSubscriptions = std::function<std::vector<SubscriptionStatistics>()>;
+
+  StatisticsUpdater(Worker& clerk, LookAtSubscriptions subscriptions)
+      : clerk_(clerk), look_at_subscriptions_(std::move(subscriptions)) {}
 
   /// Begins with the page, unless there is one, it is switched off, or no descriptor is left for it. The clerk's thread.
   void begin();
@@ -39,8 +46,10 @@ class StatisticsUpdater {
   bool add(EndpointStatistics seen, Links& links);
 
   Worker& clerk_;
+  const LookAtSubscriptions look_at_subscriptions_;
   std::shared_ptr<statistics::PageWriter> page_;
   Links last_links_;
+  HeldSince held_since_;
   std::mutex plain_mutex_;
   std::vector<PlainTopic> plain_;  ///< under plain_mutex_
 };

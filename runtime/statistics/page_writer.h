@@ -35,6 +35,7 @@ class PageWriter {
   void add(const TopicRow& row) { add(&row, sizeof row); }
   /// Belongs to the topic that was added last.
   void add(const ConnectionRow& row) { add(&row, sizeof row); }
+  void add(const SubscriptionRow& row) { add(&row, sizeof row); }
   void publish();
 
  private:

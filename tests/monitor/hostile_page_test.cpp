@@ -27,7 +27,7 @@ TEST(HostilePage, of_another_kind_or_version_is_refused) {
   page.header().magic ^= 1;
   EXPECT_THAT(trouble_of(page.reader()), HasSubstr("not a statistics page"));
   page.header().magic ^= 1;
-  page.header().version = 2;
+  page.header().version = statistics::page_version + 1;
   EXPECT_THAT(trouble_of(page.reader()), HasSubstr("another version"));
 }
 

@@ -53,6 +53,15 @@ class PageInMemory {
     std::strcpy(connection.subscriber, subscriber.c_str());
     return connection;
   }
+  statistics::SubscriptionRow& add_subscription(std::uint64_t number, std::size_t i, const std::string& topic,
+                                                const std::string& publisher) {
+    auto& subscription = row<statistics::SubscriptionRow>(number, i);
+    subscription.kind = statistics::RowKind::subscription;
+    subscription.transport = statistics::Transport::shared;
+    std::strcpy(subscription.topic, topic.c_str());
+    std::strcpy(subscription.publisher, publisher.c_str());
+    return subscription;
+  }
 
   std::size_t read(void* to, std::size_t bytes, std::uint64_t offset) const {
     if (bytes == 0 || offset >= bytes_.size()) return 0;

@@ -15,19 +15,22 @@ namespace layout = statistics;
 
 // Older and newer builds read a page: when one of these fails, raise page_version and write the new numbers here.
 TEST(PageLayout, stays_as_it_is_for_this_version) {
-  EXPECT_EQ(layout::page_version, 1u);
+  EXPECT_EQ(layout::page_version, 2u);
   EXPECT_EQ(sizeof(layout::PageHeader), 288u);
   EXPECT_EQ(offsetof(layout::PageHeader, node), 32u);
   EXPECT_EQ(sizeof(layout::TableHeader), 24u);
   EXPECT_EQ(sizeof(layout::TopicRow), 496u);
   EXPECT_EQ(offsetof(layout::TopicRow, memory), 72u);
   EXPECT_EQ(offsetof(layout::TopicRow, topic), 112u);
-  EXPECT_EQ(sizeof(layout::ConnectionRow), 568u);
-  EXPECT_EQ(offsetof(layout::ConnectionRow, pid), 48u);
-  EXPECT_EQ(offsetof(layout::ConnectionRow, subscriber), 56u);
-  EXPECT_EQ(layout::row_bytes, 640u);
-  EXPECT_EQ(layout::table_offset(1), 65536u + 720896u);
-  EXPECT_EQ(layout::page_bytes, 65536u + 2 * 720896u);
+  EXPECT_EQ(sizeof(layout::ConnectionRow), 608u);
+  EXPECT_EQ(offsetof(layout::ConnectionRow, pid), 88u);
+  EXPECT_EQ(offsetof(layout::ConnectionRow, subscriber), 96u);
+  EXPECT_EQ(sizeof(layout::SubscriptionRow), 768u);
+  EXPECT_EQ(offsetof(layout::SubscriptionRow, latencies), 56u);
+  EXPECT_EQ(offsetof(layout::SubscriptionRow, topic), 256u);
+  EXPECT_EQ(layout::row_bytes, 768u);
+  EXPECT_EQ(layout::table_offset(1), 65536u + 851968u);
+  EXPECT_EQ(layout::page_bytes, 65536u + 2 * 851968u);
 }
 
 TEST(Page, has_topics_and_their_connections) {
@@ -52,6 +55,25 @@ TEST(Page, has_topics_and_their_connections) {
   EXPECT_EQ(node.topics[0].connections[0].transport, Transport::shared);
   EXPECT_EQ(node.topics[0].connections[0].held, 3u);
   EXPECT_TRUE(node.topics[1].connections.empty());
+}
+
+TEST(Page, has_subscriptions_in_any_place) {
+  PageInMemory page;
+  page.add_subscription(2, 0, "/image", "/camera").latencies[5] = 9;
+  page.add_topic(2, 1, "/result");
+  page.add_subscription(2, 2, "/depth", "/\x1b[31m").held_messages = 4;
+  page.publish(2, 3);
+  Node node;
+  std::string trouble;
+  ASSERT_TRUE(read_page(page.reader(), node, trouble)) << trouble;
+  ASSERT_EQ(node.subscriptions.size(), 2u);
+  EXPECT_EQ(node.subscriptions[0].topic, "/image");
+  EXPECT_EQ(node.subscriptions[0].publisher, "/camera");
+  EXPECT_EQ(node.subscriptions[0].latencies[5], 9u);
+  EXPECT_EQ(node.subscriptions[1].publisher, "/?[31m");
+  EXPECT_EQ(node.subscriptions[1].held_messages, 4u);
+  ASSERT_EQ(node.topics.size(), 1u);
+  EXPECT_TRUE(node.topics[0].connections.empty());
 }
 
 TEST(Page, without_a_table_has_no_topics_yet) {

@@ -73,10 +73,60 @@ TEST(Rates, of_a_connection_that_moved_begin_at_zero) {
   EXPECT_FALSE(now[0].topics[0].connections[0].messages_per_s);
 }
 
+TEST(Rates, of_a_subscription_are_counted_as_its_latencies_are) {
+  Node before = sample(10, 100);
+  Subscription image;
+  image.topic = "/image";
+  image.publisher = "/camera";
+  image.messages = 10;
+  image.latencies[4] = 10;
+  before.subscriptions = {image};
+  std::vector<Node> now{sample(12, 160)};
+  image.messages = 70;
+  image.latencies[4] = 50;
+  image.latencies[9] = 20;
+  now[0].subscriptions = {image};
+  add_rates({before}, now);
+  EXPECT_EQ(now[0].subscriptions[0].messages_per_s, 30);
+  EXPECT_EQ(now[0].subscriptions[0].recent[4], 40U);
+  EXPECT_EQ(now[0].subscriptions[0].recent[9], 20U);
+  std::vector<Node> later{now[0]};  // the page was not updated in between
+  later[0].subscriptions[0].recent = {};
+  add_rates(now, later);
+  EXPECT_EQ(later[0].subscriptions[0].recent[9], 20U);
+}
+
+TEST(Rates, tell_what_a_connection_lost_since_the_last_look) {
+  Node before = sample(10, 100);
+  before.topics[0].connections[0].revoked_for_queue = 5;
+  std::vector<Node> now{sample(12, 160)};
+  now[0].topics[0].connections[0].revoked_for_queue = 7;
+  now[0].topics[0].connections[0].revoked_for_memory = 1;
+  now[0].topics[0].connections[0].revoked_at_end = 9;
+  add_rates({before}, now);
+  EXPECT_EQ(now[0].topics[0].connections[0].lost_since, 3U);
+}
+
+TEST(Filter, keeps_the_subscribers_of_a_topic) {
+  Node node = sample(12, 160);
+  node.topics.clear();
+  Subscription image, depth;
+  image.topic = "/image";
+  depth.topic = "/depth";
+  node.subscriptions = {depth, image};
+  std::vector<Node> nodes{node};
+  keep_topic("/image", nodes);
+  ASSERT_EQ(nodes.size(), 1U);
+  ASSERT_EQ(nodes[0].subscriptions.size(), 1U);
+  EXPECT_EQ(nodes[0].subscriptions[0].topic, "/image");
+  keep_topic("/other", nodes);
+  EXPECT_TRUE(nodes.empty());
+}
+
 TEST(Filter, keeps_a_topic_with_its_rates_and_only_nodes_that_have_it) {
   Node both = sample(12, 160), other = sample(12, 1);
   both.topics.insert(both.topics.begin(), Topic());
-  both.rates = {std::nullopt, Rates{30, 0, 0, 0}};
+  both.rates = {std::nullopt, Rates{30, 0, 0, 0, 0}};
   other.topics[0].name = "/other";
   std::vector<Node> nodes{both, other};
   keep_topic("image", nodes);  // a name without its slash is meant, too

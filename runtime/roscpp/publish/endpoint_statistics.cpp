@@ -51,7 +51,7 @@ SeenLink see(const ros::SubscriberLinkPtr& link) {
 
 void ask_connection(channel::Connection& connection, LinkStatistics& statistics) {
   statistics.in_flight = connection.in_flight();
-  statistics.held = connection.held();
+  statistics.inspection = channel::inspect(connection);
   const channel::ConnectionStats stats = connection.stats();
   statistics.messages = stats.sent;
   statistics.bytes = stats.bytes;

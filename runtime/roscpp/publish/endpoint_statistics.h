@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "channel/inspection.h"
 #include "statistics/page_layout.h"
 
 namespace tzc {
@@ -22,8 +23,9 @@ struct LinkStatistics {
   statistics::Transport transport = statistics::Transport::tcpros;
   std::string reason;                     ///< why it is not on shared memory; empty when it is
   std::uint64_t messages = 0, bytes = 0;  ///< sent, as roscpp counts them
-  std::uint64_t in_flight = 0, held = 0, revoked = 0;
-  std::uint32_t pid = 0;  ///< 0: not known
+  std::uint64_t in_flight = 0, revoked = 0;
+  channel::ConnectionInspection inspection;  ///< on shared memory
+  std::uint32_t pid = 0;                     ///< 0: not known
 };
 
 /// What a publication has counted, and its subscribers.

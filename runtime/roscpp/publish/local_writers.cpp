@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "roscpp/roscpp_access.h"
+#include "roscpp/traces/traced_callback.h"
 
 namespace tzc {
 namespace detail {
@@ -25,7 +26,7 @@ bool has_writers(ros::Subscription& subscription, const MessageCodec& codec) {
   const boost::mutex::scoped_lock lock(access::callbacks_mutex_(subscription));
   const auto& callbacks = access::callbacks_(subscription);
   return std::any_of(callbacks.begin(), callbacks.end(), [&](const auto& callback) {
-    return callback->helper_->getTypeInfo() == *codec.type && !codec.only_reads(*callback->helper_);
+    return callback->helper_->getTypeInfo() == *codec.type && !codec.only_reads(untraced(*callback->helper_));
   });
 }
 

@@ -16,6 +16,7 @@
 #include "roscpp/roscpp_access.h"
 #include "roscpp/throttled_warning.h"
 #include "roscpp/upgrade/host_identity.h"
+#include "trace/trace.h"
 
 namespace tzc {
 namespace detail {
@@ -133,6 +134,10 @@ bool PublicationEndpoint::listen(std::size_t queue_size) {
     return false;
   }
   channel_ = *channel;
+  if (trace::active) {
+    trace::name_process(ros::this_node::getName());
+    trace::name_channel(channel_->address(), {topic_, false});
+  }
   negotiator_->listens_at(channel_->address());
   return true;
 }

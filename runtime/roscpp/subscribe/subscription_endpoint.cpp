@@ -5,10 +5,12 @@
 
 #include <cstring>
 
+#include "channel/inspection.h"
 #include "roscpp/roscpp_access.h"
 #include "roscpp/subscribe/direct_queue.h"
 #include "roscpp/throttled_warning.h"
 #include "roscpp/upgrade/offer.h"
+#include "trace/trace.h"
 
 namespace tzc {
 namespace detail {
@@ -24,6 +26,7 @@ ros::SerializedMessage borrow(const channel::MessagePtr& message, const std::uin
       [hold = channel::MessagePtr(message)](std::uint8_t*) mutable { hold.reset(); });
   ros::SerializedMessage borrowed(buffer, size);
   borrowed.message_start = buffer.get();
+  if (trace::active) trace::recent().remember(bytes, channel::trace_id(*message));
   return borrowed;
 }
 
@@ -96,6 +99,7 @@ boost::shared_ptr<void> SubscriptionEndpoint::decode(const channel::MessagePtr& 
     TZC_WARN_THROTTLED(
         10, "TZC: a malformed message on " << topic_ << " from " << link_->getCallerID() << " is dropped");
   }
+  if (trace::active) trace::recent().remember(decoded.get(), channel::trace_id(*message));
   return decoded;
 }
 

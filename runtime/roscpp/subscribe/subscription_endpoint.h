@@ -36,6 +36,8 @@ class SubscriptionEndpoint {
   /// Messages that arrived over TCPROS come before any record.
   bool may_begin();
   void take(const channel::MessagePtr& message);
+  /// Any thread.
+  const HoldLimit& limit() const { return limit_; }
 
  private:
   void take_switch(const channel::Message& message);

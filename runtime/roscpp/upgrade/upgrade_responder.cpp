@@ -13,7 +13,6 @@
 #include "roscpp/configuration.h"
 #include "roscpp/descriptor_budget.h"
 #include "roscpp/roscpp_access.h"
-#include "roscpp/subscribe/subscription_endpoint.h"
 #include "roscpp/subscribe/write_warning.h"
 #include "roscpp/throttled_warning.h"
 #include "roscpp/upgrade/connection_name.h"
@@ -22,6 +21,7 @@
 #include "roscpp/upgrade/retry_policy.h"
 #include "roscpp/upgrade/xmlrpc_call.h"
 #include "sync_point/sync_point.h"
+#include "trace/trace.h"
 
 namespace tzc {
 namespace detail {
@@ -62,6 +62,26 @@ ros::TransportPublisherLinkPtr find_link(ros::Subscription& subscription, const 
   return ros::TransportPublisherLinkPtr();
 }
 
+SubscriptionStatistics statistics_of(const ros::TransportPublisherLink& link, const std::string& topic) {
+  SubscriptionStatistics seen;
+  seen.topic = topic;
+  seen.publisher = const_cast<ros::TransportPublisherLink&>(link).getCallerID();
+  seen.messages = const_cast<ros::TransportPublisherLink&>(link).getStats().messages_received_;
+  seen.bytes = const_cast<ros::TransportPublisherLink&>(link).getStats().bytes_received_;
+  return seen;
+}
+
+void add_shared(const channel::Subscriber& subscriber, const HoldLimit& limit, SubscriptionStatistics& seen) {
+  const channel::SubscriberStats stats = subscriber.stats();
+  seen.transport = statistics::Transport::shared;
+  seen.lost = stats.lost;
+  seen.bytes = stats.bytes;
+  seen.held_messages = limit.held_messages();
+  seen.held_bytes = limit.held_bytes();
+  seen.inspection = channel::inspect(subscriber);
+  seen.pid = static_cast<std::uint32_t>(subscriber.peer().pid);
+}
+
 }  // namespace
 
 void UpgradeResponder::attach(const std::string& topic, const MessageCodec& codec) {
@@ -89,6 +109,7 @@ std::string UpgradeResponder::reason_to_refuse(const Offer& offer) {
 }
 
 void UpgradeResponder::answer(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& result) {
+  clerk_.post(on_offer_);
   Offer offer;
   if (is_other_version(params, offer)) warn_of_other_version(offer.publisher, offer.topic);
   const std::string refusal =
@@ -145,6 +166,7 @@ void UpgradeResponder::connect(const Offer& offer) {
   options.hello = offer.token;
   options.shared_thread = !endpoint->calls_directly();
   options.may_begin = [endpoint] { return endpoint->may_begin(); };
+  if (trace::active) trace::name_channel(offer.address, {offer.topic, true});
   options.on_message = [endpoint](const channel::MessagePtr& message) { endpoint->take(message); };
   options.on_disconnect = [this, link](const std::string&) { clerk_.post([this, link] { forget(link); }); };
   options.private_writes = private_writes();
@@ -159,7 +181,7 @@ void UpgradeResponder::connect(const Offer& offer) {
   ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher << " comes through shared memory");
   if ((*channel)->stats().copies_blocks) warn_of_copies(offer.topic);
   const std::lock_guard<std::mutex> lock(mutex_);
-  channels_[link] = *channel;
+  channels_[link] = {*channel, endpoint};
 }
 
 // The publisher will offer again, and stops when it gets a refusal.
@@ -170,8 +192,29 @@ void UpgradeResponder::connection_failed(const Offer& offer, const Error& error,
   if (is_foreign_uid) foreign_uids_.insert(offer.token);
 }
 
+std::vector<SubscriptionStatistics> UpgradeResponder::look() const {
+  std::vector<std::string> topics;
+  Channels channels;  // outside of the mutex, so that the last reference to one does not go under it
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const auto& topic : topics_) topics.push_back(topic.first);
+    channels = channels_;
+  }
+  std::vector<SubscriptionStatistics> all;
+  for (const std::string& topic : topics) {
+    const ros::SubscriptionPtr subscription = find_subscription(topic);
+    for (const LinkPtr& link : subscription ? tcp_links(*subscription) : std::vector<LinkPtr>()) {
+      all.push_back(statistics_of(*link, topic));
+      const auto shared = channels.find(link);
+      if (shared != channels.end())
+        add_shared(*shared->second.subscriber, shared->second.endpoint->limit(), all.back());
+    }
+  }
+  return all;
+}
+
 void UpgradeResponder::forget(const LinkPtr& link) {
-  std::shared_ptr<channel::Subscriber> ended;
+  Channel ended;
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = channels_.find(link);
   if (found == channels_.end()) return;

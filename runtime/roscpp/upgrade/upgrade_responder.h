@@ -7,13 +7,17 @@
 #include <tzc/detail/codec.h>
 #include <xmlrpcpp/XmlRpc.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "roscpp/subscribe/subscription_endpoint.h"
+#include "roscpp/subscribe/subscription_statistics.h"
 #include "roscpp/upgrade/offer.h"
 #include "roscpp/upgrade/peer_pool.h"
 #include "roscpp/worker.h"
@@ -26,7 +30,9 @@ class UpgradeResponder {
  public:
   /// @param clerk runs jobs that never wait
   /// @param peers runs calls to publishers, which wait
-  UpgradeResponder(Worker& clerk, PeerPool& peers) : clerk_(clerk), peers_(peers) {}
+  /// @param on_offer called on the clerk's thread when a publisher has offered
+  UpgradeResponder(Worker& clerk, PeerPool& peers, std::function<void()> on_offer)
+      : clerk_(clerk), peers_(peers), on_offer_(std::move(on_offer)) {}
 
   /// Topics attached from here on can be offered. An existing subscription's publishers are asked for offers.
   void attach(const std::string& topic, const MessageCodec& codec);
@@ -34,8 +40,16 @@ class UpgradeResponder {
   /// Answers a publisher's offer; runs on roscpp's XMLRPC thread, so the work is only begun here.
   void answer(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& result);
 
+  /// The publishers of all attached topics, whether they are on shared memory or on TCPROS.
+  std::vector<SubscriptionStatistics> look() const;
+
  private:
   using LinkPtr = ros::TransportPublisherLinkPtr;
+  struct Channel {
+    std::shared_ptr<channel::Subscriber> subscriber;
+    std::shared_ptr<const SubscriptionEndpoint> endpoint;
+  };
+  using Channels = std::map<LinkPtr, Channel>;
 
   std::string reason_to_refuse(const Offer& offer);
   void accept(const Offer& offer, int looks_left);
@@ -49,9 +63,10 @@ class UpgradeResponder {
 
   Worker& clerk_;
   PeerPool& peers_;
+  const std::function<void()> on_offer_;
   mutable std::mutex mutex_;
   std::map<std::string, std::vector<MessageCodec>> topics_;
-  std::map<LinkPtr, std::shared_ptr<channel::Subscriber>> channels_;
+  Channels channels_;
   std::set<std::string> foreign_uids_;  ///< tokens of offers from other users' processes
 };
 

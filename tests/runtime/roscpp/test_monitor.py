@@ -5,13 +5,25 @@ import os
 import pty
 import re
 import signal
+import struct
 import subprocess
 import sys
+import unittest
 
 from topic_case import TopicCase, main
 
 MONITOR = os.environ.get("TZC_MONITOR", "tzc-monitor")
+DIAGNOSTICS = os.environ.get("TZC_DIAGNOSTICS", "tzc-diagnostics")
 ROSPY = [sys.executable, os.path.join(os.path.dirname(os.path.abspath(__file__)), "nodes", "rospy_node.py")]
+
+
+# What is published, as hexadecimal digits: Python may have no diagnostic_msgs.
+RAW_ECHO = """
+import rospy
+rospy.init_node("echo", anonymous=True)
+rospy.Subscriber("/diagnostics", rospy.AnyMsg, lambda message: print(message._buff.hex(), flush=True))
+rospy.spin()
+"""
 
 
 class MonitorCase(TopicCase):
@@ -26,11 +38,26 @@ class MonitorCase(TopicCase):
         return done.returncode, done.stdout.decode(), done.stderr.decode()
 
     def seen(self):
-        """This test's topic as the monitor shows it, with its node; None when it shows none."""
+        """This test's topic as its publisher's node shows it, with that node; None when it shows none."""
         status, output, _ = self.monitor("--json", "--interval", "0", "--topic", self.name("image"))
         nodes = json.loads(output)["nodes"]
         self.assertEqual(status, 0 if nodes else 1)
-        return dict(nodes[0]["topics"][0], node=nodes[0]) if nodes else None
+        return next((dict(node["topics"][0], node=node) for node in nodes if node["topics"]), None)
+
+    def subscription(self, node):
+        """This test's topic as a subscriber of it shows it; None when it shows none."""
+        nodes = json.loads(self.monitor("--json", "--interval", "0", "--topic", self.name("image"))[1])["nodes"]
+        return next((one["subscriptions"][0] for one in nodes
+                     if one["node"] == self.name(node) and one["subscriptions"]), None)
+
+    def wait_until_received(self, node, condition, what):
+        looks = []
+
+        def holds():
+            looks.append(self.subscription(node))
+            return looks[-1] is not None and condition(looks[-1])
+        self.ros.wait_until(holds, 20 * self.slowness(), what)
+        return looks[-1]
 
     def wait_until_seen(self, condition, what):
         """The first look that meets the condition."""
@@ -47,7 +74,7 @@ class MonitorCase(TopicCase):
 
     def rate_in(self, table):
         """The topic's MSG/S; "-" when its node was too slow to update its page between two looks."""
-        return re.search(rf"^  {self.name('image')} +\S+ +(\S+)", table, re.M).group(1)
+        return re.search(rf"^  {self.name('image')} +(\S+)", table, re.M).group(1)
 
     def table_with_rate(self):
         tables = []
@@ -143,6 +170,36 @@ class Monitor(MonitorCase):
         look = self.wait_until_seen(lambda look: (self.connection(look, "keeper") or {}).get("held") == 5,
                                     "five blocks to be held")
         self.assertEqual(look["memory"]["blocks"], 5)
+        look = self.wait_until_seen(lambda look: self.connection(look, "keeper")["oldest_held_s"] > 1,
+                                    "blocks that are held for more than a second")
+        self.assertGreaterEqual(self.connection(look, "keeper")["shared_bytes"], 5 * 100000)
+        _, table, _ = self.monitor("--once", "--interval", "0", "--topic", self.name("image"))
+        self.assertRegex(table, rf"-> {self.name('keeper')} .* holds 5 for up to \d+ s, lost 0")
+
+    def test_a_subscriber_shows_what_it_got_and_how_long_that_took(self):
+        self.listen("keep", name="keeper")
+        talker = self.start_talker(count=7, rate=20, linger=30)
+        look = self.wait_until_received("keeper", lambda look: look["messages"] == 7, "seven messages")
+        self.assertEqual((look["publisher"], look["transport"], look["pid"], look["lost"], look["stopped"]),
+                         (self.name("talker"), "shared", talker.pid, 0, False))
+        self.assertEqual(look["held_messages"], 7)
+        self.assertGreaterEqual(look["held_bytes"], 700000)
+        self.assertGreaterEqual(look["shared_bytes"], 700000)
+        self.assertLess(look["bytes"], 100000)
+        # The record with which the connection begins was taken, too.
+        self.assertIn(sum(bucket["messages"] for bucket in look["latency"]), (7, 8))
+        self.assertTrue(all(bucket["below_us"] < 60e6 for bucket in look["latency"]), look["latency"])
+        _, table, _ = self.monitor("--once", "--interval", "0", "--topic", self.name("image"))
+        self.assertRegex(table, rf"<- {self.name('image')} from {self.name('talker')} +shared +- +latency < \S+ [um]?s "
+                                r"\(99%: < \S+ [um]?s\), holds 7 \(\S+\), lost 0")
+
+    def test_a_subscriber_on_tcpros_shows_that_too(self):
+        self.listen(name="both", topics="image depth", topic="depth")
+        talker = self.start_talker(count=0, rate=50, shared=0, settle=0.1, topics="image depth",
+                                   **{"tzc/disable_topics": self.name("image")})
+        look = self.wait_until_received("both", lambda look: look["messages"] > 0, "messages over TCPROS")
+        self.assertEqual((look["transport"], look["publisher"], look["latency"]), ("TCPROS", self.name("talker"), []))
+        self.finish(talker)
 
     def test_switched_off(self):
         """No page: nothing to see, and one descriptor less."""
@@ -167,6 +224,28 @@ class Monitor(MonitorCase):
         _, why, _ = self.monitor("--why", self.name("plain"), self.name("depth"))
         self.assertEqual(why, f"{self.name('talker')} sends {self.name('depth')} to {self.name('plain')} over TCPROS: "
                               "the publisher's ~tzc/disable_topics names this topic.\n")
+        self.finish(talker)
+
+
+@unittest.skipUnless(os.path.exists(DIAGNOSTICS), "tzc-diagnostics was not built, as CMake has said")
+class Diagnostics(MonitorCase):
+    def test_problems_and_counts_are_on_the_topic(self):
+        viewer = self.listen(name="viewer")
+        talker = self.start_talker(count=0, rate=50)
+        self.wait_until_shared("viewer")
+        viewer.process.popen.send_signal(signal.SIGSTOP)
+        self.ros.start([DIAGNOSTICS, f"__ns:={self.ns}", "__name:=watch", "_period:=0.5"], name="watch")
+        echo = self.ros.start([sys.executable, "-c", RAW_ECHO], name="echo")
+        # A status begins with its level and its name.
+        ok, error = (bytes([level]) + struct.pack("<I", len(name)) + name.encode() for level, name in
+                     ((0, f"tzc: {self.name('talker')}"), (2, f"tzc: {self.name('viewer')}")))
+
+        def is_there():
+            said = [bytes.fromhex(line) for line in echo.log().split("\n")[:-1] if set(line) <= set("0123456789abcdef")]
+            return any(error in one and f"process {viewer.process.pid}".encode() in one for one in said) and \
+                any(ok in one or b"\x01" + ok[1:] in one for one in said)
+        self.ros.wait_until(is_there, 20 * self.slowness(), "the talker's status and the stopped viewer's")
+        viewer.process.popen.send_signal(signal.SIGCONT)
         self.finish(talker)
 
 
@@ -207,7 +286,7 @@ class CommandLine(MonitorCase):
     def test_statuses(self):
         status, _, trouble = self.monitor("--once", "--interval", "0", "--topic", "/no/such/topic")
         self.assertEqual(status, 1)
-        self.assertIn("tzc-monitor: no process of this user publishes", trouble)
+        self.assertRegex(trouble, "tzc-monitor: no process of this user (publishes or receives /no/such/topic|uses TZC)")
         for wrong in (["--no-such-option"], ["--why", "/node"], ["--interval", "0.01"], ["--why", "/a", "/b", "--json"]):
             self.assertEqual(self.monitor(*wrong)[0], 2, wrong)
         status, output, _ = self.monitor("--help")

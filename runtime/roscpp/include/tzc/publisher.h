@@ -3,6 +3,7 @@
 
 #include <ros/publisher.h>
 #include <tzc/detail/publisher_base.h>
+#include <tzc/detail/roscpp_publish.h>
 #include <tzc/detail/shared_message.h>
 #include <tzc/message.h>
 #include <tzc/options.h>
@@ -51,12 +52,12 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
 
   template <class M>
   void publish_value(const M& message, std::true_type) const {
-    if (!publish_by_reference<Stock<M>>([&] { publisher_.publish(message); })) publish_shared(message);
+    if (!publish_by_reference<Stock<M>>([&] { publish_plainly(message); })) publish_shared(message);
   }
   /// roscpp serializes it, also for subscribers on shared memory.
   template <class M>
   void publish_value(const M& message, std::false_type) const {
-    publisher_.publish(message);
+    publish_plainly(message);
   }
 
   template <class M>
@@ -66,7 +67,17 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
   template <class M>
   void publish_pointer(const boost::shared_ptr<M>& message, std::false_type) const {
     introduce<typename std::remove_const<M>::type>(IsForeign<M>());
-    publisher_.publish(message);
+    publish_plainly(message);
+  }
+
+  /// roscpp's publish.
+  template <class M>
+  void publish_plainly(const M& message) const {
+    detail::publish_by_roscpp(publisher_, message, [&] { publisher_.publish(message); });
+  }
+  template <class M>
+  void publish_plainly(const boost::shared_ptr<M>& message) const {
+    detail::publish_by_roscpp(publisher_, *message, [&] { publisher_.publish(message); });
   }
 
   /// Adds the codec of a foreign type (pcl::PointCloud) that differs from the type that the topic was
@@ -86,14 +97,14 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
     if (attachment_->publish_directly(typeid(Stock<M>), shared.encoded)) return;
     if (!shared.make_local_view(*attachment_, message)) return publish_exhausted(message);
     const detail::EncodedScope scope(shared.view.get(), shared.encoded);
-    publisher_.publish(shared.view);
+    publish_plainly(shared.view);
   }
 
   template <class M>
   void publish_exhausted(const M& message) const {
     // By pointer, as the messages before and after it, so that their order stays.
     if (attachment_->delivers_exhausted())
-      publisher_.publish(private_copy(message, detail::IsForeign<M>()));
+      publish_plainly(private_copy(message, detail::IsForeign<M>()));
     else
       attachment_->count_dropped(ros::serialization::serializationLength(message));
   }

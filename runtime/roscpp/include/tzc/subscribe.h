@@ -10,6 +10,7 @@
 #include <boost/function.hpp>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace tzc {
 
@@ -43,6 +44,9 @@ class Node {
 template <class P>
 using MessageOf = typename ros::ParameterAdapter<P>::Message;
 
+/// roscpp's own subscribe; the callback is in the trace when this process writes one.
+ros::Subscriber subscribe_by_options(ros::NodeHandle& node, ros::SubscribeOptions& options);
+
 }  // namespace detail
 
 /// Attaches an existing or future subscription of this process; `node` resolves the topic. M is the stock
@@ -60,6 +64,29 @@ void attach(const std::string& resolved_topic) {
   detail::attach_type<M>(resolved_topic, message::HasPartialForm<M>());
 }
 
+namespace detail {
+
+/// Does what the overloads of ros::NodeHandle::subscribe do. `tracked`: the callback ends with that object.
+template <class P>
+ros::Subscriber subscribe_callback(Node node, const std::string& topic, std::uint32_t queue_size,
+                                   const boost::function<void(P)>& callback, const ros::TransportHints& hints,
+                                   const ros::VoidConstPtr& tracked = ros::VoidConstPtr()) {
+  attach<MessageOf<P>>(node, topic);
+  ros::SubscribeOptions options;
+  options.initByFullCallbackType<P>(topic, queue_size, callback);
+  options.tracked_object = tracked;
+  options.transport_hints = hints;
+  return subscribe_by_options(node, options);
+}
+
+/// A member function of an object as a function of its parameter.
+template <class P, class T, class Member>
+boost::function<void(P)> bound(Member callback, T* object) {
+  return [callback, object](P message) { (object->*callback)(std::forward<P>(message)); };
+}
+
+}  // namespace detail
+
 /// \name ros::NodeHandle::subscribe in all its overloads, with shared memory
 /// `nh.subscribe(args...)` becomes `tzc::subscribe(nh, args...)`, and `nh.subscribe<M>(args...)` becomes
 /// `tzc::subscribe<M>(nh, args...)`. The signatures are roscpp's, so that overload resolution is, too.
@@ -70,29 +97,27 @@ template <class P, class T>
 ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
                           void (T::*callback)(P), T* object,
                           const ros::TransportHints& hints = ros::TransportHints()) {
-  attach<detail::MessageOf<P>>(node, topic);
-  return node->subscribe(topic, queue_size, callback, object, hints);
+  return detail::subscribe_callback<P>(node, topic, queue_size, detail::bound<P>(callback, object), hints);
 }
 template <class P, class T>
 ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
                           void (T::*callback)(P) const, T* object,
                           const ros::TransportHints& hints = ros::TransportHints()) {
-  attach<detail::MessageOf<P>>(node, topic);
-  return node->subscribe(topic, queue_size, callback, object, hints);
+  return detail::subscribe_callback<P>(node, topic, queue_size, detail::bound<P>(callback, object), hints);
 }
 template <class M, class T>
 ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
                           void (T::*callback)(const boost::shared_ptr<M const>&), T* object,
                           const ros::TransportHints& hints = ros::TransportHints()) {
-  attach<M>(node, topic);
-  return node->subscribe(topic, queue_size, callback, object, hints);
+  return detail::subscribe_callback<const boost::shared_ptr<M const>&>(
+      node, topic, queue_size, detail::bound<const boost::shared_ptr<M const>&>(callback, object), hints);
 }
 template <class M, class T>
 ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
                           void (T::*callback)(const boost::shared_ptr<M const>&) const, T* object,
                           const ros::TransportHints& hints = ros::TransportHints()) {
-  attach<M>(node, topic);
-  return node->subscribe(topic, queue_size, callback, object, hints);
+  return detail::subscribe_callback<const boost::shared_ptr<M const>&>(
+      node, topic, queue_size, detail::bound<const boost::shared_ptr<M const>&>(callback, object), hints);
 }
 
 /// A member function of a tracked object: once the object is destroyed the callback is not called any more.
@@ -100,46 +125,47 @@ template <class P, class T>
 ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
                           void (T::*callback)(P), const boost::shared_ptr<T>& object,
                           const ros::TransportHints& hints = ros::TransportHints()) {
-  attach<detail::MessageOf<P>>(node, topic);
-  return node->subscribe(topic, queue_size, callback, object, hints);
+  return detail::subscribe_callback<P>(node, topic, queue_size, detail::bound<P>(callback, object.get()),
+                                       hints, object);
 }
 template <class P, class T>
 ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
                           void (T::*callback)(P) const, const boost::shared_ptr<T>& object,
                           const ros::TransportHints& hints = ros::TransportHints()) {
-  attach<detail::MessageOf<P>>(node, topic);
-  return node->subscribe(topic, queue_size, callback, object, hints);
+  return detail::subscribe_callback<P>(node, topic, queue_size, detail::bound<P>(callback, object.get()),
+                                       hints, object);
 }
 template <class M, class T>
 ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
                           void (T::*callback)(const boost::shared_ptr<M const>&),
                           const boost::shared_ptr<T>& object,
                           const ros::TransportHints& hints = ros::TransportHints()) {
-  attach<M>(node, topic);
-  return node->subscribe(topic, queue_size, callback, object, hints);
+  return detail::subscribe_callback<const boost::shared_ptr<M const>&>(
+      node, topic, queue_size, detail::bound<const boost::shared_ptr<M const>&>(callback, object.get()),
+      hints, object);
 }
 template <class M, class T>
 ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
                           void (T::*callback)(const boost::shared_ptr<M const>&) const,
                           const boost::shared_ptr<T>& object,
                           const ros::TransportHints& hints = ros::TransportHints()) {
-  attach<M>(node, topic);
-  return node->subscribe(topic, queue_size, callback, object, hints);
+  return detail::subscribe_callback<const boost::shared_ptr<M const>&>(
+      node, topic, queue_size, detail::bound<const boost::shared_ptr<M const>&>(callback, object.get()),
+      hints, object);
 }
 
 /// A function.
 template <class P>
 ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
                           void (*callback)(P), const ros::TransportHints& hints = ros::TransportHints()) {
-  attach<detail::MessageOf<P>>(node, topic);
-  return node->subscribe(topic, queue_size, callback, hints);
+  return detail::subscribe_callback<P>(node, topic, queue_size, callback, hints);
 }
 template <class M>
 ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
                           void (*callback)(const boost::shared_ptr<M const>&),
                           const ros::TransportHints& hints = ros::TransportHints()) {
-  attach<M>(node, topic);
-  return node->subscribe(topic, queue_size, callback, hints);
+  return detail::subscribe_callback<const boost::shared_ptr<M const>&>(node, topic, queue_size, callback,
+                                                                       hints);
 }
 
 /// Anything that converts to the boost::function; the caller names M.
@@ -148,23 +174,22 @@ ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint
                           const boost::function<void(const boost::shared_ptr<M const>&)>& callback,
                           const ros::VoidConstPtr& tracked_object = ros::VoidConstPtr(),
                           const ros::TransportHints& hints = ros::TransportHints()) {
-  attach<M>(node, topic);
-  return node->subscribe<M>(topic, queue_size, callback, tracked_object, hints);
+  return detail::subscribe_callback<const boost::shared_ptr<M const>&>(node, topic, queue_size, callback,
+                                                                       hints, tracked_object);
 }
 template <class M, class P>
 ros::Subscriber subscribe(detail::Node node, const std::string& topic, std::uint32_t queue_size,
                           const boost::function<void(P)>& callback,
                           const ros::VoidConstPtr& tracked_object = ros::VoidConstPtr(),
                           const ros::TransportHints& hints = ros::TransportHints()) {
-  attach<M>(node, topic);
-  return node->subscribe<M, P>(topic, queue_size, callback, tracked_object, hints);
+  return detail::subscribe_callback<P>(node, topic, queue_size, callback, hints, tracked_object);
 }
 
 /// By options; the caller names M, the message type that the options were made for.
 template <class M>
 ros::Subscriber subscribe(detail::Node node, ros::SubscribeOptions& options) {
   attach<M>(node, options.topic);
-  return node->subscribe(options);
+  return detail::subscribe_by_options(node, options);
 }
 /// @}
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "latency.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace tzc::monitor {
+namespace {
+
+constexpr double unit_us = 1.024;
+
+}  // namespace
+
+double bucket_end_us(std::size_t bucket) {
+  return std::ldexp(unit_us, static_cast<int>(bucket));
+}
+
+std::uint64_t count(const Latencies& latencies) {
+  return std::accumulate(latencies.begin(), latencies.end(), std::uint64_t{0});
+}
+
+double quantile_s(const Latencies& latencies, double share) {
+  const double wanted = share * static_cast<double>(count(latencies));
+  double seen = 0;
+  for (std::size_t i = 0; wanted > 0 && i < latencies.size(); ++i) {
+    seen += static_cast<double>(latencies[i]);
+    if (seen >= wanted) return bucket_end_us(i) * 1e-6;
+  }
+  return 0;
+}
+
+}  // namespace tzc::monitor
