@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// tzc-diagnostics: a ROS node that publishes on /diagnostics what tzc-monitor shows (docs/tzc-monitor.md).
+///
+///   /proc/PID/fd -> take_sample -> add_rates -> statuses -> /diagnostics
+#include <ros/ros.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "diagnostics/status.h"
+#include "processes.h"
+#include "rates.h"
+
+namespace tzc::monitor {
+namespace {
+
+std::string host_name() {
+  char name[256] = {};
+  return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
+}
+
+class Diagnostics {
+ public:
+  explicit Diagnostics(ros::NodeHandle& node)
+      : publisher_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)) {}
+
+  void publish() {
+    Sample sample = take_sample();
+    for (const std::string& trouble : sample.troubles)
+      ROS_WARN_STREAM_THROTTLE(60, "tzc-diagnostics: " << trouble);
+    add_rates(before_, sample.nodes);
+    before_ = sample.nodes;
+    diagnostic_msgs::DiagnosticArray array;
+    array.header.stamp = ros::Time::now();
+    array.status = statuses(sample.nodes, host_);
+    publisher_.publish(array);
+  }
+
+ private:
+  const std::string host_ = host_name();
+  const ros::Publisher publisher_;
+  std::vector<Node> before_;
+};
+
+const char* const help =
+    "Usage: tzc-diagnostics [_period:=SECONDS] [REMAPPINGS]\n\n"
+    "Publishes diagnostic_msgs/DiagnosticArray on /diagnostics: a status for each node of this machine that\n"
+    "shares messages through TZC, from the pages that tzc-monitor reads. Watching costs the nodes nothing.\n"
+    "\nOptions:\n"
+    "  _period  seconds between two messages, 1 unless given, at least 0.1\n"
+    "  --help, --version\n"
+    "\nExamples:\n"
+    "  rosrun tzc tzc-diagnostics\n"
+    "  rosrun tzc tzc-diagnostics _period:=5 /diagnostics:=/robot/diagnostics\n";
+
+/// Answered without a ROS master.
+bool is_answered(int argc, char** argv) {
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first == "--help") std::fputs(help, stdout);
+  if (first == "--version") std::puts(TZC_VERSION);
+  return first == "--help" || first == "--version";
+}
+
+}  // namespace
+}  // namespace tzc::monitor
+
+int main(int argc, char** argv) {
+  if (tzc::monitor::is_answered(argc, argv)) return 0;
+  ros::init(argc, argv, "tzc_diagnostics", ros::init_options::AnonymousName);
+  ros::NodeHandle node;
+  tzc::monitor::Diagnostics diagnostics(node);
+  const double period = std::max(0.1, ros::NodeHandle("~").param("period", 1.0));
+  const ros::WallTimer timer = node.createWallTimer(
+      ros::WallDuration(period), [&](const ros::WallTimerEvent&) { diagnostics.publish(); });
+  ros::spin();
+}
