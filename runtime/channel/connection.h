@@ -49,7 +49,7 @@ class ConnectionImpl final : public Connection,
   struct Options {
     std::size_t queue_size;
     bool keeps_undelivered;
-    BellPull bell;  // at which the subscriber's reader is called
+    BellPull bell;          // at which the subscriber's reader is called
     const char* traced_as;  ///< lives as long as the process
   };
 
