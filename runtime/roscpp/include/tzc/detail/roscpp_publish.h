@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ros/message_traits.h>
 #include <ros/time.h>
+#include <std_msgs/Header.h>
 
 #include <cstdint>
 #include <string>
@@ -28,11 +28,26 @@ class RoscppPublish {
   const std::uint64_t begin_ns_;
 };
 
+template <class Allocator>
+const ros::Time* stamp_of_header(const ::std_msgs::Header_<Allocator>& header) {
+  return &header.stamp;
+}
+/// Null: the message has no std_msgs::Header. Not ros::message_traits::timeStamp, whose specialization for PCL's clouds
+/// declares a static member that pcl_ros defines nowhere.
+template <class M>
+auto stamp_of(const M& message, int) -> decltype(stamp_of_header(message.header)) {
+  return stamp_of_header(message.header);
+}
+template <class M>
+const ros::Time* stamp_of(const M&, long) {
+  return nullptr;
+}
+
 /// Calls `publish`, which publishes this message through that roscpp publisher.
 template <class Publisher, class M, class Publish>
 void publish_by_roscpp(const Publisher& publisher, const M& message, const Publish& publish) {
   if (!writes_trace) return publish();
-  const RoscppPublish step(publisher.getTopic(), ros::message_traits::timeStamp(message));
+  const RoscppPublish step(publisher.getTopic(), stamp_of(message, 0));
   publish();
 }
 
