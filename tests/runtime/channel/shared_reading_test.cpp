@@ -67,6 +67,7 @@ class SharedReading : public ::testing::Test {
     guest_.join();
   }
 
+  // What the guest uses outlives a test that fails: TearDown() ends it.
   const std::shared_ptr<Publisher> out_ = publisher(1000);
   std::atomic<int> last_{0}, work_{0}, worked_{0};
   std::atomic<bool> stop_{false};
@@ -119,18 +120,17 @@ TEST_F(SharedReading, no_message_is_left_between_reader_and_guest) {
 }
 
 TEST_F(SharedReading, the_library_reads_while_the_guest_works) {
-  std::atomic<bool> working{false}, go{false};
-  guest_ = std::thread([&] {
-    read_while_idle(seconds(20), [&] { return last_ == 1; });
-    working = true;
-    while (!go) std::this_thread::yield();
+  guest_ = std::thread([this] {
+    read_while_idle(seconds(20), [this] { return work_ > 0 || stop_; });
+    ++worked_;
+    while (!stop_) std::this_thread::yield();
   });
-  publish(1);
-  ASSERT_TRUE(eventually([&] { return working.load(); }));
-  for (int i = 2; i <= 100; ++i) publish(i);
+  ++work_;
+  wake_idle_reader();
+  ASSERT_TRUE(eventually([this] { return worked_ > 0; }));
+  for (int i = 1; i <= 100; ++i) publish(i);
   EXPECT_TRUE(received(100));
   EXPECT_FALSE(is_guests());
-  go = true;
 }
 
 TEST_F(SharedReading, takes_the_time_given_at_most) {
@@ -140,14 +140,13 @@ TEST_F(SharedReading, takes_the_time_given_at_most) {
 }
 
 TEST_F(SharedReading, has_one_guest_at_a_time) {
-  std::atomic<bool> there{false};
-  guest_ = std::thread([&] {
-    read_while_idle(seconds(20), [&] {
-      there = true;
+  guest_ = std::thread([this] {
+    read_while_idle(seconds(20), [this] {
+      worked_ = 1;
       return stop_.load();
     });
   });
-  ASSERT_TRUE(eventually([&] { return there.load(); }));
+  ASSERT_TRUE(eventually([this] { return worked_ == 1; }));
   EXPECT_FALSE(read_while_idle(seconds(1), nothing_wanted));
 }
 
