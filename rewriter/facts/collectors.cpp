@@ -39,6 +39,7 @@ void Collectors::bases(const clang::CXXRecordDecl* record) {
   for (const clang::CXXBaseSpecifier& base : record->bases())
     if (const clang::CXXRecordDecl* of = base.getType()->getAsCXXRecordDecl())
       facts_.bases[usr_of(record)].insert(usr_of(of));
+  hidden_.note(unit_, record);
 }
 
 /// A mention of a variable or member.
@@ -71,6 +72,7 @@ bool Collectors::is_filter(const clang::CXXRecordDecl* record) const {
 
 void Collectors::construction(const clang::CXXConstructExpr* construct) {
   if (!unit_.source.in_package(construct->getBeginLoc())) return;
+  hidden_.note(unit_, construct->getType(), {construct->getArgs(), construct->getNumArgs()});
   add_site(facts_.advertises, library_advertise(unit_, construct));
   add_site(facts_.subscribes, filters_.of_construction(construct));
 }
@@ -139,6 +141,8 @@ void Collectors::member_call(const clang::CXXMemberCallExpr* call) {
   const std::string object = qualified_name_of(method->getParent());
   const std::string name = method->getNameAsString();
   if (is_publish(call)) return publish(call);
+  if (name == "reset")
+    hidden_.note(unit_, call->getImplicitObjectArgument()->getType(), {call->getArgs(), call->getNumArgs()});
   add_site(facts_.advertises, library_advertise(unit_, call));
   add_site(facts_.publishes, library_publish(unit_, call));
   if (name == "registerCallback") filters_.add_callbacks(call, facts_.filter_callbacks);
@@ -173,7 +177,7 @@ void Collectors::rule_call(const clang::CXXMemberCallExpr* call, const MethodCal
 
 void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& functions,
                          const std::vector<const clang::MemberExpr*>& arrays) {
-  EscapeContext context{unit_, entities_, flow_, facts_};
+  EscapeContext context{unit_, entities_, flow_, facts_, hidden_};
   EscapeAnalysis analysis(context);
   SharedMats mats(context);
   for (const clang::FunctionDecl* function : functions) {

@@ -9,6 +9,7 @@
 #include "facts/allocation_sites.h"
 #include "facts/entity_table.h"
 #include "facts/filter_sites.h"
+#include "facts/hidden_calls.h"
 #include "facts/hoisting.h"
 #include "facts/subscribe_sites.h"
 #include "facts/unit.h"
@@ -65,6 +66,7 @@ class Collectors {
   AdvertiseCollector advertises_;
   SubscribeCollector subscribes_;
   Facts facts_;
+  HiddenCode hidden_;
   std::vector<PublisherMention> publishers_;
   std::vector<AllocationDraft> drafts_;
   std::vector<StandingMessage> members_;

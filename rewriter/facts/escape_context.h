@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "facts/hidden_calls.h"
 #include "facts/known_functions.h"
 #include "facts/value_flow.h"
 
@@ -12,6 +13,7 @@ struct EscapeContext {
   EntityTable& entities;
   ValueFlow& flow;
   EscapeFacts& found;
+  const HiddenCode& hidden;
 
   /// By the table, or by the workspace's own, on which the level of the messages rests then.
   Keeping keeping_of(const std::string& function, const std::vector<EntityId>& messages) const {

@@ -1,46 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/publish_events.h"
 
-#include <clang/AST/DeclTemplate.h>
-
+#include "facts/hidden_calls.h"
 #include "facts/known_functions.h"
+#include "facts/package_types.h"
 
 namespace tzc::rewriter {
 namespace {
-
-bool involves(const Unit& unit, clang::QualType type, unsigned depth);
-
-bool involves(const Unit& unit, const clang::TemplateArgument& argument, unsigned depth) {
-  if (argument.getKind() == clang::TemplateArgument::Type) return involves(unit, argument.getAsType(), depth);
-  return argument.getKind() == clang::TemplateArgument::Pack &&
-         llvm::any_of(argument.pack_elements(),
-                      [&](const clang::TemplateArgument& part) { return involves(unit, part, depth); });
-}
-
-bool involves(const Unit& unit, clang::QualType type, unsigned depth) {
-  if (type.isNull() || depth > 5) return depth > 5;
-  type = type.getNonReferenceType().getCanonicalType();
-  if (type->isPointerType() || type->isMemberPointerType())
-    return type->isFunctionPointerType() || type->isMemberFunctionPointerType() ||
-           involves(unit, type->getPointeeType(), depth + 1);
-  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-  if (!record) return false;
-  if (unit.source.in_package(record->getLocation()))
-    return !record->hasDefinition() || !record->isTrivial() || record->isLambda();
-  if (record->getName() == "function" || record->getName() == "_Bind") return true;
-  const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
-  return made && llvm::any_of(made->getTemplateArgs().asArray(), [&](const clang::TemplateArgument& one) {
-           return involves(unit, one, depth + 1);
-         });
-}
 
 /// Whether a function that the compiler writes calls code of the package: for the parts of the class.
 bool parts_involve_package(const Unit& unit, const clang::CXXRecordDecl* record) {
   if (!record->hasDefinition()) return true;
   return llvm::any_of(record->fields(),
-                      [&](const clang::FieldDecl* f) { return involves(unit, f->getType(), 0); }) ||
-         llvm::any_of(record->bases(),
-                      [&](const clang::CXXBaseSpecifier& base) { return involves(unit, base.getType(), 0); });
+                      [&](const clang::FieldDecl* f) { return involves_package(unit, f->getType()); }) ||
+         llvm::any_of(record->bases(), [&](const clang::CXXBaseSpecifier& base) {
+           return involves_package(unit, base.getType());
+         });
+}
+
+/// std::make_unique<Node>(1), std::vector<Node> nodes(3): no argument names the class whose constructor runs.
+bool makes_package_object(const Unit& unit, const clang::FunctionDecl* function) {
+  const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(function);
+  if (constructor && !constructor->isCopyOrMoveConstructor()) {
+    const clang::CXXRecordDecl* record = constructor->getParent();
+    const bool is_empty = constructor->isDefaultConstructor() && is_owner_class(qualified_name_of(record)) &&
+                          record->getName() != "array";
+    if (!is_empty && involves_package(unit, unit.ast().getRecordType(record))) return true;
+  }
+  const clang::TemplateArgumentList* arguments = function->getTemplateSpecializationArgs();
+  return arguments && llvm::any_of(arguments->asArray(), [&](const clang::TemplateArgument& argument) {
+           return argument.getKind() == clang::TemplateArgument::Type &&
+                  involves_package(unit, argument.getAsType());
+         });
 }
 
 void add_mentioned(EscapeContext& context, const clang::Stmt* stmt, std::set<EntityId>& messages) {
@@ -60,6 +51,7 @@ class EventFinder {
 
   std::vector<SeenEvent> run() {
     for (const clang::Stmt* stmt : view_.statements()) look_at(stmt);
+    look_at_parts();
     return std::move(events_);
   }
 
@@ -68,9 +60,14 @@ class EventFinder {
   void look_at_call(const clang::CallExpr* call);
   void look_at_construction(const clang::CXXConstructExpr* construct);
   void look_at_end(const clang::DeclStmt* declaration);
+  void look_at_parts();
+  void look_at_unwritten(const clang::Expr* use, const clang::Expr* value);
+  void end_of(const clang::Stmt* at, unsigned when, clang::QualType type);
   void look_at_exchange(const clang::MemberExpr* array);
   bool is_own_lambda(const clang::FunctionDecl* function) const;
   bool is_harmless(const clang::FunctionDecl* function, llvm::ArrayRef<const clang::Expr*> arguments) const;
+  void look_at_delete(const clang::CXXDeleteExpr* stmt);
+  void add_hidden(const clang::Stmt* at, FunctionView::Span span, clang::QualType type, bool releases);
   void add_call(const clang::Stmt* at, const clang::FunctionDecl* function,
                 llvm::ArrayRef<const clang::Expr*> arguments);
   void add(PublishEvent event, const clang::Stmt* at, FunctionView::Span span) {
@@ -124,12 +121,33 @@ bool EventFinder::is_harmless(const clang::FunctionDecl* function,
   if (function->getBuiltinID() != 0 && function->isExternC()) return true;
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
   if (method && message_of(method->getParent())) return true;
-  if (!calls_nothing(qualified_name_of(function))) return false;
+  if (!calls_nothing(qualified_name_of(function)) || makes_package_object(context_.unit, function))
+    return false;
   // A lambda of this function that is handed over is part of the function's text.
   return llvm::none_of(arguments, [&](const clang::Expr* argument) {
-    const clang::CXXRecordDecl* record = argument->getType()->getAsCXXRecordDecl();
-    return !(record && record->isLambda()) && involves_package(context_.unit, argument->getType());
+    const clang::QualType type =
+        argument->IgnoreParenImpCasts()->getType();  // not the base class that it is passed as
+    const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+    return !(record && record->isLambda()) && involves_package(context_.unit, type);
   });
+}
+
+/// What a library does with an object of the type may run code of the package that no argument shows.
+void EventFinder::add_hidden(const clang::Stmt* at, FunctionView::Span span, clang::QualType type,
+                             bool releases) {
+  const bool runs = (releases && may_release(context_.unit, context_.hidden, type)) ||
+                    may_dispatch(context_.unit, context_.hidden, type);
+  if (runs) add({}, at, span);
+}
+
+/// delete object
+void EventFinder::look_at_delete(const clang::CXXDeleteExpr* stmt) {
+  const clang::QualType type = stmt->getDestroyedType();
+  const clang::CXXRecordDecl* record = type.isNull() ? nullptr : type->getAsCXXRecordDecl();
+  const clang::CXXDestructorDecl* destructor =
+      record && record->hasDefinition() ? record->getDestructor() : nullptr;
+  if (destructor && involves_package(context_.unit, type)) return add_call(stmt, destructor, {});
+  if (record) add_hidden(stmt, view_.span(stmt), type, true);
 }
 
 void EventFinder::add_call(const clang::Stmt* at, const clang::FunctionDecl* function,
@@ -138,11 +156,17 @@ void EventFinder::add_call(const clang::Stmt* at, const clang::FunctionDecl* fun
   const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(function);
   const bool seen = function && context_.unit.declares(function) && !(method && method->isVirtual());
   if (function && is_own_lambda(function)) return;
-  if (function && !context_.unit.declares(function) && is_harmless(function, arguments)) return;
+  if (function && !context_.unit.declares(function) && is_harmless(function, arguments)) {
+    const bool releases = !llvm::isa<clang::CXXConstructorDecl>(function) && !(method && method->isConst());
+    for (const clang::Expr* argument : arguments)
+      add_hidden(at, view_.span(at), argument->getType(), releases);
+    return;
+  }
   if (method && method->isTrivial()) return;
   if (method && method->isDefaulted() && !method->isUserProvided() &&
       !parts_involve_package(context_.unit, method->getParent()))
-    return;
+    return add_hidden(at, view_.span(at), method->getThisType()->getPointeeType(),
+                      !llvm::isa<clang::CXXConstructorDecl>(method));
   event.kind = seen ? PublishEvent::Kind::call : PublishEvent::Kind::unknown;
   if (seen) event.callee = usr_of(pattern_of(function));
   event.messages = messages_in(arguments);
@@ -167,26 +191,57 @@ void EventFinder::look_at_construction(const clang::CXXConstructExpr* construct)
            llvm::ArrayRef<const clang::Expr*>(construct->getArgs(), construct->getNumArgs()));
 }
 
-/// Destructors of locals run at the end of their block.
+/// An object of the type ends.
+void EventFinder::end_of(const clang::Stmt* at, unsigned when, clang::QualType type) {
+  type = context_.unit.ast().getBaseElementType(type);
+  const FunctionView::Span span{when, when};
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  if (type.isDestructedType() == clang::QualType::DK_none || (record && record->isLambda())) return;
+  if (!involves_package(context_.unit, type)) return add_hidden(at, span, type, true);
+  const clang::CXXDestructorDecl* destructor =
+      record && record->hasDefinition() ? record->getDestructor() : nullptr;
+  if (destructor && !destructor->isUserProvided() && !parts_involve_package(context_.unit, record))
+    return add_hidden(at, span, type, true);
+  PublishEvent event;
+  if (destructor && !destructor->isVirtual() && context_.unit.declares(destructor)) {
+    event.kind = PublishEvent::Kind::call;
+    event.callee = usr_of(destructor->getCanonicalDecl());
+  }
+  add(std::move(event), at, span);
+}
+
+/// Locals end with their block, and so does a temporary that one of them is a reference to.
 void EventFinder::look_at_end(const clang::DeclStmt* declaration) {
   const clang::Stmt* block = view_.parent(declaration);
-  for (const clang::Decl* decl : declaration->decls()) {
-    const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
-    if (!variable || variable->isStaticLocal() || !involves_package(context_.unit, variable->getType()))
-      continue;
-    const clang::CXXRecordDecl* record = variable->getType()->getAsCXXRecordDecl();
-    if (!record || (record->hasDefinition() && record->hasTrivialDestructor()) || record->isLambda())
-      continue;
-    PublishEvent event;
-    const clang::CXXDestructorDecl* destructor = record->getDestructor();
-    if (destructor && !destructor->isUserProvided() && !parts_involve_package(context_.unit, record))
-      continue;
-    if (destructor && !destructor->isVirtual() && context_.unit.declares(destructor)) {
-      event.kind = PublishEvent::Kind::call;
-      event.callee = usr_of(destructor->getCanonicalDecl());
-    }
-    const unsigned end = block ? view_.span(block).exit : ~0U;
-    add(std::move(event), declaration, {end, end});
+  const unsigned end = block ? view_.span(block).exit : ~0U;
+  for (const clang::Decl* decl : declaration->decls())
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl); variable && !variable->isStaticLocal())
+      end_of(declaration, end, object_type_of(variable));
+}
+
+/// The members and bases of an object end with its destructor.
+void EventFinder::look_at_parts() {
+  const auto* destructor = llvm::dyn_cast<clang::CXXDestructorDecl>(view_.function());
+  if (!destructor) return;
+  const clang::Stmt* body = destructor->getBody();
+  const unsigned end = view_.span(body).exit;
+  for (const clang::FieldDecl* field : destructor->getParent()->fields()) end_of(body, end, field->getType());
+  for (const clang::CXXBaseSpecifier& base : destructor->getParent()->bases())
+    end_of(body, end, base.getType());
+}
+
+/// Default arguments and initializers are evaluated where they are used, once for each use.
+void EventFinder::look_at_unwritten(const clang::Expr* use, const clang::Expr* value) {
+  std::vector<const clang::Stmt*> open{value};
+  while (!open.empty()) {
+    const clang::Stmt* stmt = open.back();
+    open.pop_back();
+    if (!stmt) continue;
+    const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
+    const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt);
+    if (call) add_call(use, call->getDirectCallee(), {call->getArgs(), call->getNumArgs()});
+    if (made) add_call(use, made->getConstructor(), {made->getArgs(), made->getNumArgs()});
+    open.insert(open.end(), stmt->child_begin(), stmt->child_end());
   }
 }
 
@@ -197,7 +252,14 @@ void EventFinder::look_at(const clang::Stmt* stmt) {
   if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(stmt)) {
     const clang::CXXDestructorDecl* destructor = bound->getTemporary()->getDestructor();
     if (destructor && context_.unit.declares(destructor)) add_call(stmt, destructor, {});
+    const clang::Stmt* whole = view_.full_expression(stmt);
+    if (destructor) add_hidden(stmt, view_.span(whole), bound->getType(), true);
   }
+  if (const auto* deletion = llvm::dyn_cast<clang::CXXDeleteExpr>(stmt)) look_at_delete(deletion);
+  if (const auto* use = llvm::dyn_cast<clang::CXXDefaultArgExpr>(stmt))
+    look_at_unwritten(use, use->getExpr());
+  if (const auto* use = llvm::dyn_cast<clang::CXXDefaultInitExpr>(stmt))
+    look_at_unwritten(use, use->getExpr());
   if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt)) look_at_end(declaration);
   if (const auto* array = llvm::dyn_cast<clang::MemberExpr>(stmt)) look_at_exchange(array);
 }
@@ -209,10 +271,6 @@ std::set<EntityId> messages_of(EscapeContext& context, const clang::Expr* expr) 
   std::set<EntityId> messages(sources.begin(), sources.end());
   add_mentioned(context, expr, messages);
   return messages;
-}
-
-bool involves_package(const Unit& unit, clang::QualType type) {
-  return involves(unit, type, 0);
 }
 
 std::vector<SeenEvent> publish_events(EscapeContext& context, const FunctionView& view) {

@@ -26,8 +26,4 @@ std::vector<SeenEvent> publish_events(EscapeContext& context, const FunctionView
 /// function of a library may return any of its arguments.
 std::set<EntityId> messages_of(EscapeContext& context, const clang::Expr* expr);
 
-/// Whether a record of the package takes part in a type, so that code of a library that handles objects of the
-/// type may call the package.
-bool involves_package(const Unit& unit, clang::QualType type);
-
 }  // namespace tzc::rewriter

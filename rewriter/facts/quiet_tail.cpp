@@ -5,7 +5,9 @@
 #include <clang/AST/StmtCXX.h>
 
 #include "facts/escape.h"
+#include "facts/hidden_calls.h"
 #include "facts/known_functions.h"
+#include "facts/package_types.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -48,6 +50,11 @@ bool ends_quietly(clang::QualType type) {
 class QuietCheck {
  public:
   QuietCheck(EscapeContext& context, const FunctionView& view) : context_(context), view_(view) {}
+
+  bool ends(clang::QualType type) const {
+    if (!ends_quietly(type)) return false;
+    return type->isReferenceType() || !may_release(context_.unit, context_.hidden, type);
+  }
 
   /// Null: all of it is quiet.
   const clang::Stmt* loud_part(const clang::Stmt* stmt) {
@@ -94,6 +101,8 @@ bool QuietCheck::is_quiet_operator(const clang::CXXOperatorCallExpr* call) {
   if (!callee || context_.unit.declares(callee)) return false;
   if (op == clang::OO_Arrow || op == clang::OO_Star)
     return is_message_pointer(context_, call->getArg(0)->getType());
+  if (op == clang::OO_Equal && may_release(context_.unit, context_.hidden, call->getArg(0)->getType()))
+    return false;
   if (op == clang::OO_Equal || call->isAssignmentOp() || op == clang::OO_PlusPlus)
     return is_quiet_target(call->getArg(0)) && !may_hold_pointer(call->getArg(0)->getType());
   return is_quiet_function(qualified_name_of(callee));
@@ -109,8 +118,10 @@ bool QuietCheck::is_quiet_call(const clang::CallExpr* call) {
                                                                  : object->getType()))
     return llvm::isa<clang::MemberExpr>(object->IgnoreParenImpCasts()) &&
            (call->getType()->isVoidType() || call->getType()->isArithmeticType());
+  if (object && is_message_pointer(context_, object->getType()) && callee->getNameAsString() == "reset")
+    return !may_release(context_.unit, context_.hidden, object->getType());
   if (object && is_message_pointer(context_, object->getType()) &&
-      (llvm::isa<clang::CXXConversionDecl>(callee) || callee->getNameAsString() == "reset"))
+      llvm::isa<clang::CXXConversionDecl>(callee))
     return true;
   if (callee->getNameAsString() == "publish" && object &&
       is_publisher_class(qualified_name_of(method->getRecordDecl())))
@@ -125,7 +136,7 @@ bool QuietCheck::is_quiet_call(const clang::CallExpr* call) {
 bool QuietCheck::is_quiet_declaration(const clang::DeclStmt* declaration) {
   return llvm::all_of(declaration->decls(), [&](const clang::Decl* decl) {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
-    return !variable || ends_quietly(variable->getType());
+    return !variable || ends(object_type_of(variable));
   });
 }
 
@@ -134,7 +145,7 @@ bool QuietCheck::is_quiet(const clang::Stmt* stmt) {
   if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt))
     return is_quiet_declaration(declaration);
   if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt))
-    return !context_.unit.declares(made->getConstructor()) && ends_quietly(made->getType());
+    return !context_.unit.declares(made->getConstructor()) && ends(made->getType());
   if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(stmt))
     return !op->isAssignmentOp() || is_quiet_target(op->getLHS());
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(stmt)) {
@@ -241,7 +252,7 @@ class Tail {
       if (!declaration) continue;
       for (const clang::Decl* decl : declaration->decls()) {
         const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
-        if (variable && !variable->isStaticLocal() && !ends_quietly(variable->getType())) return stmt;
+        if (variable && !variable->isStaticLocal() && !check_.ends(object_type_of(variable))) return stmt;
       }
     }
     return nullptr;

@@ -13,6 +13,8 @@ class shared_ptr {
   shared_ptr(decltype(nullptr)) {}
   template <class U>
   explicit shared_ptr(U* p) : p_(p) {}
+  template <class U, class D>
+  shared_ptr(U* p, D deleter) : p_(p, deleter) {}
   template <class U, class = typename std::enable_if<std::is_convertible<U*, T*>::value>::type>
   shared_ptr(const shared_ptr<U>& other) : p_(other.p_) {}
   T* operator->() const { return p_.get(); }

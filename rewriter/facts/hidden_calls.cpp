@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/hidden_calls.h"
+
+#include <clang/AST/DeclTemplate.h>
+
+#include "facts/package_types.h"
+
+namespace tzc::rewriter {
+namespace {
+
+constexpr unsigned max_depth = 6;
+
+bool keeps_deleter(const clang::CXXRecordDecl* record) {
+  static const std::set<std::string> known = {"std::shared_ptr", "boost::shared_ptr", "std::any",
+                                              "boost::any", "std::__shared_ptr"};
+  return known.count(qualified_name_of(record)) != 0;
+}
+
+/// Whether it says nothing of the object that it holds.
+bool is_erased(const clang::CXXRecordDecl* record) {
+  const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
+  return !made || made->getTemplateArgs().size() == 0 ||
+         made->getTemplateArgs()[0].getKind() != clang::TemplateArgument::Type ||
+         made->getTemplateArgs()[0].getAsType()->isVoidType();
+}
+
+/// Whether what the class is made of says what its objects hold: other classes of libraries keep their own.
+bool shows_contents(const clang::CXXRecordDecl* record) {
+  const std::string name = qualified_name_of(record);
+  return name.rfind("std::", 0) == 0 || name.rfind("boost::", 0) == 0;
+}
+
+/// Goes through the classes that make up a type: pointees, template arguments, fields and bases.
+template <class Visitor>
+class TypeWalk {
+ public:
+  explicit TypeWalk(Visitor visit) : visit_(std::move(visit)) {}
+
+  void into(clang::QualType type, unsigned depth = 0) {
+    if (type.isNull() || depth > max_depth) return;
+    type = type.getNonReferenceType().getCanonicalType().getUnqualifiedType();
+    if (type->isPointerType()) return into(type->getPointeeType(), depth + 1);
+    if (const auto* array = type->getAsArrayTypeUnsafe()) return into(array->getElementType(), depth + 1);
+    const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+    if (!record || !seen_.insert(record->getCanonicalDecl()).second || !visit_(record)) return;
+    if (const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record))
+      for (const clang::TemplateArgument& argument : made->getTemplateArgs().asArray())
+        if (argument.getKind() == clang::TemplateArgument::Type) into(argument.getAsType(), depth + 1);
+    if (!record->hasDefinition()) return;
+    for (const clang::FieldDecl* field : record->fields()) into(field->getType(), depth + 1);
+    for (const clang::CXXBaseSpecifier& base : record->bases()) into(base.getType(), depth);
+  }
+
+ private:
+  Visitor visit_;
+  std::set<const clang::CXXRecordDecl*> seen_;
+};
+
+template <class Visitor>
+void walk_type(clang::QualType type, Visitor visit) {
+  TypeWalk<Visitor>(std::move(visit)).into(type);
+}
+
+void add_overridden(const Unit& unit, const clang::CXXMethodDecl* method, std::set<std::string>& classes) {
+  for (const clang::CXXMethodDecl* overridden : method->overridden_methods()) {
+    if (!unit.source.in_package(overridden->getParent()->getLocation()))
+      classes.insert(qualified_name_of(overridden->getParent()));
+    add_overridden(unit, overridden, classes);
+  }
+}
+
+/// [](Image*) {}
+bool does_nothing(clang::QualType deleter) {
+  const clang::CXXRecordDecl* record = deleter.getNonReferenceType()->getAsCXXRecordDecl();
+  const clang::CXXMethodDecl* call = record && record->isLambda() ? record->getLambdaCallOperator() : nullptr;
+  const auto* body = call ? llvm::dyn_cast_or_null<clang::CompoundStmt>(call->getBody()) : nullptr;
+  return body && body->body_empty();
+}
+
+}  // namespace
+
+void HiddenCode::note(const Unit& unit, clang::QualType object,
+                      llvm::ArrayRef<const clang::Expr*> arguments) {
+  const clang::CXXRecordDecl* record = object.getNonReferenceType()->getAsCXXRecordDecl();
+  if (!record || !keeps_deleter(record) || arguments.empty()) return;
+  if (arguments.size() > 1 && involves_package(unit, arguments[1]->getType()))
+    deleters |= !does_nothing(arguments[1]->getType());
+  else
+    deleters |= involves_package(unit, arguments[0]->IgnoreParenImpCasts()->getType()) &&
+                !involves_package(unit, object);
+}
+
+void HiddenCode::note(const Unit& unit, const clang::CXXRecordDecl* record) {
+  for (const clang::CXXMethodDecl* method : record->methods())
+    if (method->isUserProvided()) add_overridden(unit, method, overridden);
+}
+
+/// What another unit has put into shared_ptr<void> or any, this one does not show.
+bool may_release(const Unit& unit, const HiddenCode& hidden, clang::QualType type) {
+  bool found = false;
+  walk_type(type, [&](const clang::CXXRecordDecl* record) {
+    found = found || (keeps_deleter(record) && (hidden.deleters || is_erased(record)));
+    return !found && (shows_contents(record) || unit.source.in_package(record->getLocation()));
+  });
+  return found;
+}
+
+bool may_dispatch(const Unit& unit, const HiddenCode& hidden, clang::QualType type) {
+  if (hidden.overridden.empty()) return false;
+  bool found = false;
+  walk_type(type, [&](const clang::CXXRecordDecl* record) {
+    found = found || hidden.overridden.count(qualified_name_of(record)) != 0;
+    return !found && !unit.source.in_package(record->getLocation());
+  });
+  return found;
+}
+
+}  // namespace tzc::rewriter

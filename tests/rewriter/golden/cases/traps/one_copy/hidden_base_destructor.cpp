@@ -1,0 +1,49 @@
+// The destructor of a base class publishes; that of the class is empty.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node;
+extern Node* the_node;
+void announce();
+
+struct Last {
+  ~Last() { announce(); }
+};
+struct Outer : Last {
+  ~Outer() {}
+};
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+  void send() { pub_.publish(image_); }
+  void publish() {
+    image_.data.resize(100);
+    uint8_t* first = &image_.data[0];
+    {
+      Outer outer;
+    }
+    *first = 1;
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  sensor_msgs::Image image_;
+};
+
+Node* the_node = nullptr;
+void announce() {
+  the_node->send();
+}
+//--- expected
+// advertise src/node.cpp:18 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:19 sensor_msgs/Image one_copy 'image' TZC1003 'first' points into its data and is used after the message may have been published
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;

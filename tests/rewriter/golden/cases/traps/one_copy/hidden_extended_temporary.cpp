@@ -1,0 +1,47 @@
+// A temporary that lives as long as a reference publishes at its end.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node;
+extern Node* the_node;
+void announce();
+
+struct Last {
+  ~Last() { announce(); }
+};
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+  void send() { pub_.publish(image_); }
+  void publish() {
+    image_.data.resize(100);
+    uint8_t* first = &image_.data[0];
+    {
+      const Last& last = Last();
+      *first = 2;
+    }
+    *first = 1;
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  sensor_msgs::Image image_;
+};
+
+Node* the_node = nullptr;
+void announce() {
+  the_node->send();
+}
+//--- expected
+// advertise src/node.cpp:15 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:16 sensor_msgs/Image one_copy 'image' TZC1003 'first' points into its data and is used after the message may have been published
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;
