@@ -2,20 +2,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The format and tidy tests fail on bad files, pass on good ones, and tidy looks again only at what has changed.
 
-usage: test_style.py CLANG_FORMAT CLANG_TIDY
+usage: test_style.py CLANG_FORMAT CLANG_TIDY [--plugin PLUGIN]
 """
 import io
 import json
 import os
+import subprocess
 import sys
 import tempfile
 import unittest
 from contextlib import redirect_stdout
+from unittest import mock
 
 import format as format_test
 import tidy
 
 CLANG_FORMAT, CLANG_TIDY = sys.argv[1:3] if len(sys.argv) > 2 else ("clang-format-19", "clang-tidy-19")
+PLUGIN = sys.argv[3:5]
 
 
 class StyleCase(unittest.TestCase):
@@ -66,7 +69,7 @@ class Tidy(StyleCase):
         files = [os.path.join(self.root, name) for name in names or ["bench/a.cpp"]]
         self.write("build/compile_commands.json", json.dumps([{
             "directory": build, "file": file, "command": f"ccache c++ -I{self.root} -o {file}.o -c {file}"} for file in files]))
-        return self.outcome(tidy.main, CLANG_TIDY, self.root, build)
+        return self.outcome(tidy.main, *PLUGIN, CLANG_TIDY, self.root, build)
 
     def marks(self):
         return len(os.listdir(os.path.join(self.root, "build/tidy")))
@@ -89,7 +92,7 @@ class Tidy(StyleCase):
         self.addCleanup(os.chdir, before)
         os.chdir(self.root)
         self.write("bench/a.cpp", "int* a = 0;\n")
-        self.assertIn("modernize-use-nullptr", self.outcome(tidy.main, CLANG_TIDY, ".", "build", "bench/a.cpp")[1])
+        self.assertIn("modernize-use-nullptr", self.outcome(tidy.main, *PLUGIN, CLANG_TIDY, ".", "build", "bench/a.cpp")[1])
 
     def test_a_header_that_gets_worse_is_noticed(self):
         self.write("bench/a.h", "\n")
@@ -140,6 +143,16 @@ class Tidy(StyleCase):
         self.assertIn("bench/c.cpp:2", output)
         self.assertNotIn("redefinition", output)
 
+    def test_programs_are_looked_at_together(self):
+        names = [f"bench/{name}.cpp" for name in "ab"]
+        for name in names:
+            self.write(name, "int main() { return 0; }\n")
+        batches = []
+        with mock.patch.object(tidy.Tidy, "complaints", lambda _, batch: batches.append(len(batch)) or ""):
+            self.tidy(*names)
+        self.assertEqual(batches, [2])
+        self.assertEqual(self.tidy(*names)[0], 0)
+
     def test_files_of_folders_with_other_checks(self):
         self.write("bench/.clang-tidy", "Checks: '-*,misc-unused-alias-decls'\nWarningsAsErrors: '*'\n")
         self.write("bench/a.cpp", "int* a = 0;\n")
@@ -148,6 +161,25 @@ class Tidy(StyleCase):
         self.assertEqual(status, 1)
         self.assertIn("tests/b.cpp:1", output)
         self.assertNotIn("bench/a.cpp", output)
+
+
+@unittest.skipUnless(PLUGIN, "no Clang 19 to build the plugin with")
+class Plugin(StyleCase):
+    def findings(self, *options):
+        """Of a file and of a system header, where clang-tidy is asked for those, too."""
+        for file in "system/header.h", "bench/own.h", "bench/a.cpp":
+            include = '#include <header.h>\n#include "own.h"\n' if file.endswith(".cpp") else "\n\n"
+            self.write(file, f"{include}inline double in_{len(file)}(int a) {{ return a / 2; }}\n")
+        return subprocess.run([CLANG_TIDY, *options, "--checks=-*,bugprone-integer-division", "--header-filter=.*",
+                               "--system-headers", "--quiet", f"{self.root}/bench/a.cpp", "--",
+                               "-isystem", f"{self.root}/system"], text=True, stdout=subprocess.PIPE, check=False).stdout
+
+    def test_nothing_is_looked_for_in_system_headers(self):
+        self.assertIn("system/header.h:3", self.findings())
+        findings = self.findings(f"--load={PLUGIN[1]}")
+        self.assertNotIn("system/header.h", findings)
+        self.assertIn("bench/own.h:3", findings)
+        self.assertIn("bench/a.cpp:3", findings)
 
 
 if __name__ == "__main__":

@@ -2,18 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fails when clang-tidy 19 has something to say about a C++ file that is built. The checks are those of .clang-tidy.
 
-usage: tidy.py CLANG_TIDY REPOSITORY BUILD_FOLDER [FILE...]
-
 Most of clang-tidy's time goes into headers, so files with the same compile flags are looked at together, as one
-translation unit that includes them. Files that do not compile together (two helpers of one name) are told apart by the
-errors and looked at by themselves.
+translation unit that includes them. Files that define one name twice (two helpers) do not come together; those that
+do not compile together all the same are told apart by the errors. With the plugin own_declarations.cpp, clang-tidy does
+not look for anything in system headers.
 
 A clean file is not looked at again until its content, that of a header it includes from the repository or the build
-folder, its compile command, the checks, or clang-tidy changes: BUILD_FOLDER/tidy/ has a mark for each. Remove the
-folder after an upgrade of other projects' headers.
+folder, its compile command, the checks, clang-tidy, or the plugin changes: BUILD_FOLDER/tidy/ has a mark for each. Remove
+the folder after an upgrade of other projects' headers.
 """
+import argparse
 import collections
 import concurrent.futures
+import functools
 import hashlib
 import json
 import os
@@ -26,7 +27,11 @@ from tree import cpp_files
 
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.M)
 _ERROR = re.compile(r"^(/[^:\n]+):\d+:\d+: error: .*\[clang-diagnostic-error", re.M)
-_FILES_TOGETHER = 12
+# What begins a line and ends in a name and a bracket, as definitions in namespaces do. A second main gets another name.
+_DEFINED = re.compile(rb"^(?!namespace |using )(?:(?:class|struct|union|enum class|enum) (\w+)[^;\n]*\{"
+                      rb"|[A-Za-z][\w:<>,&* ]*[&* ](?!main\b)(\w+)(?:\(|\[| =|\{))", re.M)
+_FILES_TOGETHER = 16
+_NOT_LOOKED_AT = ("-W", "-O", "-g", "-fPIC", "-fPIE", "-ffile-prefix-map=")  # no check depends on them
 _NOT_OURS = ["-Wno-enum-constexpr-conversion"]  # Clang 19 makes an error of what Boost's MPL does, GCC does not
 
 
@@ -36,6 +41,7 @@ class Headers:
     def __init__(self, roots):
         self._roots = tuple(os.path.realpath(root) + os.sep for root in roots)
         self._files = {}
+        self._file_at = functools.lru_cache(maxsize=None)(self._look_up)
 
     def digest(self, path, include_dirs):
         digest, seen, todo = hashlib.sha256(), {path}, [path]
@@ -58,11 +64,11 @@ class Headers:
         return self._files[path]
 
     def _resolve(self, name, folders):
-        for folder in folders:
-            path = os.path.realpath(os.path.join(folder, name))
-            if path.startswith(self._roots) and os.path.isfile(path):
-                return path
-        return None
+        return next(filter(None, (self._file_at(folder, name) for folder in folders)), None)
+
+    def _look_up(self, folder, name):
+        path = os.path.realpath(os.path.join(folder, name))
+        return path if path.startswith(self._roots) and os.path.isfile(path) else None
 
 
 class Source:
@@ -71,8 +77,9 @@ class Source:
     def __init__(self, root, entry):
         self.path = os.path.realpath(entry["file"])
         self.folder = entry["directory"]
-        self.flags = flags_of(entry)
+        self.flags = tuple(flag for flag in flags_of(entry) if not flag.startswith(_NOT_LOOKED_AT))
         self.configs = _configs(root, self.path)
+        self.defines = frozenset(b"".join(names) for names in _DEFINED.findall(_content(self.path)))
 
     def group(self):
         """Sources of one group are compiled alike and checked alike."""
@@ -101,11 +108,27 @@ def _configs(root, path):
     return tuple(found)
 
 
+def _together(sources):
+    """Parts of `sources`: none is long, and none has two files that define the same name."""
+    parts = []
+    for source in sources:
+        for part, names in parts:
+            if len(part) < _FILES_TOGETHER and names.isdisjoint(source.defines):
+                part.append(source)
+                names |= source.defines
+                break
+        else:
+            parts.append(([source], set(source.defines)))
+    return [part for part, _ in parts]
+
+
 class Tidy:
-    def __init__(self, program, root, build):
-        self._program, self._root, self._build = program, root, build
+    def __init__(self, program, root, build, plugin=None):
+        self._root, self._build = root, build
+        self._program = [program] + ([f"--load={plugin}"] if plugin else [])
         self._headers = Headers([root, build])
         self._version = subprocess.run([program, "--version"], stdout=subprocess.PIPE, check=True).stdout
+        self._version += _content(plugin) if plugin else b""
         self._marks = os.path.join(build, "tidy")
         os.makedirs(self._marks, exist_ok=True)
 
@@ -116,8 +139,7 @@ class Tidy:
             source = Source(self._root, entry)
             if not os.path.exists(self._mark(source)):
                 groups[source.group()].append(source)
-        return [sources[at:at + _FILES_TOGETHER] for sources in groups.values()
-                for at in range(0, len(sources), _FILES_TOGETHER)]
+        return [part for sources in groups.values() for part in _together(sources)]
 
     def complaints(self, batch):
         """What clang-tidy says about the sources of a batch; "" when they are clean."""
@@ -140,7 +162,7 @@ class Tidy:
         first = batch[0]
         if len(batch) == 1:
             return self._run(first, first.path)
-        text = "".join(f'#include "{source.path}"\n' for source in batch)
+        text = "".join(f'#define main main_{at}\n#include "{source.path}"\n#undef main\n' for at, source in enumerate(batch))
         name = hashlib.sha256(text.encode()).hexdigest()[:16]
         content = os.path.join(self._marks, f"{name}.cpp")
         seen_as = os.path.join(os.path.dirname(first.path), f"tidy_{name}.cpp")
@@ -155,7 +177,7 @@ class Tidy:
             os.remove(overlay)
 
     def _run(self, source, path, *options):
-        result = subprocess.run([self._program, "--quiet", *options, path, "--", *source.flags, *_NOT_OURS], text=True,
+        result = subprocess.run([*self._program, "--quiet", *options, path, "--", *source.flags, *_NOT_OURS], text=True,
                                 cwd=source.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
         return result.returncode, result.stdout + _without_counts(result.stderr)
 
@@ -180,10 +202,16 @@ def entries(root, build, wanted):
     return [by_file[path] for path in (os.path.realpath(os.path.join(root, file)) for file in files) if path in by_file]
 
 
-def main(program, root, build, *wanted):
-    root, build = os.path.abspath(root), os.path.abspath(build)
-    todo = entries(root, build, wanted)
-    tidy = Tidy(program, root, build)
+def main(*words):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--plugin", type=os.path.abspath, help="a plugin that clang-tidy loads")
+    parser.add_argument("clang_tidy")
+    parser.add_argument("repository", type=os.path.abspath)
+    parser.add_argument("build", type=os.path.abspath)
+    parser.add_argument("files", nargs="*")
+    asked = parser.parse_args(words)
+    todo = entries(asked.repository, asked.build, asked.files)
+    tidy = Tidy(asked.clang_tidy, asked.repository, asked.build, asked.plugin)
     bad = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for text in pool.map(tidy.complaints, tidy.batches(todo)):
@@ -194,6 +222,4 @@ def main(program, root, build, *wanted):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 4:
-        sys.exit(__doc__)
     sys.exit(main(*sys.argv[1:]))
