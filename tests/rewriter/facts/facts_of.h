@@ -14,7 +14,8 @@ inline Facts facts_of(const std::string& code) {
   const tzc::test::TempDir package;
   const std::string file =
       package.write("src/node.cpp", "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n" + code);
-  const CompileUnit unit{file, "/", {"c++", "-std=c++17", "-I" TZC_FAKES, "-c", file}};
+  const CompileUnit unit{
+      file, "/", {"c++", "-std=c++17", "-include-pch", TZC_FAKES_PRECOMPILED, "-I" TZC_FAKES, "-c", file}};
   const RuleSet rules = all_rules();
   const CollectOptions options{package.path(), package / "build", {}, &rules, {}, {}};
   Facts facts;

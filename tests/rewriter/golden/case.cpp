@@ -82,8 +82,9 @@ std::string compile_commands(const std::string& dir, const std::map<std::string,
   for (const auto& item : files) {
     if (fs::path(item.first).extension() != ".cpp") continue;
     text += std::string(text.size() > 1 ? "," : "") + "{\"directory\":\"" + dir + "\",\"file\":\"" + dir +
-            "/" + item.first + "\",\"command\":\"c++ -std=c++17 -I" TZC_FAKES " -I" + dir + "/include -c " +
-            dir + "/" + item.first + " -o x.o\"}";
+            "/" + item.first +
+            "\",\"command\":\"c++ -std=c++17 -include-pch " TZC_FAKES_PRECOMPILED " -I" TZC_FAKES " -I" +
+            dir + "/include -c " + dir + "/" + item.first + " -o x.o\"}";
   }
   return text + "]";
 }
