@@ -44,9 +44,12 @@ class Nodelets(TopicCase):
             self.load("Talker", "talker", mode=mode)
             for who in ("ported", "unported"):
                 self.wait_for(manager, 30, topic=self.name(who))
+            seen_by = [manager.messages(self.name(who)) for who in ("ported", "unported")]
+            last = max(seen[-1]["number"] for seen in seen_by)
+            # Its line may come after those of who has it already.
+            self.ros.wait_until(lambda: manager.messages("published")[-1]["number"] >= last, 20, f"message {last} to be noted")
             published = {m["number"]: m["address"] for m in manager.messages("published")}
-            for who in ("ported", "unported"):
-                seen = manager.messages(self.name(who))
+            for seen in seen_by:
                 self.assert_followed([m["number"] for m in seen], 30)
                 self.assertTrue(all(m["right"] for m in seen))
                 self.assertEqual([m for m in seen if m["address"] != published[m["number"]]], [], "copied")
