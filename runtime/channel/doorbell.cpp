@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "posix/futex.h"
+#include "posix/shared_memory.h"
 
 namespace tzc {
 namespace channel {
@@ -44,17 +45,11 @@ OpenDoorbells& open_doorbells() {
 }  // namespace
 
 Expected<std::shared_ptr<Doorbell>> Doorbell::create() {
-  const auto sharing = posix::Sharing::peers_write;
-  auto file = posix::create_memory_file("tzc-doorbell", posix::page_size(), sharing);
-  if (!file) return file.error();
-  const Status reserved = posix::reserve(*file, 0, file->size);
-  if (!reserved) return reserved.error();
-  auto mapping = posix::Mapping::map(file->descriptor.get(), file->size, posix::Access::read_write);
-  if (!mapping) return mapping.error();
-  const Status sealed = posix::seal(*file, sharing);
-  if (!sealed) return sealed.error();
-  auto doorbell = std::make_shared<Doorbell>(std::move(*mapping));
-  doorbell->file_ = std::move(*file);
+  const std::size_t size = posix::page_size();
+  auto memory = posix::create_shared_memory("tzc-doorbell", size, size, posix::Sharing::peers_write);
+  if (!memory) return memory.error();
+  auto doorbell = std::make_shared<Doorbell>(std::move(memory->mapping));
+  doorbell->file_ = std::move(memory->file);
   new (doorbell->mapping_.data()) DoorbellPage;
   return {std::move(doorbell)};
 }

@@ -3,6 +3,7 @@
 
 #include <new>
 
+#include "posix/shared_memory.h"
 #include "trace/trace.h"
 
 namespace tzc {
@@ -19,18 +20,12 @@ std::uint64_t trace_number_of(int file) {
 }  // namespace
 
 Expected<SharedPage> SharedPage::create(std::uint32_t first_sequence) {
-  const auto sharing = posix::Sharing::peers_write;
-  auto file = posix::create_memory_file("tzc-connection", posix::page_size(), sharing);
-  if (!file) return file.error();
-  const Status reserved = posix::reserve(*file, 0, file->size);
-  if (!reserved) return reserved.error();
-  auto mapping = posix::Mapping::map(file->descriptor.get(), file->size, posix::Access::read_write);
-  if (!mapping) return mapping.error();
-  const Status sealed = posix::seal(*file, sharing);
-  if (!sealed) return sealed.error();
+  const std::size_t size = posix::page_size();
+  auto memory = posix::create_shared_memory("tzc-connection", size, size, posix::Sharing::peers_write);
+  if (!memory) return memory.error();
   SharedPage page;
-  page.file_ = std::move(*file);
-  page.mapping_ = std::move(*mapping);
+  page.file_ = std::move(memory->file);
+  page.mapping_ = std::move(memory->mapping);
   page.trace_number_ = trace_number_of(page.fd());
   new (page.mapping_.data()) ConnectionPage{{pack(DeliveryCursors{first_sequence, first_sequence})}, {}};
   return {std::move(page)};

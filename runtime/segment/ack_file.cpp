@@ -3,6 +3,7 @@
 
 #include <new>
 
+#include "posix/shared_memory.h"
 #include "segment/ack_word.h"
 
 namespace tzc {
@@ -19,20 +20,14 @@ std::size_t round_to_pages(std::size_t bytes) {
 AckFile::AckFile(std::uint32_t slots) : reader_(slots), sent_(new std::atomic<std::uint32_t>[slots]()) {}
 
 Expected<std::shared_ptr<AckFile>> AckFile::create(std::uint32_t slots) {
-  const auto sharing = posix::Sharing::peers_write;
-  auto file =
-      posix::create_memory_file("tzc-acknowledgements", round_to_pages(ack_file_bytes(slots)), sharing);
-  if (!file) return file.error();
-  auto mapping = posix::Mapping::map(file->descriptor.get(), file->size, posix::Access::read_write);
-  if (!mapping) return mapping.error();
-  const Status reserved = posix::reserve(*file, 0, file->size);  // a word must never fault on a full tmpfs
-  if (!reserved) return reserved.error();
-  const Status sealed = posix::seal(*file, sharing);
-  if (!sealed) return sealed.error();
+  const std::size_t size = round_to_pages(ack_file_bytes(slots));
+  // All of it is committed: a word must never fault on a full tmpfs.
+  auto memory = posix::create_shared_memory("tzc-acknowledgements", size, size, posix::Sharing::peers_write);
+  if (!memory) return memory.error();
 
   auto ack_file = std::make_shared<AckFile>(slots);
-  ack_file->file_ = std::move(*file);
-  ack_file->mapping_ = std::move(*mapping);
+  ack_file->file_ = std::move(memory->file);
+  ack_file->mapping_ = std::move(memory->mapping);
   ack_file->acks_ = AckView(ack_file->mapping_.data(), slots);
   new (ack_file->mapping_.data()) AckHeader{ack_magic, layout_version, slots, {0}};
   return ack_file;

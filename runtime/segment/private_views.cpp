@@ -9,6 +9,7 @@
 
 #include "posix/fork_epoch.h"
 #include "posix/memory_file.h"
+#include "posix/shared_memory.h"
 
 namespace tzc {
 namespace segment {
@@ -99,12 +100,11 @@ bool write_and_drop(const posix::MemoryFile& file, const std::uint8_t* original)
 }
 
 bool try_private_pages() {
-  auto file = posix::create_memory_file("tzc-self-check", posix::page_size(), posix::Sharing::peers_read);
-  if (!file || !posix::reserve(*file, 0, file->size)) return false;
-  const auto mapping = posix::Mapping::map(file->descriptor.get(), file->size, posix::Access::read_write);
-  if (!mapping || !posix::seal(*file, posix::Sharing::peers_read)) return false;
-  mapping->data()[0] = 1;
-  return write_and_drop(*file, mapping->data());
+  const std::size_t size = posix::page_size();
+  const auto memory = posix::create_shared_memory("tzc-self-check", size, size, posix::Sharing::peers_read);
+  if (!memory) return false;
+  memory->mapping.data()[0] = 1;
+  return write_and_drop(memory->file, memory->mapping.data());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "posix/shared_memory.h"
 #include "segment/layout.h"
 
 namespace tzc {
@@ -22,19 +23,14 @@ std::uint32_t slots_for(std::size_t payload) {
 }  // namespace
 
 Expected<SegmentFile> SegmentFile::create(std::size_t payload_bytes, Prefault prefault) {
-  const auto sharing = posix::Sharing::peers_read;
   const std::uint32_t slots = slots_for(payload_bytes);
   const std::size_t begin = payloads_offset(slots, posix::page_size());
-  auto file =
-      posix::create_memory_file("tzc-segment", begin + round_up(payload_bytes, posix::page_size()), sharing);
-  if (!file) return file.error();
-  auto mapping = posix::Mapping::map(file->descriptor.get(), file->size, posix::Access::read_write);
-  if (!mapping) return mapping.error();
-  const Status sealed = posix::seal(*file, sharing);
-  if (!sealed) return sealed.error();
+  const std::size_t size = begin + round_up(payload_bytes, posix::page_size());
+  auto memory = posix::create_shared_memory("tzc-segment", size, 0, posix::Sharing::peers_read);
+  if (!memory) return memory.error();
   SegmentFile segment;
-  segment.file_ = std::move(*file);
-  segment.mapping_ = std::move(*mapping);
+  segment.file_ = std::move(memory->file);
+  segment.mapping_ = std::move(memory->mapping);
   segment.prefault_ = prefault;
   segment.slots_ = slots;
   segment.payloads_.end = begin;

@@ -7,6 +7,8 @@
 #include <new>
 #include <utility>
 
+#include "posix/shared_memory.h"
+
 namespace tzc {
 namespace statistics {
 namespace {
@@ -28,16 +30,10 @@ Expected<std::shared_ptr<PageWriter>> PageWriter::create(const std::string& node
   Error failure;
   failure.what = "make a statistics page: no other process could find it on this system";
   if (!can_be_found) return failure;
-  const auto sharing = posix::Sharing::peers_read;
-  auto file = posix::create_memory_file(page_name, page_bytes, sharing);
-  if (!file) return file.error();
-  const Status reserved = posix::reserve(*file, 0, posix::page_size());
-  if (!reserved) return reserved.error();
-  auto mapping = posix::Mapping::map(file->descriptor.get(), page_bytes, posix::Access::read_write);
-  if (!mapping) return mapping.error();
-  const Status sealed = posix::seal(*file, sharing);
-  if (!sealed) return sealed.error();
-  std::shared_ptr<PageWriter> page(new PageWriter(std::move(*file), std::move(*mapping)));
+  auto memory =
+      posix::create_shared_memory(page_name, page_bytes, posix::page_size(), posix::Sharing::peers_read);
+  if (!memory) return memory.error();
+  std::shared_ptr<PageWriter> page(new PageWriter(std::move(memory->file), std::move(memory->mapping)));
   auto* const header = new (page->mapping_.data()) PageHeader{};
   header->version = page_version;
   header->pid = static_cast<std::uint32_t>(::getpid());
