@@ -68,7 +68,7 @@ class Batch:
                          f"{self.folder}/report.json",
                          ["--out-dir", f"{self.folder}/after"])
         check_sites(self.before, report)
-        check_levels(report)
+        check_levels(report, may_be_plain=self.options.adversarial)
         return report["sites"]
 
     def port_again(self, sites):
@@ -86,6 +86,16 @@ class Batch:
     def traits(self):
         return collections.Counter(trait for program in self.programs for trait in program.traits)
 
+    def levels(self, sites):
+        """trait -> level -> count, of what publishes"""
+        traits = {topic.name: topic.traits for program in self.programs for topic in program.topics}
+        levels = collections.defaultdict(collections.Counter)
+        for site in sites:
+            if site["kind"] == "publish":
+                for trait in traits.get(site["topic"], ()):
+                    levels[trait][site["level"]] += 1
+        return levels
+
 
 def table(sites):
     """kind -> level -> count"""
@@ -96,6 +106,26 @@ def table(sites):
                      for kind in sorted(levels))
 
 
+def share(counts):
+    return f"{counts['zero_copy']}/{sum(counts.values()) - counts['not_needed']}"
+
+
+def levels_by_trait(levels):
+    """How many sites of each pattern were ported to zero_copy: an attack on what is not ported tests nothing."""
+    kinds = collections.defaultdict(list)
+    for trait in sorted(levels):
+        kind, name = trait.split(": ")
+        kinds[kind].append(f"{name} {share(levels[trait])}")
+    return "\n".join(f"  {kind:10}" + ", ".join(names) for kind, names in kinds.items())
+
+
+def zero_copy_share(sites):
+    counts = collections.Counter(site["level"] for site in sites if site["kind"] == "publish")
+    needed = sum(counts.values()) - counts["not_needed"]
+    return f"  zero_copy {counts['zero_copy']} of {needed} publish sites" + (
+        f": {100 * counts['zero_copy'] // needed} %" if needed else "")
+
+
 def remarks(sites):
     codes = collections.Counter(site["code"] for site in sites if site["kind"] == "publish" and site["code"])
     return "  remarks   " + ", ".join(f"{count} {code}" for code, count in codes.most_common())
@@ -104,7 +134,9 @@ def remarks(sites):
 def again(options, failure, indices):
     """The command that repeats a failure: with the programs that it names, otherwise with the whole batch."""
     named = sorted({int(number) for number in re.findall(r"\bp(\d{3,})\b", str(failure))} & set(indices))
-    return f"{sys.executable} {' '.join(sys.argv[:3])} --keep{' --adversarial' if options.adversarial else ''} --seed {options.seed} --only {','.join(map(str, named or indices))}"
+    switches = "".join(f" --{name}" for name in ("adversarial", "guard") if getattr(options, name))
+    programs = ",".join(map(str, named or indices))
+    return (f"{sys.executable} {' '.join(sys.argv[:3])} --keep{switches} --seed {options.seed} --only {programs}")
 
 
 def parse_arguments():
@@ -136,7 +168,8 @@ def main():
     options = parse_arguments()
     with open(options.config) as file:
         toolchain = Toolchain(json.load(file), options.jobs)
-    sites, traits, messages, shared, failed = [], collections.Counter(), 0, 0, 0
+    sites, traits, messages, shared, failed, programs = [], collections.Counter(), 0, 0, 0, 0
+    levels = collections.defaultdict(collections.Counter)
     for indices in batches_of(options):
         batch = Batch(options, toolchain, f"{options.folder}/seed-{options.seed}-{indices[0]}-{indices[-1]}", indices)
         name = f"seed {options.seed}, programs {indices[0]} to {indices[-1]}"
@@ -144,6 +177,9 @@ def main():
             some_sites, some_messages, some_shared = batch.run()
             sites, messages, shared = sites + some_sites, messages + some_messages, shared + some_shared
             traits += batch.traits()
+            programs += len(batch.programs)
+            for trait, counts in batch.levels(some_sites).items():
+                levels[trait] += counts
             print(f"ok   {name}: " + ", ".join(f"{what} {taken:.0f} s" for what, taken in batch.seconds.items()),
                   flush=True)
             if not options.keep:
@@ -151,7 +187,10 @@ def main():
         except (Failure, RuntimeError) as failure:
             failed += 1
             print(f"FAIL {name} ({batch.folder})\n{failure}\nagain: {again(options, failure, indices)}", flush=True)
-    print(f"{messages} messages compared, {shared} received through shared memory\n{table(sites)}\n{remarks(sites)}")
+    print(f"{programs} programs, {messages} messages compared, {shared} received through shared memory\n"
+          f"{table(sites)}\n{zero_copy_share(sites)}\n{remarks(sites)}")
+    if levels:
+        print(levels_by_trait(levels))
     print("  patterns  " + ", ".join(f"{count} {trait}" for trait, count in traits.most_common()))
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     print(f"  processor {used.ru_utime + used.ru_stime:.0f} s")

@@ -7,7 +7,8 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from execution import differences  # noqa: E402
-from grammar import aliases, builders, libraries, package, publishers, subscribers  # noqa: E402
+from grammar import attacks, builders, keepers, libraries, outputs, owners, package, pointers  # noqa: E402
+from grammar import publishers, subscribers, times  # noqa: E402
 from port import check_levels, check_sites  # noqa: E402
 from toolchain import Failure  # noqa: E402
 
@@ -32,9 +33,10 @@ class Programs(unittest.TestCase):
 
     def test_every_attack_occurs(self):
         seen = set()
-        for index in range(300):
+        for index in range(1000):
             seen.update(package.make_program("1", index, adversarial=True).traits)
-        ways = [("owner", aliases.OWNERS), ("store", aliases.STORES), ("time", aliases.TIMES)]
+        ways = [("owner", owners.OWNERS), ("store", pointers.STORES + keepers.STORES), ("transfer", owners.TRANSFERS),
+                ("output", outputs.PLAIN + outputs.HIDDEN), ("time", [*times.ONCE, *times.ANEW, attacks.in_next_step])]
         self.assertEqual({f"{kind}: {way.__name__}" for kind, some in ways for way in some} - seen, set())
 
 
@@ -70,6 +72,7 @@ class Sites(unittest.TestCase):
         with self.assertRaisesRegex(Failure, "src/a.cpp:7 publish plain TZC1017 lost"):
             check_levels({"sites": [site]})
         check_levels({"sites": [{**site, "level": "one_copy"}]})
+        check_levels({"sites": [site]}, may_be_plain=True)
 
     def test_a_port_that_would_not_compile_is_noticed(self):
         site = {"kind": "publish", "file": "src/a.cpp", "line": 7, "level": "one_copy", "code": "TZC1009", "reason": "no"}

@@ -3,7 +3,7 @@
 import os
 import random
 
-from . import aliases, builders, libraries, messages, publishers, subscribers
+from . import attacks, builders, libraries, messages, publishers, subscribers
 from .program import Program
 
 KINDS = [None, libraries.SENSORS, libraries.VISION, None, libraries.CLOUDS, None, libraries.SENSORS, libraries.VISION,
@@ -13,7 +13,7 @@ KINDS = [None, libraries.SENSORS, libraries.VISION, None, libraries.CLOUDS, None
 
 def make_program(seed, index, adversarial=False):
     if adversarial:
-        return aliases.make(Program(random.Random(f"adversarial/{seed}/{index}"), index))
+        return attacks.make(Program(random.Random(f"adversarial/{seed}/{index}"), index))
     program = Program(random.Random(f"{seed}/{index}"), index)
     library = KINDS[index % len(KINDS)]
     for _ in range(program.rng.choice([1, 1, 2, 3])):

@@ -6,6 +6,7 @@ as a class or as free functions, over one to three files."""
 class Topic:
     def __init__(self, name, message, relays=0):
         self.name, self.message, self.relays = name, message, relays
+        self.traits = []  # of what publishes on it alone
 
 
 class Program:

@@ -32,6 +32,12 @@ def by_const_pointer(program, topic):
     subscribe_member(program, topic, name)
 
 
+def keep(program, topic):
+    """Keeps what it receives, which must not change afterwards."""
+    name = callback(program, f"const {topic.message.cpp}ConstPtr& msg", f'{note(topic)} fuzz::keep("{topic.name}", msg);')
+    subscribe_member(program, topic, name)
+
+
 def by_pointer_value(program, topic):
     name = callback(program, f"{topic.message.cpp}::ConstPtr msg", note(topic))
     subscribe_member(program, topic, name)

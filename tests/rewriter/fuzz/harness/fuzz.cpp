@@ -8,8 +8,11 @@
 #include <tzc/memory.h>
 #endif
 
+#include <boost/make_shared.hpp>
 #include <cstdlib>
+#include <deque>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -56,6 +59,36 @@ Tail& tail(const std::string& name) {
   if (!one) one.reset(new Tail(name));
   return *one;
 }
+
+/// A message that the listener keeps.
+struct Kept {
+  std::string topic;
+  std::vector<std::uint8_t> received;
+  std::function<std::vector<std::uint8_t>()> bytes;
+};
+std::deque<Kept> kept;
+constexpr std::size_t most_kept = 200;
+
+/// What has changed goes into the log, where the original has no such line.
+void look_again() {
+  for (Kept& one : kept) {
+    const std::vector<std::uint8_t> now = one.bytes();
+    if (now != one.received) listened->write(one.topic + "/changed", now.data(), now.size(), "changed");
+    one.received = now;
+  }
+}
+
+class Later : public ros::CallbackInterface {
+ public:
+  explicit Later(std::function<void()> function) : function_(std::move(function)) {}
+  CallResult call() override {
+    function_();
+    return Success;
+  }
+
+ private:
+  std::function<void()> function_;
+};
 
 [[noreturn]] void give_up(const std::string& what) {
   std::fprintf(stderr, "fuzz: waited in vain: %s\n", what.c_str());
@@ -167,10 +200,26 @@ bool listens() {
   return own_role == "listener";
 }
 
+void keep(const std::string& topic, std::function<std::vector<std::uint8_t>()> bytes) {
+  look_again();
+  std::vector<std::uint8_t> now = bytes();
+  kept.push_back({topic, std::move(now), std::move(bytes)});
+  if (kept.size() > most_kept) kept.pop_front();
+}
+
 int listen() {
   listened.reset(new Log("listener.log"));
   ros::spin();
+  look_again();
   return 0;
+}
+
+void call(const std::function<void()>& function) {
+  function();
+}
+
+void later(const std::function<void()>& function) {
+  ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<Later>(function));
 }
 
 }  // namespace fuzz

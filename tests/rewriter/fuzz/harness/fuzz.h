@@ -9,7 +9,9 @@
 
 #include <ros/serialization.h>
 
+#include <boost/shared_ptr.hpp>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -54,6 +56,14 @@ void fill(std::vector<T>& array, int count, int k) {
 }
 /// @}
 
+/// \name Code of a library that calls the program's
+/// @{
+const std::vector<int> once = {1};
+void call(const std::function<void()>& function);
+/// At the next spinOnce().
+void later(const std::function<void()>& function);
+/// @}
+
 /// \name The talker
 /// @{
 void sent(const std::string& topic);
@@ -91,11 +101,21 @@ const void* data_of(const M&, long) {
   return nullptr;
 }
 template <class M>
-void received(const std::string& topic, const M& message) {
+std::vector<std::uint8_t> bytes_of(const M& message) {
   std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
   ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   ros::serialization::serialize(stream, message);
-  note(topic, bytes, data_of(message, 0));
+  return bytes;
+}
+template <class M>
+void received(const std::string& topic, const M& message) {
+  note(topic, bytes_of(message), data_of(message, 0));
+}
+/// Looks at the message again, each time that another one is received and at the end: it must stay as it was received.
+void keep(const std::string& topic, std::function<std::vector<std::uint8_t>()> bytes);
+template <class M>
+void keep(const std::string& topic, const boost::shared_ptr<const M>& message) {
+  keep(topic, [message] { return bytes_of(*message); });
 }
 int listen();
 /// @}

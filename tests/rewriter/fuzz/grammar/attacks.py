@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Adversarial programs: who points into a message's data, how that is stored, and when it is used, composed with
+publishing. What is written through an old pointer after a publish shows in the next message, which must be the same
+before and after the port; messages that subscribers keep must not change."""
+from . import keepers, messages, outputs, owners, pointers, subscribers, times
+from .publishers import in_block
+
+COUNT = 20
+PLAIN = [message for message in messages.ALL if not message.arrays[0][1].fields and "." not in message.arrays[0][0]]
+
+
+class Attack:
+    """One message that is pointed into, with what publishes it."""
+
+    def __init__(self, program, owner, store, transfer, output):
+        self.program, self.message = program, program.rng.choice(PLAIN)
+        field, element = self.message.arrays[0]
+        self.element = element.cpp
+        written = "unsigned char" if store is pointers.as_bytes else element.cpp
+        self.value = f"static_cast<{written}>(fuzz::value(3, k))"
+        self._published = len(program.topics)
+        self._output = output(program, self.message)
+        owned = owner(program, self.message)
+        self.declare, self.fill = owned.lines, self._contents(owned, field, element)
+        if program.rng.random() < 0.6:  # so that no library is called while the handle lives
+            self.declare = self.declare + [f"const {written} known = {self.value};"]
+            self.value = "known"
+        self._taken, self._owned = transfer(self.message, owned)
+        self.array = f"{self._owned.access}{field}"
+        points = pointers.plain_reference if program.rng.random() < 0.5 else pointers.reference
+        source = points(program, self.message, owned.access, element.cpp)
+        self._handle = store(program, element.cpp, source, f"{owned.access}{field}")
+
+    def _contents(self, owned, field, element):
+        array = f"{owned.access}{field}"
+        return self.message.set_meta(owned.access) + [
+            f"{array}.reserve(64);", f"{array}.resize({COUNT});", f"for (int i = 0; i < {COUNT}; ++i) {{",
+            f"  {element.put(array + '[i]')}", "}"]
+
+    def make(self):
+        return self._handle.lines + self._taken
+
+    def write(self, index, value=None):
+        return self._handle.write(index, value or self.value)
+
+    def read(self, index):
+        """An expression; none where the handle can only be written through."""
+        return self._handle.read(index)
+
+    def send(self):
+        return self._output.publish(self._owned.argument, self._owned.pointer)
+
+    def topics(self):
+        return self.program.topics[self._published:]
+
+
+# They refer to the array, which is empty after its elements were taken.
+TO_ARRAY = [pointers.array_reference, pointers.pointer_to_array, keepers.closure_over_message]
+
+
+def choose(program):
+    """Owner, store, what takes the elements over, output and time. Half of them are what an honest program might do, so
+    that they are ported, and the analysis has to be right about them."""
+    rng = program.rng
+    if rng.random() < 0.5:
+        stores = pointers.LOCAL + [keepers.by_function, keepers.closure_over_message]
+        return (rng.choice(owners.FRESH if rng.random() < 0.7 else owners.OWNERS), rng.choice(stores), owners.unchanged,
+                rng.choice(outputs.PLAIN if rng.random() < 0.8 else outputs.HIDDEN), rng.choice(times.HARMLESS))
+    store = rng.choice(pointers.STORES if rng.random() < 0.6 else keepers.STORES)
+    owner = rng.choice(owners.OWNERS)
+    output = rng.choice(outputs.PLAIN if rng.random() < 0.5 else outputs.HIDDEN)
+    if rng.random() < 0.25 and store not in TO_ARRAY:
+        return owner, store, rng.choice(owners.TRANSFERS), output, rng.choice(times.ONCE)
+    return owner, store, owners.unchanged, output, rng.choice(times.ONCE + times.ANEW)
+
+
+def somewhere(program, lines):
+    """In the step, in a function of its own, or in a closure."""
+    where = program.rng.random()
+    if where < 0.25:
+        return [f"{program.helper('void', 'attack', 'int k', lines)}(k);"]
+    if where < 0.35:
+        return ["[&] {"] + ["  " + line for line in lines] + ["}();"]
+    return in_block(lines)
+
+
+def attack(program):
+    owner, store, transfer, output, time = choose(program)
+    one = Attack(program, owner, store, transfer, output)
+    program.steps += somewhere(program, one.declare + one.fill + time(one))
+    note(program, one, {"owner": owner, "store": store, "transfer": transfer, "output": output, "time": time})
+
+
+def in_next_step(program):
+    """What was pointed into in one step is written in the next one, before the message is published again."""
+    owner, output = program.rng.choice(owners.LASTING), program.rng.choice(outputs.PLAIN + outputs.HIDDEN)
+    one = Attack(program, owner, pointers.in_variable, owners.unchanged, output)
+    known = program.variable("bool", "known", " = false")
+    use = [f"if ({known}) {{"] + ["  " + line for line in one.write(1)] + ["}"]
+    if program.rng.random() < 0.5:
+        fill = one.fill + use
+    else:
+        fill = use + [f"if (!{known}) {{"] + ["  " + line for line in one.fill] + ["}"]
+    program.steps += somewhere(program, one.declare + fill + one.send() + one.make() + [f"{known} = true;"])
+    note(program, one, {"owner": owner, "output": output, "time": in_next_step})
+
+
+def note(program, one, chosen):
+    names = [f"{what}: {which.__name__}" for what, which in chosen.items()]
+    program.traits += names
+    for topic in one.topics():
+        topic.traits = names
+
+
+STANDARD = {"any", "array", "atomic", "functional", "memory", "optional", "thread", "tuple", "utility"}
+
+
+def make(program):
+    program.includes |= STANDARD
+    for _ in range(program.rng.choice([2, 3])):
+        if program.rng.random() < 0.12:
+            in_next_step(program)
+        else:
+            attack(program)
+    for topic in program.topics:
+        subscribers.keep(program, topic)
+    return program
