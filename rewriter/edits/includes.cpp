@@ -9,7 +9,7 @@ namespace {
 
 struct Include {
   std::string header;
-  std::size_t end;  ///< offset behind its line
+  std::size_t begin, end;  ///< of its line; end: behind the newline
 };
 
 struct Line {
@@ -87,7 +87,7 @@ Scan scan(const std::string& content) {
     if (starts_with(directive, "endif")) --depth;
     if (starts_with(directive, "include")) result.all.insert(header_of(directive));
     if (starts_with(directive, "include") && depth == 0 && !code_seen)
-      result.includes.push_back({header_of(directive), lines[i].end});
+      result.includes.push_back({header_of(directive), lines[i].begin, lines[i].end});
     const bool comment = in_comment || starts_with(text, "//") || text.find("*/") != std::string::npos;
     if (directive.empty() && !text.empty() && !comment && !continued) code_seen = true;
     if (!code_seen && depth == 0 && !continues) result.top = lines[i].end;
@@ -95,11 +95,62 @@ Scan scan(const std::string& content) {
   return result;
 }
 
-/// "tzc/sensor_msgs/Image.h" stands behind "sensor_msgs/Image.h".
+/// Whether a header is one of ROS, by the package that its path names.
+bool is_of_ros(const std::string& header) {
+  static const std::set<std::string> packages = {"actionlib",
+                                                 "camera_info_manager",
+                                                 "cv_bridge",
+                                                 "diagnostic_updater",
+                                                 "dynamic_reconfigure",
+                                                 "image_geometry",
+                                                 "image_transport",
+                                                 "laser_geometry",
+                                                 "message_filters",
+                                                 "nodelet",
+                                                 "pcl_conversions",
+                                                 "pcl_ros",
+                                                 "pluginlib",
+                                                 "ros",
+                                                 "rosbag",
+                                                 "stereo_image_proc",
+                                                 "std_srvs",
+                                                 "tf",
+                                                 "tf2",
+                                                 "tf2_ros",
+                                                 "tf2_geometry_msgs",
+                                                 "tf2_sensor_msgs",
+                                                 "tzc"};
+  const std::string package = header.substr(0, header.find('/'));
+  const std::string ending = "_msgs";
+  const bool messages = package.size() > ending.size() &&
+                        package.compare(package.size() - ending.size(), ending.size(), ending) == 0;
+  return package != header && (messages || packages.count(package) != 0);
+}
+
+/// The last of ROS's headers in the group of lines that includes ros/ros.h, or else in the first group with one.
+const Include* last_of_ros(const std::vector<Include>& includes) {
+  const Include *found = nullptr, *previous = nullptr;
+  bool decided = false, in_group = false;
+  for (const Include& include : includes) {
+    const bool new_group = !previous || previous->end != include.begin;
+    if (new_group && decided) return found;
+    if (new_group) in_group = !found;
+    if (is_of_ros(include.header) && (in_group || include.header == "ros/ros.h")) {
+      in_group = true;
+      found = &include;
+    }
+    decided |= include.header == "ros/ros.h";
+    previous = &include;
+  }
+  return found;
+}
+
+/// "tzc/sensor_msgs/Image.h" stands behind "sensor_msgs/Image.h", others with ROS's headers.
 std::size_t position_for(const Scan& scan, const std::string& header) {
   const std::string stock = header.substr(std::string("tzc/").size());
   for (const Include& include : scan.includes)
-    if (include.header == stock) return include.end;
+    if (include.header == stock && stock != "ros.h") return include.end;
+  if (const Include* neighbour = last_of_ros(scan.includes)) return neighbour->end;
   return scan.includes.empty() ? scan.top : scan.includes.back().end;
 }
 

@@ -20,8 +20,8 @@ class Node {
 // publish src/node.cpp:13 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pubs_["a"] = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // +  Node() { pubs_["a"] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
 // -  std::map<std::string, ros::Publisher> pubs_;

@@ -42,8 +42,8 @@ class Node {
 // publish src/node.cpp:30 sensor_msgs/Image one_copy 'one' TZC1019 it is built where its publisher cannot be named
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -    pubs_[1] = nh_.advertise<sensor_msgs::Image>("one", 1);
 // +    pubs_[1] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "one", 1, 0);
 // -  std::map<int, ros::Publisher> pubs_;

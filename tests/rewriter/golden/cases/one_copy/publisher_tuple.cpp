@@ -19,7 +19,7 @@ void run(ros::NodeHandle& nh) {
 // publish src/node.cpp:15 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  auto entry = std::make_tuple(1, nh.advertise<sensor_msgs::Image>("image", 10));
 // +  auto entry = std::make_tuple(1, tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0));

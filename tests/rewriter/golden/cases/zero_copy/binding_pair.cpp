@@ -19,8 +19,8 @@ void run(ros::NodeHandle& nh) {
 // publish src/node.cpp:13 sensor_msgs/Image zero_copy
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  std::pair<ros::Publisher, ros::Publisher> pubs(nh.advertise<sensor_msgs::Image>("a", 10), nh.advertise<sensor_msgs::Image>("b", 10));
 // +  std::pair<tzc::Publisher, tzc::Publisher> pubs(tzc::advertise<tzc::sensor_msgs::Image>(nh, "a", 10, 0), tzc::advertise<tzc::sensor_msgs::Image>(nh, "b", 10, 0));
 // -  sensor_msgs::Image image;

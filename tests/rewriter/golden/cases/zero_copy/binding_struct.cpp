@@ -22,8 +22,8 @@ void run(ros::NodeHandle& nh) {
 // publish src/node.cpp:16 sensor_msgs/Image zero_copy 'b'
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -struct Pubs { ros::Publisher a, b; };
 // +struct Pubs { tzc::Publisher a, b; };
 // -  pubs.a = nh.advertise<sensor_msgs::Image>("a", 10);

@@ -19,8 +19,8 @@ void run(ros::NodeHandle& nh) {
 // publish src/node.cpp:15 sensor_msgs/Image zero_copy 'image'
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  std::vector<ros::Publisher> pubs;
 // -  pubs.emplace_back(nh.advertise<sensor_msgs::Image>("image", 10));
 // -  sensor_msgs::Image image;

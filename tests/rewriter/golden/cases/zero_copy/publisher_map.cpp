@@ -40,8 +40,8 @@ class Node {
 // publish src/node.cpp:27 sensor_msgs/Image zero_copy 'seven'
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -    pubs_["left"] = nh_.advertise<sensor_msgs::Image>("left", 1);
 // -    numbered_[7] = nh_.advertise<sensor_msgs::Image>("seven", 1);
 // +    pubs_["left"] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "left", 1, 0);

@@ -20,8 +20,8 @@ void run(ros::NodeHandle& nh) {
 // publish src/node.cpp:15 sensor_msgs/Image zero_copy
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  std::array<ros::Publisher, 2> pubs{{nh.advertise<sensor_msgs::Image>("a", 10), nh.advertise<sensor_msgs::Image>("b", 10)}};
 // -  sensor_msgs::Image image;
 // +  std::array<tzc::Publisher, 2> pubs{{tzc::advertise<tzc::sensor_msgs::Image>(nh, "a", 10, 0), tzc::advertise<tzc::sensor_msgs::Image>(nh, "b", 10, 0)}};

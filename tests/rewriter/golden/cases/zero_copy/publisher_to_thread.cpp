@@ -22,8 +22,8 @@ void run(ros::NodeHandle& nh) {
 // advertise src/node.cpp:16 sensor_msgs/Image zero_copy 'image'
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -void work(ros::Publisher pub) {
 // -  sensor_msgs::Image image;
 // +void work(tzc::Publisher pub) {

@@ -16,7 +16,7 @@ void run(ros::NodeHandle& nh) {
 // publish src/node.cpp:11 sensor_msgs/Image one_copy 'image' TZC1003 'brightest' points into its data and is used after the message may have been published
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
 // +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

@@ -31,8 +31,8 @@ class Node {
 // publish src/node.cpp:19 sensor_msgs/Image one_copy 'image' TZC1003 'first' points into its data and is used after the message may have been published
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
 // -  ros::Publisher pub_;

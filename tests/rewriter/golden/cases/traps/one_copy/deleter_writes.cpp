@@ -30,8 +30,8 @@ class Node {
 // publish src/node.cpp:19 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is kept in 'pixel_'
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
 // -  ros::Publisher pub_;

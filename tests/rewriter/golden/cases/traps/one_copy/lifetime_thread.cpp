@@ -20,7 +20,7 @@ void run(ros::NodeHandle& nh) {
 // publish src/node.cpp:16 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is kept in a 'std::thread'
 //
 // +++ src/node.cpp
-// +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
 // +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where an include is written: with ROS's headers, whatever groups a file has.
+#include "edits/includes.h"
+
+#include <gtest/gtest.h>
+
+#include "edits/apply.h"
+
+namespace tzc::rewriter {
+namespace {
+
+std::string with(const std::string& header, const std::string& content) {
+  const Edits edits =
+      include_edits({{"node.cpp", {header}}}, [&](const std::string&) { return std::optional(content); });
+  return *apply_edits(content, edits);
+}
+
+TEST(Include, stands_with_ros_and_not_behind_the_last_group) {
+  EXPECT_EQ(
+      with("tzc/ros.h", "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n\n#include <string>\n"),
+      "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n#include <tzc/ros.h>\n\n#include <string>\n");
+}
+
+TEST(Include, stands_before_a_foreign_header_of_the_same_group) {
+  EXPECT_EQ(with("tzc/ros.h", "#include <ros/ros.h>\n#include <opencv2/core.hpp>\n"),
+            "#include <ros/ros.h>\n#include <tzc/ros.h>\n#include <opencv2/core.hpp>\n");
+}
+
+TEST(Include, prefers_the_group_of_ros_h) {
+  EXPECT_EQ(with("tzc/ros.h",
+                 "#include <std_msgs/String.h>\n\n#include <ros/ros.h>\n#include <tf/tf.h>\n\nint x;\n"),
+            "#include <std_msgs/String.h>\n\n#include <ros/ros.h>\n#include <tf/tf.h>\n#include "
+            "<tzc/ros.h>\n\nint x;\n");
+}
+
+TEST(Include, takes_the_first_group_of_ros_when_none_has_ros_h) {
+  EXPECT_EQ(
+      with("tzc/ros.h", "#include <vector>\n\n#include <sensor_msgs/Image.h>\n\n#include <my_msgs/Own.h>\n"),
+      "#include <vector>\n\n#include <sensor_msgs/Image.h>\n#include <tzc/ros.h>\n\n#include "
+      "<my_msgs/Own.h>\n");
+}
+
+TEST(Include, of_a_twin_stands_behind_the_stock_header) {
+  EXPECT_EQ(with("tzc/sensor_msgs/Image.h",
+                 "#include <ros/ros.h>\n\n#include \"sensor_msgs/Image.h\"\n#include <a>\n"),
+            "#include <ros/ros.h>\n\n#include \"sensor_msgs/Image.h\"\n#include "
+            "<tzc/sensor_msgs/Image.h>\n#include <a>\n");
+}
+
+TEST(Include, without_any_of_ros_comes_last) {
+  EXPECT_EQ(with("tzc/ros.h", "#include \"node.h\"\n#include <vector>\n\nint x;\n"),
+            "#include \"node.h\"\n#include <vector>\n#include <tzc/ros.h>\n\nint x;\n");
+}
+
+TEST(Include, is_not_written_twice) {
+  EXPECT_EQ(with("tzc/ros.h", "#include <tzc/ros.h>\n"), "#include <tzc/ros.h>\n");
+}
+
+}  // namespace
+}  // namespace tzc::rewriter
