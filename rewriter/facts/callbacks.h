@@ -22,7 +22,7 @@ class CallbackPins {
   bool is_callee(const clang::DeclRefExpr* reference) const;
   bool is_kept(const clang::LambdaExpr* lambda) const;
   std::optional<BoundCall> binding(const clang::DeclRefExpr* reference) const;
-  void pin(const clang::ParmVarDecl* parameter, const std::string& name);
+  void pin(const clang::ParmVarDecl* parameter, const std::string& name, bool subscribes);
 
   const Unit& unit_;
   EntityTable& entities_;

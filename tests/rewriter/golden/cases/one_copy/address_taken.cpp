@@ -13,7 +13,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:8 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:12 sensor_msgs/Image one_copy 'image' TZC1004 it comes in through the callback 'fill'
+// publish src/node.cpp:12 sensor_msgs/Image one_copy 'image' TZC1005 it is a parameter of 'fill', which other code calls
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

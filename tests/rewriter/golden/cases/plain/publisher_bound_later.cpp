@@ -18,5 +18,5 @@ void run(ros::NodeHandle& nh) {
   send(pub);
 }
 //--- expected
-// publish src/node.cpp:13 sensor_msgs/Image plain TZC1005 it comes in through the callback 'work'
+// publish src/node.cpp:13 sensor_msgs/Image plain TZC1005 it is a parameter of 'work', which other code calls
 // advertise src/node.cpp:16 sensor_msgs/Image plain 'image' TZC1010 it is passed to 'std::function::operator()', which is not part of the package
