@@ -33,6 +33,16 @@ bool casts_const_away(const std::string& function) {
   return function == "boost::const_pointer_cast" || function == "std::const_pointer_cast";
 }
 
+/// Templates of ROS that read a message of any type by its traits and serializer, which twins have, and keep nothing.
+bool reads_any_message(const std::string& function, const clang::CallExpr* call) {
+  static const std::set<std::string> names = {"rosbag::Bag::write", "ros::serialization::serializationLength",
+                                              "ros::serialization::serializeMessage"};
+  if (names.count(function) != 0 || function.rfind("ros::message_traits::", 0) == 0) return true;
+  if (function != "ros::serialization::serialize" || call->getNumArgs() == 0) return false;
+  const clang::CXXRecordDecl* stream = call->getArg(0)->getType()->getAsCXXRecordDecl();
+  return stream && qualified_name_of(stream).rfind("ros::serialization::", 0) == 0;
+}
+
 }  // namespace
 
 bool serves_plain_field(const Unit& unit, const clang::Expr* cast) {
@@ -136,6 +146,7 @@ CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr*
     entities_.add_obstacle(id, codes::TZC2002, "const is cast away from it", passed.where);
   }
   if (swaps(name)) return into_swap(id, call);
+  if (entities_.is_message(id) && reads_any_message(name, call)) return CallEffect::done;
   if (const LibraryCall* rule = unit_.rules.find_call(name, passed.argument)) {
     use_rule(id, call, *rule);
     return CallEffect::done;
