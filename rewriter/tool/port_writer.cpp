@@ -8,7 +8,7 @@ namespace tzc::rewriter {
 Expected<PortWriter> PortWriter::open(const Options& options, const std::vector<std::string>& packages) {
   PortWriter writer(options);
   if (options.action == Action::out_dir) {
-    Expected<OutDir> out_dir = OutDir::open(options.out_dir, packages);
+    Expected<OutDir> out_dir = OutDir::open(options.out_dir, packages, options.packages);
     if (!out_dir) return out_dir.error();
     writer.out_dir_.emplace(std::move(*out_dir));
   }

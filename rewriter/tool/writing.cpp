@@ -61,16 +61,26 @@ Expected<void> move_into(const fs::path& from, const fs::path& to) {
   return {};
 }
 
-Expected<void> check_names(const std::string& folder, const std::vector<std::string>& packages) {
-  std::set<std::string> names;
-  for (const std::string& package : packages) {
-    const std::string name = fs::path(package).filename();
-    const std::string to = fs::path(folder) / name;
+/// The path of a package below what the user named, so that the copies of a repository's packages lie as in it.
+std::string place_of(const std::string& package, const std::vector<std::string>& named) {
+  for (const std::string& name : named) {
+    std::error_code failed;
+    const std::string folder = fs::canonical(name, failed);
+    if (!failed && is_below(package, folder)) return package.substr(folder.size() + 1);
+  }
+  return fs::path(package).filename();
+}
+
+Expected<void> check_places(const std::string& folder, const std::map<std::string, std::string>& places) {
+  std::set<std::string> taken;
+  for (const auto& [package, place] : places) {
+    const std::string to = fs::path(folder) / place;
     if (to == package || is_below(to, package))
       return Error{"--out-dir lies in the package itself", to, "name another folder, or use --apply"};
-    if (!names.insert(name).second)
-      return Error{"two packages lie in folders of this name; nothing was written", package,
-                   "port them one after the other into different folders"};
+    if (!taken.insert(place).second)
+      return Error{
+          "two packages lie in folders of this name; nothing was written", package,
+          "name the folder that holds both, or port them one after the other into different folders"};
   }
   return {};
 }
@@ -107,10 +117,12 @@ Expected<void> write_in_place(const PackagePort& port) {
   return swap_in(port.package_dir, port.contents, port.before);
 }
 
-Expected<OutDir> OutDir::open(const std::string& folder, const std::vector<std::string>& packages) {
+Expected<OutDir> OutDir::open(const std::string& folder, const std::vector<std::string>& packages,
+                              const std::vector<std::string>& named) {
   OutDir out;
   out.folder_ = fs::weakly_canonical(folder);
-  if (Expected<void> fits = check_names(out.folder_, packages); !fits) return fits.error();
+  for (const std::string& package : packages) out.places_[package] = place_of(package, named);
+  if (Expected<void> fits = check_places(out.folder_, out.places_); !fits) return fits.error();
   std::error_code failed;
   out.is_new_ = fs::create_directories(out.folder_, failed);
   const std::string staging = out.folder_ + "/.tzc-rewrite-" + std::to_string(::getpid());
@@ -128,8 +140,7 @@ OutDir::~OutDir() {
 }
 
 Expected<void> OutDir::stage(const PackagePort& port) const {
-  const fs::path name = fs::path(port.package_dir).filename();
-  const fs::path staged = fs::path(staging_) / name;
+  const fs::path staged = fs::path(staging_) / places_.at(port.package_dir);
   if (Expected<void> copied = copy_package(port.package_dir, staged, folder_); !copied) return copied;
   for (const auto& [file, content] : port.contents)
     if (Expected<void> done = write_file(staged / file.substr(port.package_dir.size() + 1), content); !done)
@@ -138,8 +149,12 @@ Expected<void> OutDir::stage(const PackagePort& port) const {
 }
 
 Expected<void> OutDir::move_in(const PackagePort& port) const {
-  const fs::path name = fs::path(port.package_dir).filename();
-  return move_into(fs::path(staging_) / name, fs::path(folder_) / name);
+  const std::string& place = places_.at(port.package_dir);
+  const fs::path to = fs::path(folder_) / place;
+  std::error_code failed;
+  fs::create_directories(to.parent_path(), failed);
+  if (failed) return not_written(to, failed);
+  return move_into(fs::path(staging_) / place, to);
 }
 
 }  // namespace tzc::rewriter

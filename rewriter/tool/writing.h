@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,15 +20,21 @@ Expected<void> check_committed(const std::vector<PackagePort>& ports);
 /// Changes a package in place, all of its files or none.
 Expected<void> write_in_place(const PackagePort& port);
 
-/// The folder of --out-dir: gets a whole copy of each package, ported, as DIR/<folder of the package>. Each copy
-/// is made beside its place and renamed into it when it is whole.
+/// The folder of --out-dir: gets a whole copy of each package, ported. What is named is a package: as DIR/<its
+/// folder>. It is a folder that holds packages: each at the path that it has below that folder. Each copy is made
+/// beside its place and renamed into it when it is whole.
 class OutDir {
  public:
   /// Makes the folder. An error when it cannot be written, or cannot hold copies of these packages.
-  static Expected<OutDir> open(const std::string& folder, const std::vector<std::string>& packages);
+  /// `named`: what the user named, which are the packages or hold them.
+  static Expected<OutDir> open(const std::string& folder, const std::vector<std::string>& packages,
+                               const std::vector<std::string>& named);
 
   OutDir(OutDir&& other) noexcept
-      : folder_(std::move(other.folder_)), staging_(std::move(other.staging_)), is_new_(other.is_new_) {
+      : folder_(std::move(other.folder_)),
+        staging_(std::move(other.staging_)),
+        places_(std::move(other.places_)),
+        is_new_(other.is_new_) {
     other.staging_.clear();
   }
   OutDir& operator=(OutDir&&) = delete;
@@ -41,9 +48,10 @@ class OutDir {
 
  private:
   OutDir() = default;
-  std::string folder_;   ///< canonical
-  std::string staging_;  ///< a folder in it, removed in the end
-  bool is_new_ = false;  ///< made by this run: removed in the end when it is empty
+  std::string folder_;                         ///< canonical
+  std::string staging_;                        ///< a folder in it, removed in the end
+  std::map<std::string, std::string> places_;  ///< package -> its path in the folder
+  bool is_new_ = false;                        ///< made by this run: removed in the end when it is empty
 };
 
 }  // namespace tzc::rewriter

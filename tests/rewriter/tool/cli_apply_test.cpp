@@ -67,6 +67,22 @@ TEST_F(Cli, out_dir_gets_a_whole_copy) {
   EXPECT_THAT(ws.folder().read("out/demo/plan.json"), Not(IsEmpty()));
 }
 
+TEST_F(Cli, out_dir_keeps_the_folders_of_the_repository) {
+  ws.rewrite({});
+  const std::string repository = ws.folder() / "ws/src/repository";
+  std::filesystem::create_directories(repository + "/drivers");
+  std::filesystem::rename(ws.package(), repository + "/drivers/demo");
+  ws.folder().write("ws/build/compile_commands.json",
+                    nlohmann::json::array({{{"directory", ws.folder().path()},
+                                            {"file", repository + "/drivers/demo/src/node.cpp"},
+                                            {"command", "c++ -c x"}}})
+                        .dump());
+  EXPECT_EQ(ws.shell(FAKE_REWRITE
+                     " --verify=source --tzc-include ../include -p build --out-dir ../out src/repository"),
+            0);
+  EXPECT_THAT(ws.folder().read("out/drivers/demo/src/node.cpp"), HasSubstr("tzc::Publisher"));
+}
+
 TEST_F(Cli, out_dir_inside_the_package_is_refused) {
   EXPECT_EQ(ws.rewrite({"--out-dir", ws.package() + "/out"}).status, 2);
 }
