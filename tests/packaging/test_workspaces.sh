@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# tzc as a member of a catkin workspace, beside a package that uses it and one with messages: catkin_make and catkin_make
-# install; with --every-tool also catkin_make_isolated with --install, and `catkin build`, each of which compiles all of tzc
-# once more. As a normal user; a package that uses tzc runs from each of them, and rosrun finds the tools.
-# usage: test_workspaces.sh SOURCE_DIR [--every-tool]
+# tzc as a member of a catkin workspace, beside a package that uses it and one with messages: catkin_make, catkin_make
+# install, catkin_make_isolated with --install, and `catkin build`. As a normal user; a package that uses tzc runs from
+# each of them, and rosrun finds the tools. Each compiles all of tzc: scripts/test --full runs it.
+# usage: test_workspaces.sh SOURCE_DIR
 source "$(dirname "$0")/lib.sh"
 source_dir=$1
-every_tool=${2:-}
 here=$(cd "$(dirname "$0")" && pwd)
 ws=$scratch/ws
 depends=$(sed -n 's/^set(TZC_CATKIN_DEPENDS \(.*\))/\1/p' "$source_dir/cmake/TzcCatkin.cmake")
@@ -43,19 +42,17 @@ works "$ws/install/setup.bash" "catkin_make install"
 leaks=$(grep -rlI -F -e "$ws/src" -e "$ws/build" -e "$ws/devel" "$ws/install" || true)
 [ -z "$leaks" ] || wrong "these files name the workspace's folders: $leaks"
 
-if [ "$every_tool" = --every-tool ]; then
-  in_ws catkin_make_isolated catkin_make_isolated --install "${options[@]}"
-  works "$ws/devel_isolated/setup.bash" "catkin_make_isolated"
-  works "$ws/install_isolated/setup.bash" "catkin_make_isolated --install"
+in_ws catkin_make_isolated catkin_make_isolated --install "${options[@]}"
+works "$ws/devel_isolated/setup.bash" "catkin_make_isolated"
+works "$ws/install_isolated/setup.bash" "catkin_make_isolated --install"
 
-  rm -rf "$ws/build" "$ws/devel" "$ws/install" "$ws"/*_isolated
-  if command -v catkin >/dev/null; then
-    in_ws catkin_config catkin config --cmake-args "${options[@]}"
-    in_ws catkin_build catkin build --no-status --summarize
-    works "$ws/devel/setup.bash" "catkin build"
-  else
-    wrong "catkin (Debian: catkin-tools) is not installed; scripts/setup installs it"
-  fi
+rm -rf "$ws/build" "$ws/devel" "$ws/install" "$ws"/*_isolated
+if command -v catkin >/dev/null; then
+  in_ws catkin_config catkin config --cmake-args "${options[@]}"
+  in_ws catkin_build catkin build --no-status --summarize
+  works "$ws/devel/setup.bash" "catkin build"
+else
+  wrong "catkin (Debian: catkin-tools) is not installed; scripts/setup installs it"
 fi
 
 # catkin_lint gives up on projects whose CMake code is in modules; package.xml it judges by what CMake asks for.
