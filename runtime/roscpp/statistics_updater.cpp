@@ -2,6 +2,7 @@
 #include "roscpp/statistics_updater.h"
 
 #include <ros/console.h>
+#include <ros/init.h>
 #include <ros/this_node.h>
 
 #include <algorithm>
@@ -97,6 +98,7 @@ void StatisticsUpdater::begin() {
 
 // Goes on after a round that failed for want of memory: the next one may succeed.
 void StatisticsUpdater::update() {
+  if (ros::isShuttingDown()) return;
   bool is_complete = true;
   try {
     is_complete = write();

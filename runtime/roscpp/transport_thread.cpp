@@ -2,7 +2,7 @@
 #include "roscpp/transport_thread.h"
 
 #include <pthread.h>
-
+#include <ros/init.h>
 #include <signal.h>
 
 #include <exception>
@@ -42,6 +42,8 @@ void run_job(const std::function<void()>& job) {
   try {
     job();
   } catch (const std::exception& error) {
+    // A job may run while the process ends, when roscpp's and the log's own locks are destroyed already.
+    if (ros::isShuttingDown()) return;
     TZC_WARN_THROTTLED(60, "TZC: a connection stays on TCPROS: " << error.what());
   }
 }

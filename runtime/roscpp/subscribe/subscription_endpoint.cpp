@@ -35,6 +35,11 @@ bool has_writers(ros::Subscription& subscription) {
   return access::nonconst_callbacks_(subscription) != 0;
 }
 
+// roscpp's counters are plain words. One thread at a time adds to them; the statistics are read by another.
+void add(std::uint64_t& counter, std::uint64_t more) {
+  __atomic_store_n(&counter, counter + more, __ATOMIC_RELAXED);
+}
+
 }  // namespace
 
 bool SubscriptionEndpoint::may_begin() {
@@ -49,8 +54,8 @@ void SubscriptionEndpoint::take(const channel::MessagePtr& message) {
   if (message->tag() == kSwitch) return take_switch(*message);
   const ros::SubscriptionPtr subscription = subscription_.lock();
   if (!subscription || subscription->isDropped()) return;
-  counted().messages_received_++;
-  counted().bytes_received_ += message->control_size();
+  add(counted().messages_received_, 1);
+  add(counted().bytes_received_, message->control_size());
   if (!calls_directly_) return take_indirectly(*subscription, message);
   if (message->tag() == kControlPart && take_directly(*subscription, message)) return;
   {

@@ -66,8 +66,9 @@ SubscriptionStatistics statistics_of(const ros::TransportPublisherLink& link, co
   SubscriptionStatistics seen;
   seen.topic = topic;
   seen.publisher = const_cast<ros::TransportPublisherLink&>(link).getCallerID();
-  seen.messages = const_cast<ros::TransportPublisherLink&>(link).getStats().messages_received_;
-  seen.bytes = const_cast<ros::TransportPublisherLink&>(link).getStats().bytes_received_;
+  const ros::PublisherLink::Stats& stats = const_cast<ros::TransportPublisherLink&>(link).getStats();
+  seen.messages = __atomic_load_n(&stats.messages_received_, __ATOMIC_RELAXED);  // another thread counts
+  seen.bytes = __atomic_load_n(&stats.bytes_received_, __ATOMIC_RELAXED);
   return seen;
 }
 
