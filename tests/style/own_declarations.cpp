@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A plugin of clang-tidy: the checks walk only declarations outside of system headers. What clang-tidy finds in system
 // headers it drops, but only after it looked for it, which takes two thirds of its time for a file that includes roscpp.
-// clang-tidy itself does the same from LLVM 21 on.
 #include <clang/AST/ASTConsumer.h>
 #include <clang/AST/ASTContext.h>
 #include <clang/Basic/SourceManager.h>
