@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/api_calls.h"
 
-#include <clang/AST/RecursiveASTVisitor.h>
-
+#include "parse/ast_visitor.h"
 #include "parse/source.h"
 
 namespace tzc::rewriter {
@@ -79,13 +78,13 @@ std::string message_of_template(const clang::FunctionDecl* function) {
   return named ? message_name((*arguments)[0].getAsType()) : "";
 }
 
-class ApiCalls : public clang::RecursiveASTVisitor<ApiCalls> {
+class ApiCalls : public AstVisitor {
  public:
   explicit ApiCalls(const Source& source) : source_(source) {}
-  bool shouldVisitTemplateInstantiations() const { return true; }
+  bool shouldVisitTemplateInstantiations() const override { return true; }
   std::set<ApiCall> calls;
 
-  bool VisitCallExpr(clang::CallExpr* call) {
+  bool VisitCallExpr(clang::CallExpr* call) override {
     const clang::FunctionDecl* function = call->getDirectCallee();
     if (!function || !function->getIdentifier() || call->isTypeDependent()) return true;
     if (function->getName().starts_with("make_")) return note_made_filter(call, function);
@@ -102,7 +101,7 @@ class ApiCalls : public clang::RecursiveASTVisitor<ApiCalls> {
   }
 
   /// The instances of generic lambdas, which no other declaration leads to.
-  bool VisitLambdaExpr(clang::LambdaExpr* lambda) {
+  bool VisitLambdaExpr(clang::LambdaExpr* lambda) override {
     clang::FunctionTemplateDecl* pattern = lambda->getLambdaClass()->getDependentLambdaCallOperator();
     if (!pattern || !lambda->isGenericLambda()) return true;
     for (clang::FunctionDecl* instance : pattern->specializations())
@@ -110,7 +109,7 @@ class ApiCalls : public clang::RecursiveASTVisitor<ApiCalls> {
     return true;
   }
 
-  bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) {
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) override {
     const clang::CXXConstructorDecl* inherited =
         construct->getConstructor()->getInheritedConstructor().getConstructor();
     const clang::CXXRecordDecl* record = (inherited ? inherited : construct->getConstructor())->getParent();

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/allocation_sites.h"
 
-#include <clang/AST/RecursiveASTVisitor.h>
-
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "model/codes.h"
+#include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -26,14 +25,16 @@ const clang::Stmt* statement_around(const Unit& unit, const Node& of) {
 }
 
 /// From the first to the last mention of a member in a function.
-class Mentions : public clang::RecursiveASTVisitor<Mentions> {
+class Mentions : public AstVisitor {
  public:
   Mentions(const Unit& unit, EntityTable& entities, const EntityId& id)
       : unit_(unit), entities_(entities), id_(id) {}
   unsigned first = ~0U, last = 0;
 
-  bool VisitMemberExpr(clang::MemberExpr* member) { return note(member, member->getMemberDecl()); }
-  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) { return note(reference, reference->getDecl()); }
+  bool VisitMemberExpr(clang::MemberExpr* member) override { return note(member, member->getMemberDecl()); }
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
+    return note(reference, reference->getDecl());
+  }
 
  private:
   bool note(const clang::Expr* expr, const clang::ValueDecl* decl) {

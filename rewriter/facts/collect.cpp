@@ -1,90 +1,89 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/collect.h"
 
-#include <clang/AST/RecursiveASTVisitor.h>
-
 #include <vector>
 
 #include "facts/ast_walk.h"
 #include "facts/callbacks.h"
 #include "facts/collectors.h"
 #include "facts/message_type.h"
+#include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
 
 /// The dispatch table: passes each kind of node to its collector.
-class Dispatcher : public clang::RecursiveASTVisitor<Dispatcher> {
+class Dispatcher : public AstVisitor {
  public:
   explicit Dispatcher(const Unit& unit) : to_(unit), callbacks_(unit, to_.entities()) {}
-  bool shouldVisitTemplateInstantiations() const { return true; }
+  bool shouldVisitTemplateInstantiations() const override { return true; }
 
-  bool VisitVarDecl(clang::VarDecl* variable) {
+  bool VisitVarDecl(clang::VarDecl* variable) override {
     to_.declaration(variable);
     return true;
   }
   /// Something of the package may be called tzc, other than the namespace that TZC has.
-  bool VisitNamedDecl(clang::NamedDecl* decl) {
+  bool VisitNamedDecl(clang::NamedDecl* decl) override {
     const bool is_own = !llvm::isa<clang::NamespaceDecl>(decl) ||
                         !decl->getDeclContext()->getRedeclContext()->isTranslationUnit();
     shadows_tzc_ |= is_own && decl->getIdentifier() && decl->getName() == "tzc";
     return true;
   }
-  bool VisitFieldDecl(clang::FieldDecl* field) {
+  bool VisitFieldDecl(clang::FieldDecl* field) override {
     to_.entities().declare(field);
     if (field->hasInClassInitializer()) to_.early_calls(field->getInClassInitializer());
     return true;
   }
-  bool VisitFunctionDecl(clang::FunctionDecl* function) {
+  bool VisitFunctionDecl(clang::FunctionDecl* function) override {
     to_.function(function);
     const bool own = !is_lambda(function) || function->getTemplateInstantiationPattern();
     if (function->isThisDeclarationADefinition() && !function->isDependentContext() && own)
       functions_.push_back(function);
     return true;
   }
-  bool VisitCXXRecordDecl(clang::CXXRecordDecl* record) {
+  bool VisitCXXRecordDecl(clang::CXXRecordDecl* record) override {
     if (record->isThisDeclarationADefinition()) to_.bases(record);
     return true;
   }
-  bool VisitCXXForRangeStmt(clang::CXXForRangeStmt* loop) {
+  bool VisitCXXForRangeStmt(clang::CXXForRangeStmt* loop) override {
     to_.flow().loop_over(loop);
     return true;
   }
-  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) {
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
     if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(reference->getDecl()))
       callbacks_.check_address_taken(function, reference);
     else
       to_.name(reference, to_.entities().declare(reference->getDecl()));
     return true;
   }
-  bool VisitMemberExpr(clang::MemberExpr* member) {
+  bool VisitMemberExpr(clang::MemberExpr* member) override {
     if (is_data_array(member->getType()) && !member->isTypeDependent()) arrays_.push_back(member);
     if (llvm::isa<clang::FieldDecl, clang::VarDecl>(member->getMemberDecl()))
       to_.name(member, to_.entities().declare(member->getMemberDecl()));
     return true;
   }
-  bool VisitCXXNewExpr(clang::CXXNewExpr* expr) {
+  bool VisitCXXNewExpr(clang::CXXNewExpr* expr) override {
     to_.object(expr, expr->getAllocatedTypeSourceInfo());
     return true;
   }
-  bool VisitCXXTemporaryObjectExpr(clang::CXXTemporaryObjectExpr* expr) {
+  bool VisitCXXTemporaryObjectExpr(clang::CXXTemporaryObjectExpr* expr) override {
     to_.object(expr, expr->getTypeSourceInfo());
     return true;
   }
-  bool VisitExplicitCastExpr(clang::ExplicitCastExpr* cast) {
+  bool VisitExplicitCastExpr(clang::ExplicitCastExpr* cast) override {
     to_.flow().check_const_cast(cast);
     to_.object(cast, cast->getTypeInfoAsWritten());
     return true;
   }
-  bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) {
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) override {
     to_.construction(construct);
     return true;
   }
-  bool VisitCallExpr(clang::CallExpr* call) {
+  bool VisitCallExpr(clang::CallExpr* call) override {
     to_.call(call);
     return true;
   }
-  bool VisitLambdaExpr(clang::LambdaExpr* lambda) {
+  bool VisitLambdaExpr(clang::LambdaExpr* lambda) override {
     callbacks_.check_lambda(lambda);
     return true;
   }

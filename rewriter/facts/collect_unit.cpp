@@ -2,9 +2,9 @@
 #include "facts/collect_unit.h"
 
 #include <clang/AST/ASTContext.h>
-#include <clang/AST/RecursiveASTVisitor.h>
 
 #include "facts/collect.h"
+#include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -30,11 +30,11 @@ std::set<std::string> files_of(const Unit& unit, const CollectOptions& options) 
 }
 
 /// The instances of generic lambdas, which no other declaration leads to.
-class LambdaInstances : public clang::RecursiveASTVisitor<LambdaInstances> {
+class LambdaInstances : public AstVisitor {
  public:
   explicit LambdaInstances(std::vector<clang::Decl*>& found) : found_(found) {}
-  bool shouldVisitTemplateInstantiations() const { return true; }
-  bool VisitLambdaExpr(clang::LambdaExpr* lambda) {
+  bool shouldVisitTemplateInstantiations() const override { return true; }
+  bool VisitLambdaExpr(clang::LambdaExpr* lambda) override {
     const clang::FunctionTemplateDecl* pattern = lambda->getLambdaClass()->getDependentLambdaCallOperator();
     if (!pattern || !lambda->isGenericLambda()) return true;
     for (clang::FunctionDecl* instance : pattern->specializations())

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/hoisting.h"
 
-#include <clang/AST/RecursiveASTVisitor.h>
-
 #include "facts/must_execute.h"
+#include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -34,32 +33,32 @@ const clang::CXXOperatorCallExpr* lookup_of(const PublisherMention& publisher) {
   return is_standard ? lookup : nullptr;
 }
 
-class PartsOf : public clang::RecursiveASTVisitor<PartsOf> {
+class PartsOf : public AstVisitor {
  public:
   explicit PartsOf(const Unit& unit) : unit_(unit) {}
   NameParts parts;
 
-  bool VisitStmt(clang::Stmt* stmt) {
+  bool VisitStmt(clang::Stmt* stmt) override {
     if (is_step(stmt)) parts.steps.insert(step_text(unit_, stmt));
     return true;
   }
-  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) {
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
     if (const clang::VarDecl* local = local_of(reference)) parts.locals.push_back(local);
     parts.all.push_back(reference->getDecl());
     return true;
   }
-  bool VisitMemberExpr(clang::MemberExpr* member) {
+  bool VisitMemberExpr(clang::MemberExpr* member) override {
     parts.all.push_back(member->getMemberDecl());
     return true;
   }
-  bool VisitCallExpr(clang::CallExpr* call) {
+  bool VisitCallExpr(clang::CallExpr* call) override {
     const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call);
     const auto kind = op ? op->getOperator() : clang::OO_None;
     parts.has_effects |= kind != clang::OO_Arrow && kind != clang::OO_Star &&
                          (kind != clang::OO_Subscript || is_map(op->getArg(0)->getType()));
     return true;
   }
-  bool VisitUnaryOperator(clang::UnaryOperator* op) {
+  bool VisitUnaryOperator(clang::UnaryOperator* op) override {
     parts.has_effects |= op->isIncrementDecrementOp();
     return true;
   }
@@ -80,21 +79,21 @@ NameParts parts_of(const Unit& unit, const PublisherMention& publisher) {
 }
 
 /// Whether one of the variables changes between two offsets of the function.
-class Changes : public clang::RecursiveASTVisitor<Changes> {
+class Changes : public AstVisitor {
  public:
   Changes(const Unit& unit, const std::vector<const clang::VarDecl*>& variables, unsigned from, unsigned to)
       : unit_(unit), variables_(variables), from_(from), to_(to) {}
   bool found = false;
 
-  bool VisitUnaryOperator(clang::UnaryOperator* op) {
+  bool VisitUnaryOperator(clang::UnaryOperator* op) override {
     if (op->isIncrementDecrementOp()) check(op->getSubExpr());
     return true;
   }
-  bool VisitBinaryOperator(clang::BinaryOperator* op) {
+  bool VisitBinaryOperator(clang::BinaryOperator* op) override {
     if (op->isAssignmentOp()) check(op->getLHS());
     return true;
   }
-  bool VisitCXXOperatorCallExpr(clang::CXXOperatorCallExpr* call) {
+  bool VisitCXXOperatorCallExpr(clang::CXXOperatorCallExpr* call) override {
     if (call->isAssignmentOp()) check(call->getArg(0));
     return true;
   }

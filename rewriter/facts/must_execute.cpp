@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/must_execute.h"
 
-#include <clang/AST/RecursiveASTVisitor.h>
-
 #include "facts/ast_walk.h"
+#include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -13,7 +12,7 @@ unsigned begin_of(const Unit& unit, const clang::Stmt* stmt) {
 }
 
 /// Whether a function, or one that it calls, mentions one of the declarations. True when that cannot be seen.
-class Reach : public clang::RecursiveASTVisitor<Reach> {
+class Reach : public AstVisitor {
  public:
   Reach(const Unit& unit, const std::vector<const clang::ValueDecl*>& decls) : unit_(unit), decls_(decls) {}
   bool found = false;
@@ -27,12 +26,12 @@ class Reach : public clang::RecursiveASTVisitor<Reach> {
     else if (seen_.insert(definition).second)
       TraverseStmt(definition->getBody());
   }
-  bool VisitCallExpr(clang::CallExpr* call) {
+  bool VisitCallExpr(clang::CallExpr* call) override {
     follow(call->getDirectCallee());
     return !found;
   }
-  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) { return note(reference->getDecl()); }
-  bool VisitMemberExpr(clang::MemberExpr* member) { return note(member->getMemberDecl()); }
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override { return note(reference->getDecl()); }
+  bool VisitMemberExpr(clang::MemberExpr* member) override { return note(member->getMemberDecl()); }
 
  private:
   bool note(const clang::ValueDecl* decl) {
@@ -60,13 +59,13 @@ bool only_looks(const Unit& unit, const clang::Expr* mention) {
 }
 
 /// The code between two offsets of a function: exits, and changes of what the publisher's name depends on.
-class Between : public clang::RecursiveASTVisitor<Between> {
+class Between : public AstVisitor {
  public:
   Between(const Unit& unit, const NameParts& parts, unsigned from, unsigned to)
       : unit_(unit), parts_(parts), reach_(unit, parts.all), from_(from), to_(to) {}
   bool leaves = false, changes = false, locks = false;
 
-  bool VisitStmt(clang::Stmt* stmt) {
+  bool VisitStmt(clang::Stmt* stmt) override {
     const unsigned here = begin_of(unit_, stmt);
     if (here < from_ || here >= to_) return true;
     leaves |= llvm::isa<clang::ReturnStmt, clang::BreakStmt, clang::ContinueStmt, clang::GotoStmt,
@@ -122,14 +121,14 @@ bool comes_with(const Unit& unit, const clang::Stmt* node, unsigned at) {
 }
 
 /// Finds a place that takes the same step whenever the offset is reached, before anything changes.
-class StepFinder : public clang::RecursiveASTVisitor<StepFinder> {
+class StepFinder : public AstVisitor {
  public:
   StepFinder(const Unit& unit, const NameParts& parts, const clang::Stmt* body, const std::string& step,
              unsigned at)
       : unit_(unit), parts_(parts), body_(body), step_(step), at_(at) {}
   bool found = false;
 
-  bool VisitStmt(clang::Stmt* stmt) {
+  bool VisitStmt(clang::Stmt* stmt) override {
     found = found || (is_step(stmt) && step_text(unit_, stmt) == step_ && holds(stmt));
     return !found;
   }

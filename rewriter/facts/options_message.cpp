@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // nh.advertise(options) and nh.subscribe(options): the type is named where the options were made.
-#include <clang/AST/RecursiveASTVisitor.h>
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/message_type.h"
+#include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -27,18 +27,18 @@ std::optional<clang::QualType> message_among(const clang::FunctionDecl* function
   return {};
 }
 
-class OptionsVisitor : public clang::RecursiveASTVisitor<OptionsVisitor> {
+class OptionsVisitor : public AstVisitor {
  public:
   explicit OptionsVisitor(const clang::VarDecl* variable) : variable_(variable) {}
   std::optional<clang::QualType> found;
   bool several = false;
 
-  bool VisitCXXMemberCallExpr(clang::CXXMemberCallExpr* call) {
+  bool VisitCXXMemberCallExpr(clang::CXXMemberCallExpr* call) override {
     if (call->getMethodDecl() && variable_of(call->getImplicitObjectArgument()) == variable_)
       note(message_among(call->getMethodDecl()));
     return true;
   }
-  bool VisitCallExpr(clang::CallExpr* call) {
+  bool VisitCallExpr(clang::CallExpr* call) override {
     const clang::FunctionDecl* function = call->getDirectCallee();
     const std::string name = function ? qualified_name_of(function) : "";
     if (name == "ros::SubscribeOptions::create" || name == "ros::AdvertiseOptions::create")

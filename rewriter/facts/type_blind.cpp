@@ -2,7 +2,8 @@
 #include "facts/type_blind.h"
 
 #include <clang/AST/ExprCXX.h>
-#include <clang/AST/RecursiveASTVisitor.h>
+
+#include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -13,23 +14,23 @@ bool is_of_parameter(const clang::NestedNameSpecifier* qualifier) {
   return type && llvm::isa<clang::TemplateTypeParmType>(type);
 }
 
-class TypeQuestions : public clang::RecursiveASTVisitor<TypeQuestions> {
+class TypeQuestions : public AstVisitor {
  public:
   bool found = false;
 
-  bool VisitIfStmt(clang::IfStmt* choice) { return note(choice->isConstexpr()); }
-  bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr*) { return note(true); }
-  bool VisitTypeTraitExpr(clang::TypeTraitExpr*) { return note(true); }
-  bool VisitCXXTypeidExpr(clang::CXXTypeidExpr*) { return note(true); }
-  bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc) { return note(true); }
-  bool VisitVarDecl(clang::VarDecl* variable) { return note(variable->isStaticLocal()); }
-  bool VisitDependentScopeDeclRefExpr(clang::DependentScopeDeclRefExpr* name) {
+  bool VisitIfStmt(clang::IfStmt* choice) override { return note(choice->isConstexpr()); }
+  bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr*) override { return note(true); }
+  bool VisitTypeTraitExpr(clang::TypeTraitExpr*) override { return note(true); }
+  bool VisitCXXTypeidExpr(clang::CXXTypeidExpr*) override { return note(true); }
+  bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc) override { return note(true); }
+  bool VisitVarDecl(clang::VarDecl* variable) override { return note(variable->isStaticLocal()); }
+  bool VisitDependentScopeDeclRefExpr(clang::DependentScopeDeclRefExpr* name) override {
     return note(!is_of_parameter(name->getQualifier()));
   }
-  bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc name) {
+  bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc name) override {
     return note(!is_of_parameter(name.getTypePtr()->getQualifier()));
   }
-  bool VisitUnresolvedLookupExpr(clang::UnresolvedLookupExpr* name) {
+  bool VisitUnresolvedLookupExpr(clang::UnresolvedLookupExpr* name) override {
     return note(llvm::any_of(name->decls(), [](const clang::NamedDecl* decl) {
       return llvm::isa<clang::VarTemplateDecl>(decl->getUnderlyingDecl());
     }));

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verify/callees.h"
 
-#include <clang/AST/RecursiveASTVisitor.h>
-
+#include "parse/ast_visitor.h"
 #include "parse/names.h"
 #include "parse/source.h"
 
 namespace tzc::rewriter {
 namespace {
 
-class Calls : public clang::RecursiveASTVisitor<Calls> {
+class Calls : public AstVisitor {
  public:
   explicit Calls(const Source& source) : source_(source) {}
-  bool shouldVisitTemplateInstantiations() const { return true; }
+  bool shouldVisitTemplateInstantiations() const override { return true; }
   std::vector<PackageCall> calls;
 
-  bool VisitCallExpr(clang::CallExpr* call) {
+  bool VisitCallExpr(clang::CallExpr* call) override {
     const clang::FunctionDecl* function = call->getDirectCallee();
     return !function || note(call->getExprLoc(), function);
   }
-  bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) {
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) override {
     const clang::CXXConstructorDecl* constructor = construct->getConstructor();
     return constructor->isImplicit() || constructor->isCopyOrMoveConstructor() ||
            note(construct->getExprLoc(), constructor);
