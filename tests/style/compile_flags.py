@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an entry of compile_commands.json says of the language, without the file, its output and its dependencies."""
+"""What an entry of compile_commands.json says of the language, without the file, its output and its dependencies, and
+without CMake's precompiled header: a file is to include what it uses."""
 import os
 import shlex
 
 _WITH_A_VALUE = {"-o", "-MF", "-MT", "-MQ"}
-_ALONE = {"-c", "-MD", "-MMD", "-MP"}
+_ALONE = {"-c", "-MD", "-MMD", "-MP", "-Winvalid-pch", "-fpch-preprocess"}
 
 
 def flags_of(entry):
@@ -13,6 +14,10 @@ def flags_of(entry):
     for word in words:
         if word in _WITH_A_VALUE:
             next(words, None)
+        elif word == "-include":
+            header = next(words, "")
+            if os.path.basename(header) != "cmake_pch.hxx":
+                flags += [word, header]
         elif word not in _ALONE and os.path.realpath(os.path.join(entry["directory"], word)) != source:
             flags.append(word)
     return tuple(flags)
