@@ -17,6 +17,7 @@
 #include "engine/trusted_functions.h"
 #include "model/codes.h"
 #include "solve/describe_sites.h"
+#include "solve/light_messages.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -141,6 +142,7 @@ std::optional<Error> PortPlanner::collect() {
     parsed_.push_back(units_[i]);
     reading_.merge(std::move(readings[i]));
   }
+  leave_light_types(reading_.facts, options_.small);
   if (!failure && parsed_.empty())
     failure =
         Error{"no unit of the package compiles: " + left_out_.front().text, left_out_.front().where->file,

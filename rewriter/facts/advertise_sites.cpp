@@ -27,6 +27,25 @@ std::optional<Place> behind_argument(const Unit& unit, const clang::CallExpr* ca
   return place;
 }
 
+/// Whether an argument that follows the queue size is told from a memory size: a bool, or a callback that is no 0.
+bool is_no_size(const clang::CXXMemberCallExpr* call, unsigned index) {
+  const clang::QualType written = call->getArg(index)->IgnoreUnlessSpelledInSource()->getType();
+  const clang::QualType wanted = call->getMethodDecl()->getParamDecl(index)->getType();
+  return wanted->isBooleanType() ? written->isBooleanType() : !written->isArithmeticType();
+}
+
+/// The memory size of tzc::advertise<M>(nh, topic, queue, memory, ...) or tzc::advertise<M>(nh, options, memory).
+std::string written_memory(const Unit& unit, const clang::CallExpr* call) {
+  if (written_arguments(call) < 3) return "0";
+  const bool by_options = call->getArg(1)->getType()->isRecordType() &&
+                          call->getArg(1)->getType()->getAsCXXRecordDecl()->getName() == "AdvertiseOptions";
+  const unsigned index = by_options ? 2 : 3;
+  const std::optional<std::string> text = written_text(unit, call, index);
+  if (!text) return "0";
+  const clang::QualType type = call->getArg(index)->IgnoreUnlessSpelledInSource()->getType();
+  return type->isIntegerType() && !type->isBooleanType() ? *text : "0";
+}
+
 bool takes_template_parameter(const clang::CXXMemberCallExpr* call) {
   const auto* callee = llvm::dyn_cast<clang::MemberExpr>(call->getCallee()->IgnoreParens());
   return callee && callee->getNumTemplateArgs() != 0 &&
@@ -48,8 +67,7 @@ Advertise AdvertiseCollector::site_at(const clang::CallExpr* call, const char* r
 void AdvertiseCollector::describe_type(Advertise& site, clang::QualType type) const {
   const std::optional<MessageType> twin = twin_message_of(type);
   if (const auto message = twin ? twin : message_of(type)) {
-    site.type = message->name;
-    site.has_data_part = message->has_data_part;
+    set_message(site, *message);
     site.no_twin = !message->has_data_part || message->service || !unit_.has_twin(site.type);
   } else if (is_pcl_cloud(type)) {
     site.type = "sensor_msgs/PointCloud2";
@@ -66,9 +84,10 @@ void AdvertiseCollector::change(Advertise& site, const clang::CXXMemberCallExpr*
   std::string to = rule.to;
   if (rule.role == MethodCall::Role::advertise) {
     const std::string written = written_template_arguments(unit_, call);
-    const std::string stock = written.empty() ? stock_name(site.type) : written;
+    site.stock_type = written.empty() ? stock_name(site.type) : written;
     const bool as_written = site.no_twin || takes_template_parameter(call);
-    to += "<" + (as_written ? stock : twin_name(site.type)) + ">";
+    site.twin_type = as_written ? site.stock_type : twin_name(site.type);
+    to += "<$TYPE>";
   }
   site.changes = receiver_first(unit_, call, {to, rule.rule, rule.header});
   if (site.changes.empty()) {
@@ -76,8 +95,6 @@ void AdvertiseCollector::change(Advertise& site, const clang::CXXMemberCallExpr*
         {codes::TZC1006, "the advertise call comes from a macro", location_of(site.where)});
     return;
   }
-  if (!site.no_twin && rule.role == MethodCall::Role::advertise)
-    site.changes[0].headers.push_back(twin_header(site.type));
   const clang::QualType type = advertised_type(unit_, call);
   if (!type.isNull() && is_pcl_cloud(type)) site.changes[0].headers.push_back("tzc/pcl.h");
   if (rule.role == MethodCall::Role::advertise) add_memory(site, call, rule);
@@ -86,8 +103,9 @@ void AdvertiseCollector::change(Advertise& site, const clang::CXXMemberCallExpr*
 void AdvertiseCollector::add_memory(Advertise& site, const clang::CXXMemberCallExpr* call,
                                     const MethodCall& rule) const {
   const unsigned last = written_arguments(call) == 1 ? 0 : 1;
+  site.needs_memory = written_arguments(call) > last + 1 && !is_no_size(call, last + 1);
   if (const auto memory = behind_argument(unit_, call, last))
-    site.changes.push_back({*memory, ", $MEM", rule.rule, {}});
+    site.changes.push_back({*memory, "$MEM", rule.rule, {}});
   else
     site.obstacles.push_back({codes::TZC1006, "an argument comes from a macro", location_of(site.where)});
 }
@@ -115,8 +133,7 @@ Advertise AdvertiseCollector::of_ported_call(const clang::CallExpr* call, const 
   const clang::TemplateArgumentList* arguments = call->getDirectCallee()->getTemplateSpecializationArgs();
   if (rule.role == MethodCall::Role::advertise && arguments) describe_type(site, (*arguments)[0].getAsType());
   if (written_arguments(call) > 1) site.topic = constant_string(call->getArg(1));
-  site.memory =
-      rule.role == MethodCall::Role::advertise ? written_text(unit_, call, site.topic ? 3 : 2) : "0";
+  site.memory = rule.role == MethodCall::Role::advertise ? written_memory(unit_, call) : "0";
   site.publisher = entities_.declare_temporary(call);
   return site;
 }
@@ -128,13 +145,14 @@ void AdvertiseCollector::describe_topic(Advertise& site, const clang::CallExpr* 
   }
 }
 
-std::string AdvertiseCollector::attach_text(const Advertise& site, const clang::CallExpr* call,
+std::string AdvertiseCollector::attach_text(Advertise& site, const clang::CallExpr* call,
                                             const LibraryAdvertise& rule) const {
   if (!rule.is_template) return std::string(rule.to) + "(";
   const clang::TemplateArgumentLoc& written = written_arguments_of(call)[0];
+  site.stock_type = unit_.source.text(written.getSourceRange());
   const bool as_written = site.no_twin || is_template_parameter(written.getArgument());
-  const std::string type = as_written ? unit_.source.text(written.getSourceRange()) : twin_name(site.type);
-  return std::string(rule.to) + "<" + type + ">(";
+  site.twin_type = as_written ? site.stock_type : twin_name(site.type);
+  return std::string(rule.to) + "<$TYPE>(";
 }
 
 void AdvertiseCollector::attach(Advertise& site, const clang::CallExpr* call, const LibraryAdvertise& rule) {
@@ -149,8 +167,7 @@ void AdvertiseCollector::attach(Advertise& site, const clang::CallExpr* call, co
   begin.end = begin.begin;
   end.begin = end.end;
   site.changes = {{begin, attach_text(site, call, rule), rule.rule, {rule.header}},
-                  {end, rule.is_template ? ", $MEM)" : ")", rule.rule, {}}};
-  if (rule.is_template && !site.no_twin) site.changes[0].headers.push_back(twin_header(site.type));
+                  {end, rule.is_template ? "$MEM)" : ")", rule.rule, {}}};
   if (site.pcl) site.changes[0].headers.push_back("tzc/pcl.h");
 }
 
@@ -165,7 +182,7 @@ std::optional<AdvertiseCollector::LibraryCall> AdvertiseCollector::of_library_ca
   const clang::CallExpr* publisher = ported ? ported : call;
   site.publisher = entities_.declare_temporary(publisher);
   if (ported)
-    site.memory = rule->is_template ? written_text(unit_, ported, 1) : "0";
+    site.memory = rule->is_template ? written_text(unit_, ported, 1).value_or("0") : "0";
   else
     attach(site, call, *rule);
   return LibraryCall{std::move(site), publisher};

@@ -33,8 +33,7 @@ class AdvertiseCollector {
   void change(Advertise& site, const clang::CXXMemberCallExpr* call, const MethodCall& rule) const;
   void add_memory(Advertise& site, const clang::CXXMemberCallExpr* call, const MethodCall& rule) const;
   void attach(Advertise& site, const clang::CallExpr* call, const LibraryAdvertise& rule);
-  std::string attach_text(const Advertise& site, const clang::CallExpr* call,
-                          const LibraryAdvertise& rule) const;
+  std::string attach_text(Advertise& site, const clang::CallExpr* call, const LibraryAdvertise& rule) const;
 
   const Unit& unit_;
   EntityTable& entities_;

@@ -11,11 +11,21 @@ const clang::ClassTemplateSpecializationDecl* template_of(clang::QualType type) 
       type.getNonReferenceType().getCanonicalType()->getAsCXXRecordDecl());
 }
 
+/// pcl_ros makes a cloud of the message; the callback has it to itself.
+CallbackParameter cloud_parameter() {
+  MessageType message;
+  message.name = "sensor_msgs/PointCloud2";
+  message.has_data_part = message.has_direct_data_part = true;
+  message.most_bytes.reset();
+  return {message, false, true};
+}
+
 }  // namespace
 
 CallbackParameter callback_parameter_of(clang::QualType type) {
   const bool by_value = !type->isReferenceType();
   const clang::QualType bare = type.getNonReferenceType();
+  if (is_pcl_cloud(bare)) return cloud_parameter();
   if (const auto message = message_of(bare)) return {message, by_value || !bare.isConstQualified()};
   const clang::QualType pointee = pointee_of(bare);
   if (!pointee.isNull()) return {message_of(pointee), !pointee.isConstQualified()};

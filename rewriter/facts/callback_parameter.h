@@ -15,6 +15,7 @@ namespace tzc::rewriter {
 struct CallbackParameter {
   std::optional<MessageType> message;
   bool writes = false;
+  bool converts = false;  ///< it is of another type, made from the message
 };
 
 /// Of one parameter of a callback.

@@ -3,6 +3,7 @@
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
+#include "facts/declarators.h"
 #include "facts/spelling.h"
 #include "model/codes.h"
 
@@ -46,6 +47,18 @@ void add(Entity& entity, const Obstacle& obstacle) {
   entity.obstacles.push_back(obstacle);
 }
 
+/// Where a declarator that shares its type with others can part from the one in front of it.
+std::optional<Cut> cut_before(const Unit& unit, const clang::ValueDecl* decl, const Entity& entity) {
+  const auto* declarator = llvm::dyn_cast<clang::DeclaratorDecl>(decl);
+  if (!declarator || entity.ported || entity.changes.empty()) return {};
+  const std::optional<SharedDeclaration> shared = shared_declaration(unit, declarator);
+  if (!shared) return {};
+  const std::string words = unit.source.text(shared->type);
+  const std::string ported = with_changes(shared->type, words, entity.changes);
+  return Cut{id_of(unit, shared->left), shared->type, shared->at, shared->before + words + shared->after,
+             shared->before + ported + shared->after};
+}
+
 }  // namespace
 
 Entity& EntityTable::entity_at(const EntityId& id, const Carried& carried, Description describe) {
@@ -58,7 +71,7 @@ Entity& EntityTable::entity_at(const EntityId& id, const Carried& carried, Descr
     entity.ported = carried.ported;
     if (carried.rename) entity.ported_as = {carried.rename->to, carried.rename->header};
     const bool accessor = carried.rename && carried.rename->role == ClassRename::Role::accessor;
-    if (accessor) facts_.data_uses.push_back({id, entity.where});
+    if (accessor) facts_.data_uses.push_back({id, entity.where, {}, false});
   }
   if (entity.type.empty() && carried.message) entity.type = carried.message->name;
   return entity;
@@ -160,6 +173,8 @@ EntityId EntityTable::declare(const clang::ValueDecl* decl) {
     const auto* written = llvm::cast<clang::DeclaratorDecl>(redeclaration);
     if (written->getTypeSourceInfo()) respell(entity, written->getTypeSourceInfo()->getTypeLoc());
   }
+  if (facts_.cuts.count(id) == 0)
+    if (std::optional<Cut> cut = cut_before(unit_, decl, entity)) facts_.cuts.emplace(id, std::move(*cut));
   check_exported(entity, decl);
   if (!decl->getType()->isReferenceType() && message_of(decl->getType())) facts_.objects.insert(id);
   const auto* parameter = llvm::dyn_cast<clang::ParmVarDecl>(decl);
@@ -235,8 +250,8 @@ void EntityTable::add_use(const EntityId& id, Change change) {
   facts_.uses.push_back({id, std::move(change)});
 }
 
-void EntityTable::add_data_use(const EntityId& id, clang::SourceLocation where) {
-  facts_.data_uses.push_back({id, unit_.location(where)});
+void EntityTable::add_data_use(const EntityId& id, clang::SourceLocation where, const ArrayGrowth& growth) {
+  facts_.data_uses.push_back({id, unit_.location(where), growth.most_bytes, growth.appends});
 }
 
 const Entity& EntityTable::operator[](const EntityId& id) const {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "facts/array_bounds.h"
 #include "facts/message_type.h"
 #include "facts/unit.h"
 #include "model/facts.h"
@@ -38,7 +39,7 @@ class EntityTable {
   void add_obstacle(const EntityId& id, const char* code, const std::string& reason,
                     clang::SourceLocation where);
   void add_use(const EntityId& id, Change change);
-  void add_data_use(const EntityId& id, clang::SourceLocation where);
+  void add_data_use(const EntityId& id, clang::SourceLocation where, const ArrayGrowth& growth = {});
 
   /// Null: no entity has this id.
   const Entity& operator[](const EntityId& id) const;

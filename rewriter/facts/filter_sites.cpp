@@ -32,10 +32,7 @@ Subscribe FilterCollector::site_of(const Construction& construction, const Entit
   const ClassRename* rename = unit_.rules.find_class_or_ported(name);
   if (rename) site.rule = rename->rule;
   site.ported = unit_.rules.find_ported_class(name) != nullptr;
-  if (const auto message = filter_message(construction.record)) {
-    site.type = message->name;
-    site.has_data_part = message->has_data_part;
-  }
+  if (const auto message = filter_message(construction.record)) set_message(site, *message);
   for (const clang::Expr* argument : construction.arguments)
     if (!site.topic && !argument->getType()->isArithmeticType()) site.topic = constant_string(argument);
   const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *construction.expr);

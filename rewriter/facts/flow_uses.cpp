@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/flow_uses.h"
 
+#include "facts/array_bounds.h"
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/overwrites.h"
@@ -151,7 +152,7 @@ bool UseFollower::into_member(const clang::MemberExpr* member) {
   if (llvm::isa<clang::CXXMethodDecl>(member->getMemberDecl())) return into_method(member);
   if (!llvm::isa<clang::FieldDecl>(member->getMemberDecl())) return false;
   if (is_data_array(member->getType())) {
-    entities_.add_data_use(id_, member->getMemberLoc());
+    entities_.add_data_use(id_, member->getMemberLoc(), growth_at(unit_, member, entities_[id_].type));
     note_resize(member);
     return false;
   }

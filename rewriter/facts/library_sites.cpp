@@ -43,8 +43,7 @@ std::optional<MessageType> message_of_class(const clang::CXXRecordDecl* record) 
 void describe(SiteFact& site, const Unit& unit, const clang::Expr* expr, const MessageType& message) {
   site.where = unit.source.where(expr->getExprLoc());
   site.function = enclosing_function_name(unit.ast(), *expr);
-  site.type = message.name;
-  site.has_data_part = message.has_data_part;
+  set_message(site, message);
 }
 
 template <class Call>

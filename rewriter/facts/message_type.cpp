@@ -4,6 +4,7 @@
 #include <clang/AST/DeclCXX.h>
 #include <clang/AST/DeclTemplate.h>
 
+#include "facts/light_types.h"
 #include "parse/names.h"
 
 namespace tzc::rewriter {
@@ -61,22 +62,54 @@ bool is_fixed_length(clang::QualType type) {
 
 void look_into_pattern(clang::QualType type, bool nested, MessageType& message, unsigned depth);
 
+/// "sensor_msgs/Image" of sensor_msgs::Image_.
+std::string message_name(const clang::NamedDecl* record) {
+  const auto* space = llvm::dyn_cast<clang::NamedDecl>(record->getDeclContext());
+  return (space ? qualified_name_of(space) : "") + "/" + record->getName().drop_back().str();
+}
+
+void note_data_array(bool nested, MessageType& message) {
+  message.has_data_part = true;
+  if (!nested) message.has_direct_data_part = true;
+  message.most_bytes.reset();
+}
+
+/// What the fields of `record` added to the bound of the message around it, unless its type says better.
+void bound_by_type(const clang::NamedDecl* record, std::optional<std::uint64_t> before,
+                   MessageType& message) {
+  if (message.most_bytes) return;
+  if (const auto bytes = light_type_bytes(message_name(record)); bytes && before)
+    message.most_bytes = *before + *bytes;
+}
+
+/// CameraInfo[100]: the bound was that of one element.
+void note_repeated(std::optional<std::uint64_t> before, MessageType& message) {
+  if (message.most_bytes != before) message.most_bytes.reset();
+}
+
+void look_into_fields(const clang::CXXRecordDecl* fields, bool nested, MessageType& message, unsigned depth) {
+  const std::optional<std::uint64_t> before = message.most_bytes;
+  for (const clang::FieldDecl* field : fields->fields())
+    look_into_pattern(field->getType(), nested, message, depth);
+  if (!nested) bound_by_type(fields, before, message);
+}
+
 /// `nested`: the field lies in an array of messages.
 void look_into(clang::QualType type, bool nested, MessageType& message) {
   const auto* templated = specialization_of(type);
   if (is_std_template(templated, "vector")) {
     const clang::QualType element = first_argument(templated);
     if (!is_fixed_length(element)) return look_into(element, true, message);
-    message.has_data_part = true;
-    if (!nested) message.has_direct_data_part = true;
+    note_data_array(nested, message);
   } else if (templated && templated->getName() == "array") {
+    const std::optional<std::uint64_t> before = message.most_bytes;
     look_into(first_argument(templated), nested, message);
+    note_repeated(before, message);
   } else if (has_message_shape(templated)) {
     const clang::CXXRecordDecl* fields = templated->hasDefinition()
                                              ? templated->getDefinition()
                                              : templated->getSpecializedTemplate()->getTemplatedDecl();
-    for (const clang::FieldDecl* field : fields->fields())
-      look_into_pattern(field->getType(), nested, message, 0);
+    look_into_fields(fields, nested, message, 0);
   }
 }
 
@@ -113,13 +146,13 @@ void look_into_pattern(clang::QualType type, bool nested, MessageType& message, 
   if (decl->getName() == "vector") {
     const clang::QualType element = written->template_arguments()[0].getAsType();
     if (!is_fixed_pattern(element, 0)) return look_into_pattern(element, true, message, depth + 1);
-    message.has_data_part = true;
-    if (!nested) message.has_direct_data_part = true;
+    note_data_array(nested, message);
   } else if (decl->getName() == "array") {
+    const std::optional<std::uint64_t> before = message.most_bytes;
     look_into_pattern(written->template_arguments()[0].getAsType(), nested, message, depth + 1);
+    note_repeated(before, message);
   } else if (decl->getName().ends_with("_")) {
-    for (const clang::FieldDecl* field : decl->getTemplatedDecl()->fields())
-      look_into_pattern(field->getType(), nested, message, depth + 1);
+    look_into_fields(decl->getTemplatedDecl(), nested, message, depth + 1);
   }
 }
 
@@ -176,16 +209,20 @@ std::optional<MessageType> message_of(const clang::CXXRecordDecl* record) {
   if (!has_message_shape(templated)) return {};
   MessageType message;
   message.record = record;
-  const std::string name = templated->getName().drop_back().str();
-  message.name = qualified_name_of(llvm::cast<clang::NamedDecl>(templated->getDeclContext())) + "/" + name;
-  message.service = llvm::StringRef(name).ends_with("Request") || llvm::StringRef(name).ends_with("Response");
-  if (templated->hasDefinition())
-    for (const clang::FieldDecl* field : templated->getDefinition()->fields())
-      look_into(field->getType(), false, message);
-  else
-    for (const clang::FieldDecl* field : templated->getSpecializedTemplate()->getTemplatedDecl()->fields())
-      look_into_pattern(field->getType(), false, message, 0);
+  message.name = message_name(templated);
+  const llvm::StringRef name = templated->getName().drop_back();
+  message.service = name.ends_with("Request") || name.ends_with("Response");
+  const clang::CXXRecordDecl* fields = templated->hasDefinition()
+                                           ? templated->getDefinition()
+                                           : templated->getSpecializedTemplate()->getTemplatedDecl();
+  look_into_fields(fields, false, message, 0);
   return message;
+}
+
+void set_message(SiteFact& site, const MessageType& message) {
+  site.type = message.name;
+  site.has_data_part = message.has_data_part;
+  site.most_bytes = message.most_bytes;
 }
 
 std::optional<MessageType> message_of(clang::QualType type) {

@@ -3,6 +3,7 @@
 
 #include <clang/AST/ASTContext.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct MessageType {
   bool has_data_part = false;         ///< has a data part: an array of a fixed-length type, at any depth
   bool has_direct_data_part = false;  ///< has a data part outside arrays of messages
   bool service = false;               ///< request or response of a service
+  std::optional<std::uint64_t> most_bytes = 0;  ///< that its arrays hold, by the types they are part of
 };
 
 /// What a C++ type carries, however deep in pointers and containers.
@@ -37,6 +39,9 @@ std::optional<MessageType> message_of(clang::QualType type);
 
 /// The stock message that a tzc:: message stands for.
 std::optional<MessageType> twin_message_of(clang::QualType type);
+
+/// Writes the type of a site's message.
+void set_message(SiteFact& site, const MessageType& message);
 
 /// std::vector of a fixed-length type: a data array.
 bool is_data_array(clang::QualType type);

@@ -52,8 +52,7 @@ bool describe_type(Publish& site, const Unit& unit, const clang::Expr* argument)
     return false;
   }
   if (const std::optional<MessageType> message = message_of(published)) {
-    site.type = message->name;
-    site.has_data_part = message->has_data_part;
+    set_message(site, *message);
     site.nested_only = message->has_data_part && !message->has_direct_data_part;
   } else if (is_pcl_cloud(type)) {
     site.type = "sensor_msgs/PointCloud2";

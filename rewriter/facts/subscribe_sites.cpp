@@ -11,9 +11,9 @@ namespace {
 
 void describe(Subscribe& site, const CallbackParameter& parameter) {
   if (!parameter.message) return;
-  site.type = parameter.message->name;
-  site.has_data_part = parameter.message->has_data_part;
+  set_message(site, *parameter.message);
   site.writes = parameter.writes;
+  site.converts = parameter.converts;
 }
 
 }  // namespace
@@ -57,6 +57,7 @@ Subscribe SubscribeCollector::of_call(const clang::CXXMemberCallExpr* call, cons
   if (written_arguments(call) > 0) site.topic = constant_string(call->getArg(0));
   const std::string to = rule.to + (written.empty() ? "" : "<" + written + ">");
   site.changes = receiver_first(unit_, call, {to, rule.rule, rule.header});
+  if (site.converts && !site.changes.empty()) site.changes[0].headers.push_back("tzc/pcl.h");
   if (site.changes.empty())
     site.obstacles.push_back({codes::TZC2003, "the subscribe call comes from a macro", here});
   return site;

@@ -60,6 +60,7 @@ void Facts::merge(Facts&& other) {
   unite(entities, other.entities);
   append(flows, other.flows);
   append(uses, other.uses);
+  cuts.merge(other.cuts);
   objects.merge(other.objects);
   append(allocations, other.allocations);
   unite(factories, other.factories);

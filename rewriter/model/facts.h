@@ -4,6 +4,7 @@
 // Facts about a parsed package: plain values, named by USR or by place, so that the facts of many translation
 // units merge by id and a header that is seen twice counts once.
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -62,6 +63,15 @@ struct Flow {
   EntityId from, to;
   Location where;
   std::string what;
+};
+
+/// `Image a, b;`: where the declaration is cut when only one of two neighbours is ported.
+struct Cut {
+  EntityId left;
+  Place words;         ///< the type that both share, where it is written
+  Place at;            ///< from the comma to the second declarator
+  std::string stock;   ///< what is written there, with the type as it was
+  std::string ported;  ///< the same with the ported type
 };
 
 /// A use of an entity that takes an edit when the entity is ported.
@@ -123,6 +133,7 @@ struct SiteFact {
   std::string function;  ///< qualified name of the function around it
   std::string type;      ///< "sensor_msgs/Image"
   bool has_data_part = true;
+  std::optional<std::uint64_t> most_bytes;  ///< that its arrays hold, by its type; none: any number
   std::vector<Obstacle> obstacles;
 
   SiteId id() const { return {where.file, where.begin, type}; }
@@ -132,8 +143,11 @@ struct Advertise : SiteFact {
   std::optional<std::string> topic;
   std::optional<std::string> queue;  ///< as written
   EntityId publisher;                ///< empty: kept in no entity
-  std::vector<Change> changes;       ///< `$MEM` stands for the memory size
+  std::vector<Change> changes;  ///< `$TYPE` stands for one of the types, `$MEM` for the memory size argument
+  std::string stock_type;       ///< as it is written
+  std::string twin_type;        ///< the same where the call must keep it
   bool no_twin = false;
+  bool needs_memory = false;          ///< the argument that follows could be taken for a memory size
   std::optional<std::string> memory;  ///< as written; set where the call is ported already
   bool pcl = false;                   ///< advertised as a pcl::PointCloud
   std::string rule;
@@ -157,6 +171,7 @@ struct Subscribe : SiteFact {
   std::optional<std::string> topic;
   bool ported = false;              ///< it subscribes through TZC already
   bool writes = false;              ///< a callback may write to the message
+  bool converts = false;            ///< the callbacks take a type that is made from the message
   std::vector<EntityId> callbacks;  ///< the parameters that receive the message
   EntityId filter;                  ///< the filter object that must be ported with it
   std::string scope;                ///< USR of the class around it
@@ -168,6 +183,9 @@ struct Subscribe : SiteFact {
 struct DataUse {
   EntityId entity;
   Location where;
+  std::optional<std::uint64_t> most_bytes =
+      {};                ///< that the array holds because of this use; none: any number
+  bool appends = false;  ///< to what the array has already, once in its life
 };
 
 /// Which message the callbacks of a filter take, and in which class they are registered.
@@ -191,6 +209,7 @@ struct EntityFacts {
   std::map<EntityId, Entity> entities;
   std::vector<Flow> flows;
   std::vector<Use> uses;
+  std::map<EntityId, Cut> cuts;  ///< in front of a declarator
   std::vector<DataUse> data_uses;
   std::set<EntityId> objects;  ///< messages, and new ones: what flows into them is copied
 };

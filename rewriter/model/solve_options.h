@@ -16,6 +16,7 @@ struct SolveOptions {
   std::string package_dir;             ///< absolute, canonical
   Level max_level = Level::zero_copy;  ///< zero_copy, one_copy or plain: how far publishers are ported
   OnExhausted on_exhausted = OnExhausted::deliver;
+  std::uint64_t small = 4096;  ///< --small: messages whose arrays hold fewer bytes stay as they are
   std::optional<std::uint64_t> mem_size;                ///< --mem-size: bytes for each publisher
   std::map<std::string, std::uint64_t> measured_sizes;  ///< topic -> largest message of a recording, bytes
   SiteFilter wanted;                                    ///< empty: every site

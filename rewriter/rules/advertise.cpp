@@ -4,7 +4,7 @@
 namespace tzc::rewriter::rules {
 
 /// Before:  pub = nh.advertise<sensor_msgs::Image>("image", 10, true);
-/// After:   pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0, true);
+/// After:   pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, true);
 const MethodCall advertise{
     "advertise", MethodCall::Role::advertise, "ros::NodeHandle", "advertise", "tzc::advertise", "tzc/ros.h"};
 

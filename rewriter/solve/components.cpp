@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solve/components.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -38,11 +39,13 @@ void unite_flows(const Facts& facts, const Numbers& numbers, UnionFind& sets) {
   }
 }
 
-/// `Image a, b;` has one type for two variables.
+/// `Image a, b;` has one type for two variables, unless it can be cut.
 void unite_spellings(const Facts& facts, const Numbers& numbers, UnionFind& sets) {
   std::map<std::pair<std::string, unsigned>, std::size_t> owner;
+  const std::set<EntityId> alone = separable(facts);
   for (const auto& [id, entity] : facts.entities)
     for (const Change& change : entity.changes) {
+      if (alone.count(id) != 0) continue;
       const std::size_t number = numbers.at(id);
       const auto [known, is_new] =
           owner.emplace(std::make_pair(change.where.file, change.where.begin), number);
@@ -68,7 +71,34 @@ ComponentKind kind_of(EntityRole role) {
   return ComponentKind::filter;
 }
 
+/// A variable that is declared twice would have to be cut twice.
+bool is_written_once(const Entity& entity, const Cut& cut) {
+  return std::all_of(entity.changes.begin(), entity.changes.end(), [&](const Change& change) {
+    const Place& where = change.where;
+    return where.file == cut.words.file && where.begin >= cut.words.begin && where.end <= cut.words.end;
+  });
+}
+
 }  // namespace
+
+std::set<EntityId> separable(const Facts& facts) {
+  std::map<std::pair<std::string, unsigned>, std::set<EntityId>> declarations;
+  for (const auto& [id, entity] : facts.entities)
+    for (const Change& change : entity.changes)
+      declarations[{change.where.file, change.where.begin}].insert(id);
+  std::set<EntityId> found;
+  for (const auto& [where, names] : declarations) {
+    std::set<EntityId> cut;
+    for (const EntityId& id : names) {
+      const auto at = facts.cuts.find(id);
+      if (at != facts.cuts.end() && names.count(at->second.left) != 0 &&
+          is_written_once(facts.entities.at(id), at->second))
+        cut.insert(id);
+    }
+    if (cut.size() + 1 == names.size()) found.merge(cut);
+  }
+  return found;
+}
 
 Components::Components(const Facts& facts, bool all_or_nothing) {
   add_entities(facts, all_or_nothing);

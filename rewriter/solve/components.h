@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "model/facts.h"
@@ -19,6 +20,9 @@ struct Component {
   std::vector<const Entity*> entities;      ///< in the order of their ids; none: a subscription
   const Subscribe* subscription = nullptr;  ///< null: entities
 };
+
+/// Variables that can part from those declared in front of them, because the whole declaration can be cut.
+std::set<EntityId> separable(const Facts& facts);
 
 /// The partition of the flow graph and of the subscriptions into components. The facts must outlive it.
 class Components {

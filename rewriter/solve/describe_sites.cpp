@@ -21,6 +21,20 @@ void refuse(Site& site, const Obstacle& obstacle, Level level) {
   if (obstacle.where.line != 0) site.flow_path.push_back({obstacle.where, obstacle.reason});
 }
 
+/// A message without large arrays. A light type is named, since it has arrays.
+Site left_alone(Site site, const SiteFact& fact) {
+  site.level = Level::not_needed;
+  if (!fact.has_data_part && fact.most_bytes && *fact.most_bytes > 0)
+    site.reason = "its arrays are light by their type";
+  return site;
+}
+
+void copied(Site& site, const char* code, const std::string& reason) {
+  site.level = Level::copied;
+  site.code = code;
+  site.reason = reason;
+}
+
 bool is(const Decision* decision, Outcome outcome) {
   return decision && decision->outcome == outcome;
 }
@@ -111,6 +125,7 @@ void SiteDescriber::describe_origins(const Publish& fact, Site& site) const {
     const Decision* decision = decision_of(message);
     if (is(decision, Outcome::not_needed)) {
       site.level = Level::not_needed;
+      site.reason = decision->why_not.reason;
       site.rule.clear();
       return;
     }
@@ -140,10 +155,7 @@ bool SiteDescriber::advertised_as_cloud(const EntityId& publisher) const {
 Site SiteDescriber::describe(const Publish& fact) const {
   Site site = site_of(fact, options_.package_dir);
   site.topic = topic_of(facts_, flow_graph_, fact.publisher);
-  if (!fact.has_data_part && !fact.pcl) {
-    site.level = Level::not_needed;
-    return site;
-  }
+  if (!fact.has_data_part && !fact.pcl) return left_alone(std::move(site), fact);
   const Decision* publisher = decision_of(fact.publisher);
   describe_message(fact, site);
   if (is(publisher, Outcome::ported) || site.level == Level::not_needed) return site;
@@ -170,7 +182,7 @@ Site SiteDescriber::describe(const Advertise& fact) const {
   Site site = site_of(fact, options_.package_dir);
   const Decision* publisher = decision_of(fact.publisher);
   if (!fact.has_data_part || (is(publisher, Outcome::not_needed) && fact.obstacles.empty())) {
-    site.level = Level::not_needed;
+    return left_alone(std::move(site), fact);
   } else if (is(publisher, Outcome::ported)) {
     site.rule = fact.rule;
     site.memory_note = memory_size(fact, options_).note;
@@ -200,15 +212,17 @@ Site SiteDescriber::describe(const SiteId& id, const Subscribe& fact) const {
   Site site = site_of(fact, options_.package_dir);
   const Decision& decision = *solution_.of(components_.of(id)->id);
   if (decision.outcome == Outcome::not_needed) {
-    site.level = Level::not_needed;
+    return left_alone(std::move(site), fact);
   } else if (decision.outcome == Outcome::refused) {
     refuse(site, decision.why_not, Level::plain);
   } else {
-    const std::optional<std::string> why = why_copied(fact);
-    site.level = why ? Level::copied : Level::shared;
     site.rule = fact.rule;
-    site.code = why ? codes::TZC2001 : "";
-    site.reason = why.value_or("");
+    site.level = Level::shared;
+    if (fact.converts)
+      copied(site, codes::TZC2010,
+             "the callback takes a pcl::PointCloud, which is made from the shared bytes");
+    else if (const std::optional<std::string> why = why_copied(fact))
+      copied(site, codes::TZC2001, *why);
   }
   return site;
 }

@@ -33,13 +33,17 @@ class PortEditor {
  public:
   PortEditor(const Facts& facts, const Components& components, const Solution& solution,
              const SolveOptions& options)
-      : facts_(facts), components_(components), solution_(solution), options_(options) {}
+      : facts_(facts),
+        components_(components),
+        solution_(solution),
+        options_(options),
+        separable_(separable(facts)) {}
 
   PortEdits run() {
     for (const Component& component : components_.all())
       if (is_ported(component))
-        for (const Entity* entity : component.entities)
-          for (const Change& change : entity->changes) add(change, component.id);
+        for (const Entity* entity : component.entities) add_declaration(*entity, component.id);
+    for (const EntityId& id : separable_) add_cut(id, facts_.cuts.at(id));
     for (const Use& use : facts_.uses)
       if (const Component* component = components_.of(use.entity))
         if (is_ported(*component)) add(use.change, component->id);
@@ -76,10 +80,13 @@ class PortEditor {
     return component && solution_.ports(component->id) ? component : nullptr;
   }
   void add(const Change& change, ComponentId component);
+  void add_declaration(const Entity& entity, ComponentId component);
+  void add_cut(const EntityId& id, const Cut& cut);
   void add_allocation(const BoundAllocation& allocation);
   void add_call(const BoundAllocation& allocation, const InsertedAllocation& how);
   void add_parameter(const GivenPublisher& given);
   void add_advertise(const Advertise& site);
+  bool publishes_twin(const Advertise& site, const Component& publisher) const;
   void add_condition(const Publish& site);
   void add_cloud_adapter(const Publish& site);
 
@@ -87,6 +94,7 @@ class PortEditor {
   const Components& components_;
   const Solution& solution_;
   const SolveOptions& options_;
+  std::set<EntityId> separable_;
   PortEdits edits_;
 };
 
@@ -95,6 +103,24 @@ void PortEditor::add(const Change& change, ComponentId component) {
   edits_.edits.push_back(
       {where.file, where.begin, where.end - where.begin, change.text, component, change.rule});
   edits_.headers[where.file].insert(change.headers.begin(), change.headers.end());
+}
+
+void PortEditor::add_declaration(const Entity& entity, ComponentId component) {
+  if (separable_.count(entity.id) != 0) return;
+  for (const Change& change : entity.changes) add(change, component);
+}
+
+/// Begins a declaration of its own for a variable whose left neighbour has another fate.
+void PortEditor::add_cut(const EntityId& id, const Cut& cut) {
+  const Component* left = components_.of(cut.left);
+  const Component* right = components_.of(id);
+  if (!left || !right || is_ported(*left) == is_ported(*right)) return;
+  const bool ports_right = is_ported(*right);
+  Change change{cut.at, ports_right ? cut.ported : cut.stock, "declaration", {}};
+  if (ports_right)
+    for (const Change& spelled : facts_.entities.at(id).changes)
+      change.headers.insert(change.headers.end(), spelled.headers.begin(), spelled.headers.end());
+  add(change, (ports_right ? right : left)->id);
 }
 
 void PortEditor::add_allocation(const BoundAllocation& allocation) {
@@ -126,10 +152,26 @@ void PortEditor::add_parameter(const GivenPublisher& given) {
 void PortEditor::add_advertise(const Advertise& site) {
   const Component* publisher = ported(site.publisher);
   if (!publisher) return;
+  const bool twin = publishes_twin(site, *publisher);
+  const std::string memory = memory_size(site, options_).text;
   for (Change change : site.changes) {
-    replace_all(change.text, "$MEM", memory_size(site, options_).text);
+    replace_all(change.text, "$TYPE", twin ? site.twin_type : site.stock_type);
+    replace_all(change.text, "$MEM", memory != "0" || site.needs_memory ? ", " + memory : "");
+    if (change.text.empty() && change.where.begin == change.where.end) continue;
     add(change, publisher->id);
   }
+  if (twin && !site.no_twin && !site.twin_type.empty() && !site.changes.empty())
+    edits_.headers[site.changes[0].where.file].insert("tzc/" + site.type + ".h");
+}
+
+/// The type of the messages that are published decides which one the call names.
+bool PortEditor::publishes_twin(const Advertise& site, const Component& publisher) const {
+  return std::any_of(facts_.publishes.begin(), facts_.publishes.end(), [&](const auto& item) {
+    const Publish& fact = item.second;
+    if (fact.type != site.type || components_.of(fact.publisher) != &publisher) return false;
+    return fact.twin || std::any_of(fact.messages.begin(), fact.messages.end(),
+                                    [&](const EntityId& message) { return ported(message) != nullptr; });
+  });
 }
 
 /// What happens when the segment is full: by default publish() delivers the message anyway.

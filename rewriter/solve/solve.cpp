@@ -7,6 +7,7 @@
 #include "model/codes.h"
 #include "solve/binding.h"
 #include "solve/flow_graph.h"
+#include "solve/light_messages.h"
 #include "solve/received_writes.h"
 #include "solve/site_of_fact.h"
 #include "solve/soundness.h"
@@ -33,7 +34,8 @@ class Solver {
         options_(options),
         demotions_(demotions),
         flow_graph_(facts.flows),
-        received_(facts) {
+        received_(facts),
+        light_(facts, components) {
     index_sites();
   }
 
@@ -63,6 +65,7 @@ class Solver {
   Decision bind_allocations(const Component& component);
   bool has_data_part(const Component& publisher) const;
   bool all_local(const Component& component) const;
+  std::optional<std::uint64_t> known_bytes(const Component& component) const;
 
   const Facts& facts_;
   const Components& components_;
@@ -70,11 +73,11 @@ class Solver {
   const Demotions& demotions_;
   FlowGraph flow_graph_;
   ReceivedWrites received_;
+  LightMessages light_;
   Solution solution_;
   ByComponent<Publish> published_by_, publishes_of_;  // by publisher, by message
   ByComponent<Advertise> advertised_;
   ByComponent<AllocationSite> allocations_;
-  std::set<ComponentId> filled_;
 };
 
 void Solver::index_sites() {
@@ -93,8 +96,6 @@ void Solver::index_sites() {
       advertised_[publisher->id].push_back(&item.second);
   for (const AllocationSite& site : facts_.allocations)
     if (const Component* message = components_.of(site.entity)) allocations_[message->id].push_back(&site);
-  for (const DataUse& use : facts_.data_uses)
-    if (const Component* message = components_.of(use.entity)) filled_.insert(message->id);
 }
 
 void Solver::decide_all(ComponentKind kind, Decision (Solver::*decide)(const Component&) const) {
@@ -161,9 +162,10 @@ std::optional<Decision> Solver::contradicted(const Component& component) const {
   std::map<std::tuple<std::string, unsigned, unsigned>, std::string> texts;
   for (const Advertise* site : at(advertised_, component.id))
     for (const Change& change : site->changes) {
-      const auto [known, is_new] = texts.emplace(
-          std::make_tuple(change.where.file, change.where.begin, change.where.end), change.text);
-      if (is_new || known->second == change.text) continue;
+      const std::string text = change.text + site->stock_type + site->twin_type;
+      const auto [known, is_new] =
+          texts.emplace(std::make_tuple(change.where.file, change.where.begin, change.where.end), text);
+      if (is_new || known->second == text) continue;
       return refused({codes::TZC1007, "the instances of a template advertise different types here",
                       location_of(site->where)});
     }
@@ -174,13 +176,13 @@ Decision Solver::decide_filter(const Component& component) const {
   return blocked(component).value_or(Decision{Outcome::ported, {}, {}});
 }
 
-/// A publisher all of whose messages are empty stays as it is.
+/// A publisher all of whose messages are light stays as it is.
 void Solver::leave_idle_publishers() {
   for (const auto& [id, sites] : published_by_) {
     const bool idle = std::all_of(sites.begin(), sites.end(), [&](const Publish* site) {
       const Component* message = site->messages.empty() ? nullptr : components_.of(site->messages[0]);
       const Decision* decision = message ? solution_.of(message->id) : nullptr;
-      return decision && decision->outcome == Outcome::not_needed;
+      return (!site->has_data_part && !site->pcl) || (decision && decision->outcome == Outcome::not_needed);
     });
     if (idle && solution_.ports(id)) solution_.decisions[id] = {};
   }
@@ -200,25 +202,36 @@ std::optional<Decision> Solver::wrong_shape(const Component& component) const {
 }
 
 Decision Solver::decide_message(const Component& component) {
+  const auto& sites = at(publishes_of_, component.id);
+  if (std::none_of(sites.begin(), sites.end(), [](const Publish* site) { return site->has_data_part; }))
+    return {};
   if (auto refusal = blocked(component)) return *refusal;
-  if (filled_.count(component.id) == 0 && all_local(component)) return {};
+  const std::optional<std::uint64_t> bytes = known_bytes(component);
+  const bool mentioned = light_.mentions_arrays(component);
+  if (bytes && !mentioned && all_local(component)) return {};
+  if (bytes && mentioned && *bytes < options_.small)
+    return {
+        Outcome::not_needed, {"", "its arrays hold at most " + std::to_string(*bytes) + " bytes", {}}, {}};
   if (auto refusal = wrong_shape(component)) return *refusal;
   if (const auto danger = Soundness(facts_, components_).danger(component))
     return refused(danger->why, danger->at);
   return bind_allocations(component);
 }
 
-/// Allocated here and nowhere else: what is not seen to be filled is empty.
 bool Solver::all_local(const Component& component) const {
+  return std::all_of(component.entities.begin(), component.entities.end(), [](const Entity* entity) {
+    return entity->storage == Storage::local || entity->storage == Storage::temporary;
+  });
+}
+
+/// Made here and nowhere else: what is not seen to be filled is empty.
+std::optional<std::uint64_t> Solver::known_bytes(const Component& component) const {
   const auto& sites = at(allocations_, component.id);
   const bool filled = std::any_of(sites.begin(), sites.end(), [](const AllocationSite* site) {
     const auto* inserted = std::get_if<InsertedAllocation>(&site->how);
-    return inserted && inserted->filled;
+    return !inserted || inserted->filled;
   });
-  return !sites.empty() && !filled &&
-         std::all_of(component.entities.begin(), component.entities.end(), [](const Entity* entity) {
-           return entity->storage == Storage::local || entity->storage == Storage::temporary;
-         });
+  return sites.empty() || filled ? std::nullopt : light_.most_bytes(component);
 }
 
 Decision Solver::bind_allocations(const Component& component) {

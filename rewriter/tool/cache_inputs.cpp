@@ -79,6 +79,7 @@ class Collector {
                               static_cast<int>(options_.verify), static_cast<int>(options_.strict),
                               static_cast<int>(options_.dual)})
       say("choice", std::to_string(number));
+    say("small", std::to_string(options_.small));
     say("memory", options_.mem_size ? std::to_string(*options_.mem_size) : "");
     for (const auto& [topic, size] : inputs_.measured_sizes) say(topic, std::to_string(size));
   }

@@ -50,7 +50,7 @@ const std::map<std::string, Verify> verifications = {
 struct Raw {
   Options options;
   bool apply = false, check = false, list_codes = false, no_cache = false;
-  std::string explain, mem_size, level = "zero_copy", on_exhausted = "deliver", verify = "syntax";
+  std::string explain, mem_size, small, level = "zero_copy", on_exhausted = "deliver", verify = "syntax";
   std::string exported_headers = "keep";
 };
 
@@ -131,6 +131,12 @@ void add_selection(CLI::App& app, Raw& raw) {
                  "of headers that no other package is seen to include are ported")
       ->check([](const std::string& text) { return one_of(exported_headers, text); })
       ->type_name("WHAT")
+      ->group(group);
+  app.add_option(
+         "--small", raw.small,
+         "Leave messages alone whose arrays are known to hold fewer bytes (default: 4K; 0: port them all)")
+      ->check(size_format)
+      ->type_name("BYTES")
       ->group(group);
 }
 
@@ -224,6 +230,7 @@ std::variant<Options, Answer> checked(Raw& raw) {
   raw.options.on_exhausted = exhausted.at(raw.on_exhausted);
   raw.options.cache_dir = cache_dir_of(raw);
   if (!raw.mem_size.empty()) raw.options.mem_size = parse_size(raw.mem_size);
+  if (!raw.small.empty()) raw.options.small = *parse_size(raw.small);
   return raw.options;
 }
 

@@ -32,6 +32,7 @@ struct Options {
   std::vector<std::string> only, except;  ///< "topic=GLOB", "type=GLOB", "file=GLOB"
   Level level = Level::zero_copy;
   OnExhausted on_exhausted = OnExhausted::deliver;
+  std::uint64_t small = 4096;  ///< bytes of arrays below which a message stays as it is
   std::optional<std::uint64_t> mem_size;
   std::vector<std::string> bags;
   Verify verify = Verify::syntax;

@@ -148,6 +148,7 @@ class Porter {
     engine.build_dir = port_.build_dir;
     engine.max_level = options.level;
     engine.on_exhausted = options.on_exhausted;
+    engine.small = options.small;
     engine.mem_size = options.mem_size;
     engine.measured_sizes = inputs_.measured_sizes;
     engine.dual = options.dual;

@@ -11,7 +11,9 @@ from toolchain import Failure
 def rewrite(config, build, package, report, more):
     """Runs tzc-rewrite; its report. The package has compile commands and nothing to configure."""
     includes = [word for folder in config["tzc_includes"] for word in ("--tzc-include", folder)]
-    done = subprocess.run([config["rewrite"], "--verify=source", "-p", build, "--report", report, *includes, *more, package],
+    # The programs' arrays are small, and would be left alone.
+    done = subprocess.run([config["rewrite"], "--verify=source", "--small=0", "-p", build, "--report", report, *includes,
+                           *more, package],
                           stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, check=False)
     if done.returncode not in (0, 1):

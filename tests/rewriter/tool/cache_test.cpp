@@ -132,6 +132,7 @@ TEST_F(Cache, options_and_environment_have_results_of_their_own) {
                                                 {"--check", "--dual"},
                                                 {"--check", "--strict"},
                                                 {"--check", "--mem-size=1M"},
+                                                {"--check", "--small=1K"},
                                                 {"--check", "--on-exhausted=drop"},
                                                 {"--check", "--except=type=x/*"},
                                                 {"--check", "--verify=syntax"}}) {

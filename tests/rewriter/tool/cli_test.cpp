@@ -32,6 +32,13 @@ TEST_F(Cli, options_reach_the_engine) {
       HasSubstr("level=one_copy on_exhausted=1 mem_size=67108864 dual=true jobs=3"));
 }
 
+TEST_F(Cli, small_is_a_page_unless_said) {
+  ws.plan()["echo"] = true;
+  EXPECT_THAT(ws.rewrite({}).errors, HasSubstr("small=4096"));
+  EXPECT_THAT(ws.rewrite({"--small=64K"}).errors, HasSubstr("small=65536"));
+  EXPECT_THAT(ws.rewrite({"--small=0"}).errors, HasSubstr("small=0"));
+}
+
 TEST_F(Cli, only_and_except_select_sites) {
   json other = refusal();
   other["topic"] = "/cloud";
@@ -66,6 +73,7 @@ TEST_F(Cli, mistakes_on_the_command_line) {
                               {{"--report", "r.txt"}, "a report ends in .json, .sarif or .html"},
                               {{"--only", "node=x"}, "topic=GLOB"},
                               {{"--mem-size", "lots"}, "a size is a number of bytes"},
+                              {{"--small", "tiny"}, "a size is a number of bytes"},
                               {{"--level", "best"}, "--level"},
                               {{"--apply", "--check"}, ""},
                               {{"/nonexistent"}, "is no folder"},

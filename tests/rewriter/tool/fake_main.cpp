@@ -52,9 +52,9 @@ void add_edit(const json& entry, const std::string& package_dir, PortPlan& plan)
 }
 
 void show(const EngineOptions& options) {
-  fmt::print(stderr, "engine: level={} on_exhausted={} mem_size={} dual={} jobs={} measured={}\n",
+  fmt::print(stderr, "engine: level={} on_exhausted={} mem_size={} dual={} jobs={} measured={} small={}\n",
              name_of(options.max_level), static_cast<int>(options.on_exhausted), options.mem_size.value_or(0),
-             options.dual, options.jobs, options.measured_sizes.size());
+             options.dual, options.jobs, options.measured_sizes.size(), options.small);
   for (const std::string& folder : options.extra_include_dirs)
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
       if (entry.is_regular_file())

@@ -90,7 +90,9 @@ TEST(SharedThread, reads_for_every_subscriber_of_the_process) {
     in.push_back(std::make_unique<Inbox>(out[static_cast<std::size_t>(i) % out.size()]->address()));
     ASSERT_TRUE(in.back()->subscriber) << in.back()->error;
   }
-  if (on_shared_thread()) EXPECT_EQ(reading_threads(), 1);
+  if (on_shared_thread()) {
+    EXPECT_EQ(reading_threads(), 1);
+  }
   for (int round = 0; round < 20; ++round)
     for (const auto& each : out)
       each->publish(text_record(std::to_string(round), {filled(*each->memory(), 5000, 1)}));

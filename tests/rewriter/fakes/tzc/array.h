@@ -17,6 +17,10 @@ class Array {
     v_ = v;
     return *this;
   }
+  Array& operator=(std::initializer_list<T> values) {
+    v_ = values;
+    return *this;
+  }
   void resize(std::size_t n) { v_.resize(n); }
   void resize(std::size_t n, const T& value) { v_.resize(n, value); }
   void resize(std::size_t n, uninitialized_t) { v_.resize(n); }

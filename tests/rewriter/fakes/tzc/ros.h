@@ -23,7 +23,18 @@ const typename Map::mapped_type& find_publisher(const Map& map, const typename M
   return map.begin()->second;
 }
 template <class M>
-Publisher advertise(const ros::NodeHandle&, const std::string&, uint32_t, std::size_t, bool = false) {
+Publisher advertise(const ros::NodeHandle&, const std::string&, uint32_t, std::size_t = 0, bool = false) {
+  return {};
+}
+template <class M, class Bool>
+std::enable_if_t<std::is_same<Bool, bool>::value, Publisher> advertise(const ros::NodeHandle&,
+                                                                       const std::string&, uint32_t, Bool) {
+  return {};
+}
+template <class M>
+Publisher advertise(const ros::NodeHandle&, const std::string&, uint32_t,
+                    const ros::SubscriberStatusCallback&, const ros::SubscriberStatusCallback& = {},
+                    const ros::VoidConstPtr& = {}, bool = false) {
   return {};
 }
 template <class M>
@@ -33,11 +44,11 @@ Publisher advertise(const ros::NodeHandle&, const std::string&, uint32_t, std::s
   return {};
 }
 template <class M>
-Publisher advertise(const ros::NodeHandle&, ros::AdvertiseOptions&, std::size_t) {
+Publisher advertise(const ros::NodeHandle&, ros::AdvertiseOptions&, std::size_t = 0) {
   return {};
 }
 template <class M>
-Publisher attach_publisher(const ros::Publisher&, std::size_t) {
+Publisher attach_publisher(const ros::Publisher&, std::size_t = 0) {
   return {};
 }
 template <class... A>

@@ -21,8 +21,7 @@ class Node {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pubs_["a"] = nh_.advertise<sensor_msgs::Image>("image", 10); }
-// +  Node() { pubs_["a"] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// +  Node() { pubs_["a"] = tzc::advertise<sensor_msgs::Image>(nh_, "image", 10); }
 // -  std::map<std::string, ros::Publisher> pubs_;
 // +  std::map<std::string, tzc::Publisher> pubs_;

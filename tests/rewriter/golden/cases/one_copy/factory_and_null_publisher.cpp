@@ -28,8 +28,7 @@ class Node {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -    if (debug) debug_.reset(new ros::Publisher(nh_.advertise<sensor_msgs::Image>("debug", 1)));
-// +    if (debug) debug_.reset(new tzc::Publisher(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "debug", 1, 0)));
+// +    if (debug) debug_.reset(new tzc::Publisher(tzc::advertise<sensor_msgs::Image>(nh_, "debug", 1)));
 // -  boost::shared_ptr<ros::Publisher> debug_;
 // +  boost::shared_ptr<tzc::Publisher> debug_;

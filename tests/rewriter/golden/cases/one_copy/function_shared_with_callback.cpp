@@ -31,10 +31,9 @@ class Node {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -    pub_ = nh_.advertise<sensor_msgs::Image>("out", 1);
 // -    sub_ = nh_.subscribe("in", 1, &Node::callback, this);
-// +    pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "out", 1, 0);
+// +    pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "out", 1);
 // +    sub_ = tzc::subscribe(nh_, "in", 1, &Node::callback, this);
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;

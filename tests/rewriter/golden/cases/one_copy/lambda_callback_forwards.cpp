@@ -14,8 +14,7 @@ void run(ros::NodeHandle& nh) {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("out", 1);
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "out", 1, 0);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "out", 1);
 // -      nh.subscribe<sensor_msgs::Image>("in", 1, [&pub](const sensor_msgs::ImageConstPtr& image) { pub.publish(image); });
 // +      tzc::subscribe<sensor_msgs::Image>(nh, "in", 1, [&pub](const sensor_msgs::ImageConstPtr& image) { pub.publish(image); });

@@ -43,8 +43,7 @@ class Node {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -    pubs_[1] = nh_.advertise<sensor_msgs::Image>("one", 1);
-// +    pubs_[1] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "one", 1, 0);
+// +    pubs_[1] = tzc::advertise<sensor_msgs::Image>(nh_, "one", 1);
 // -  std::map<int, ros::Publisher> pubs_;
 // +  std::map<int, tzc::Publisher> pubs_;

@@ -16,6 +16,5 @@ void run(ros::NodeHandle& nh) {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/visualization_msgs/MarkerArray.h>
 // -  ros::Publisher pub = nh.advertise<visualization_msgs::MarkerArray>("image", 10);
-// +  tzc::Publisher pub = tzc::advertise<tzc::visualization_msgs::MarkerArray>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<visualization_msgs::MarkerArray>(nh, "image", 10);

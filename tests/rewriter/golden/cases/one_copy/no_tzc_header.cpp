@@ -24,8 +24,8 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/ros.h>
 // -  ros::Publisher blobs = nh.advertise<vendor_msgs::Blob>("blob", 10);
 // -  ros::Publisher images = nh.advertise<sensor_msgs::Image>("image", 10);
-// +  tzc::Publisher blobs = tzc::advertise<vendor_msgs::Blob>(nh, "blob", 10, 0);
-// +  tzc::Publisher images = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::Publisher blobs = tzc::advertise<vendor_msgs::Blob>(nh, "blob", 10);
+// +  tzc::Publisher images = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
 // -  sensor_msgs::Image image;
 // +  tzc::sensor_msgs::Image image;
 // +  images.allocate(image);

@@ -24,9 +24,7 @@ void run(ros::NodeHandle& nh) {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
-// +#include <tzc/sensor_msgs/PointCloud2.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::PointCloud2>("image", 10);
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::PointCloud2>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::PointCloud2>(nh, "image", 10);
 // -  ros::Publisher images = nh.advertise<sensor_msgs::Image>("image", 1);
-// +  tzc::Publisher images = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1, 0);
+// +  tzc::Publisher images = tzc::advertise<sensor_msgs::Image>(nh, "image", 1);

@@ -29,11 +29,10 @@ class Node {
 // +++ src/node.cpp
 // +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/PointCloud2.h>
 // -      pub_ = nh_.advertise<sensor_msgs::PointCloud2>("out", 1);
-// +      pub_ = tzc::advertise<tzc::sensor_msgs::PointCloud2>(nh_, "out", 1, 0);
+// +      pub_ = tzc::advertise<sensor_msgs::PointCloud2>(nh_, "out", 1);
 // -      pub_ = nh_.advertise<sensor_msgs::Image>("out", 1);
-// +      pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "out", 1, 0);
+// +      pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "out", 1);
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    pub_.allocate(image);

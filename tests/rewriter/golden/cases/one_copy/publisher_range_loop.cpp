@@ -21,8 +21,7 @@ class Node {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pubs_.push_back(nh_.advertise<sensor_msgs::Image>("image", 1)); }
-// +  Node() { pubs_.push_back(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1, 0)); }
+// +  Node() { pubs_.push_back(tzc::advertise<sensor_msgs::Image>(nh_, "image", 1)); }
 // -  std::vector<ros::Publisher> pubs_;
 // +  std::vector<tzc::Publisher> pubs_;

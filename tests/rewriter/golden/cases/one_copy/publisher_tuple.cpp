@@ -20,6 +20,5 @@ void run(ros::NodeHandle& nh) {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -  auto entry = std::make_tuple(1, nh.advertise<sensor_msgs::Image>("image", 10));
-// +  auto entry = std::make_tuple(1, tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0));
+// +  auto entry = std::make_tuple(1, tzc::advertise<sensor_msgs::Image>(nh, "image", 10));

@@ -18,8 +18,7 @@ void run(ros::NodeHandle& nh) {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -void publish(ros::Publisher* pub, bool wanted) {
 // +void publish(tzc::Publisher* pub, bool wanted) {
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 1);
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1, 0);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "image", 1);

@@ -21,8 +21,7 @@ class Camera : public other::Source {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -  Camera() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 1); }
-// +  Camera() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1, 0); }
+// +  Camera() { pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "image", 1); }
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;

@@ -33,7 +33,7 @@ class Node {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -    a_ = nh_.advertise<sensor_msgs::Image>("a", 1);
-// +    a_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "a", 1, 0);
+// +    a_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "a", 1);
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    a_.allocate(image);

@@ -18,5 +18,5 @@ void run(ros::NodeHandle& nh) {
 // -  sensor_msgs::Image image;
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
 // +  tzc::sensor_msgs::Image image;
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
 // +  pub.allocate(image);

@@ -22,7 +22,7 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -  std::pair<ros::Publisher, ros::Publisher> pubs(nh.advertise<sensor_msgs::Image>("a", 10), nh.advertise<sensor_msgs::Image>("b", 10));
-// +  std::pair<tzc::Publisher, tzc::Publisher> pubs(tzc::advertise<tzc::sensor_msgs::Image>(nh, "a", 10, 0), tzc::advertise<tzc::sensor_msgs::Image>(nh, "b", 10, 0));
+// +  std::pair<tzc::Publisher, tzc::Publisher> pubs(tzc::advertise<tzc::sensor_msgs::Image>(nh, "a", 10), tzc::advertise<tzc::sensor_msgs::Image>(nh, "b", 10));
 // -  sensor_msgs::Image image;
 // +  tzc::sensor_msgs::Image image;
 // +  a.allocate(image);

@@ -28,8 +28,8 @@ void run(ros::NodeHandle& nh) {
 // +struct Pubs { tzc::Publisher a, b; };
 // -  pubs.a = nh.advertise<sensor_msgs::Image>("a", 10);
 // -  pubs.b = nh.advertise<sensor_msgs::Image>("b", 10);
-// +  pubs.a = tzc::advertise<tzc::sensor_msgs::Image>(nh, "a", 10, 0);
-// +  pubs.b = tzc::advertise<tzc::sensor_msgs::Image>(nh, "b", 10, 0);
+// +  pubs.a = tzc::advertise<tzc::sensor_msgs::Image>(nh, "a", 10);
+// +  pubs.b = tzc::advertise<tzc::sensor_msgs::Image>(nh, "b", 10);
 // -  sensor_msgs::Image image;
 // +  tzc::sensor_msgs::Image image;
 // +  a.allocate(image);

@@ -25,7 +25,7 @@ class Node {
 // +#include <tzc/sensor_msgs.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
-// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
 // -    sensor_msgs::clearImage(image_);
 // +    pub_.allocate(image_);
 // +    tzc::sensor_msgs::clearImage(image_);

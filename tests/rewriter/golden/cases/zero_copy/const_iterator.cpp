@@ -22,7 +22,7 @@ void run(ros::NodeHandle& nh) {
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::PointCloud2>("image", 10);
 // -  sensor_msgs::PointCloud2 cloud;
 // -  sensor_msgs::PointCloud2Modifier modifier(cloud);
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::PointCloud2>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::PointCloud2>(nh, "image", 10);
 // +  tzc::sensor_msgs::PointCloud2 cloud;
 // +  pub.allocate(cloud);
 // +  tzc::sensor_msgs::PointCloud2Modifier modifier(cloud);

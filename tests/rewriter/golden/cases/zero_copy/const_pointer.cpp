@@ -18,7 +18,7 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
 // -  sensor_msgs::ImagePtr image(new sensor_msgs::Image());
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
 // +  tzc::sensor_msgs::ImagePtr image(new tzc::sensor_msgs::Image());
 // +  pub.allocate(*image);
 // -  sensor_msgs::ImageConstPtr out = image;

@@ -30,7 +30,7 @@ class Node {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
-// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
 // -    pub_.publish(cv_bridge::CvImage(std_msgs::Header(), "bgr8", mat).toImageMsg());
 // +    pub_.publish(tzc::cv_bridge::to_image_msg(cv_bridge::CvImage(std_msgs::Header(), "bgr8", mat), pub_));
 // -    pub_.publish(image.toImageMsg());

@@ -27,6 +27,6 @@ void run(ros::NodeHandle& nh) {
 // +void fill(tzc::sensor_msgs::Image& message) { message.data[0] = 1; }
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
 // -  sensor_msgs::Image image;
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
 // +  tzc::sensor_msgs::Image image;
 // +  pub.allocate(image);

@@ -41,6 +41,6 @@ add_library(node src/node.cpp)
 // +#include <tzc/sensor_msgs/Image.h>
 // -  pub_ = nh_.advertise<sensor_msgs::Image>("image", 10);
 // -  sensor_msgs::Image image;
-// +  pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0);
+// +  pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10);
 // +  tzc::sensor_msgs::Image image;
 // +  pub_.allocate(image);

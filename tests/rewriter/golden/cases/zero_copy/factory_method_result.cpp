@@ -32,7 +32,7 @@ class Node {
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // -  sensor_msgs::Image make() {
 // -    sensor_msgs::Image image;
-// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
 // +  tzc::sensor_msgs::Image make() {
 // +    tzc::sensor_msgs::Image image;
 // +    pub_.allocate(image);

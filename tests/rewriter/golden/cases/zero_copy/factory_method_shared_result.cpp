@@ -26,7 +26,7 @@ class Node {
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // -  sensor_msgs::ImagePtr make() {
 // -    sensor_msgs::ImagePtr image = boost::make_shared<sensor_msgs::Image>();
-// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
 // +  tzc::sensor_msgs::ImagePtr make() {
 // +    tzc::sensor_msgs::ImagePtr image = boost::make_shared<tzc::sensor_msgs::Image>();
 // +    pub_.allocate(*image);

@@ -35,7 +35,7 @@ class Driver {
 // +    publisher.allocate(*cloud);
 // -  explicit Driver(ros::NodeHandle& nh) : pub_(new ros::Publisher(nh.advertise<sensor_msgs::PointCloud2>("points", 10))) {}
 // -  void poll() { pub_->publish(converter_.convert(100)); }
-// +  explicit Driver(ros::NodeHandle& nh) : pub_(new tzc::Publisher(tzc::advertise<tzc::sensor_msgs::PointCloud2>(nh, "points", 10, 0))) {}
+// +  explicit Driver(ros::NodeHandle& nh) : pub_(new tzc::Publisher(tzc::advertise<tzc::sensor_msgs::PointCloud2>(nh, "points", 10))) {}
 // +  void poll() { pub_->publish(converter_.convert(*pub_, 100)); }
 // -  boost::shared_ptr<ros::Publisher> pub_;
 // +  boost::shared_ptr<tzc::Publisher> pub_;

@@ -50,7 +50,7 @@ void run(ros::NodeHandle& nh) {
 // -  pub.publish(make());
 // -  pub.publish(make(5));
 // -  pub.publish(twice());
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
 // +  pub.publish(make(pub));
 // +  pub.publish(make(pub, 5));
 // +  pub.publish(twice(pub));

@@ -25,6 +25,6 @@ void run(ros::NodeHandle& nh) {
 // +void fill(tzc::sensor_msgs::Image* image) { image->data[0] = 1; }
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
 // -  sensor_msgs::ImagePtr image(new sensor_msgs::Image);
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
 // +  tzc::sensor_msgs::ImagePtr image(new tzc::sensor_msgs::Image);
 // +  pub.allocate(*image);

@@ -25,7 +25,7 @@ class Node {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // -  void send(const sensor_msgs::Image& image) { pub_.publish(image); }
-// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
 // +  void send(const tzc::sensor_msgs::Image& image) { pub_.publish(image); }
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;

@@ -28,4 +28,4 @@ int main() {
 // +tzc::sensor_msgs::Image image;
 // +  pub.allocate(image);
 // -  pub = nh.advertise<sensor_msgs::Image>("image", 1);
-// +  pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1, 0);
+// +  pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1);

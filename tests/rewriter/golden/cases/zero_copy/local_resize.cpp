@@ -26,7 +26,7 @@ class Camera {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Camera() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
-// +  Camera() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// +  Camera() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    pub_.allocate(image);

@@ -18,6 +18,6 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/visualization_msgs/Marker.h>
 // -  ros::Publisher pub = nh.advertise<visualization_msgs::Marker>("image", 10);
 // -  visualization_msgs::Marker marker;
-// +  tzc::Publisher pub = tzc::advertise<tzc::visualization_msgs::Marker>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::visualization_msgs::Marker>(nh, "image", 10);
 // +  tzc::visualization_msgs::Marker marker;
 // +  pub.allocate(marker);

@@ -20,7 +20,7 @@ void run(ros::NodeHandle& nh) {
 // -  ros::Publisher pub = nh.advertise<stereo_msgs::DisparityImage>("image", 10);
 // -  stereo_msgs::DisparityImagePtr disparity = boost::make_shared<stereo_msgs::DisparityImage>();
 // -  sensor_msgs::Image& image = disparity->image;
-// +  tzc::Publisher pub = tzc::advertise<tzc::stereo_msgs::DisparityImage>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::stereo_msgs::DisparityImage>(nh, "image", 10);
 // +  tzc::stereo_msgs::DisparityImagePtr disparity = boost::make_shared<tzc::stereo_msgs::DisparityImage>();
 // +  pub.allocate(*disparity);
 // +  tzc::sensor_msgs::Image& image = disparity->image;

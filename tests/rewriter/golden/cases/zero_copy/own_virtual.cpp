@@ -33,7 +33,7 @@ class Camera : public Source {
 // +  virtual void fill(tzc::sensor_msgs::Image& image) = 0;
 // -  Camera() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 1); }
 // -  void fill(sensor_msgs::Image& image) override { image.data.resize(10); }
-// +  Camera() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1, 0); }
+// +  Camera() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1); }
 // +  void fill(tzc::sensor_msgs::Image& image) override { image.data.resize(10); }
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;

@@ -17,4 +17,4 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/pcl.h>
 // +#include <tzc/ros.h>
 // -  ros::Publisher pub = nh.advertise<pcl::PointCloud<pcl::PointXYZ>>("points", 1);
-// +  tzc::Publisher pub = tzc::advertise<pcl::PointCloud<pcl::PointXYZ>>(nh, "points", 1, 0);
+// +  tzc::Publisher pub = tzc::advertise<pcl::PointCloud<pcl::PointXYZ>>(nh, "points", 1);

@@ -20,7 +20,7 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/PointCloud2.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::PointCloud2>("image", 10);
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::PointCloud2>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::PointCloud2>(nh, "image", 10);
 // -  sensor_msgs::PointCloud2Ptr message(new sensor_msgs::PointCloud2);
 // -  toROSMsg(*cloud, *message);
 // +  tzc::sensor_msgs::PointCloud2Ptr message(new tzc::sensor_msgs::PointCloud2);

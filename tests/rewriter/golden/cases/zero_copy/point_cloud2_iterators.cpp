@@ -23,7 +23,7 @@ void run(ros::NodeHandle& nh) {
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::PointCloud2>("image", 10);
 // -  sensor_msgs::PointCloud2Ptr cloud = boost::make_shared<sensor_msgs::PointCloud2>();
 // -  sensor_msgs::PointCloud2Modifier modifier(*cloud);
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::PointCloud2>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::PointCloud2>(nh, "image", 10);
 // +  tzc::sensor_msgs::PointCloud2Ptr cloud = boost::make_shared<tzc::sensor_msgs::PointCloud2>();
 // +  pub.allocate(*cloud);
 // +  tzc::sensor_msgs::PointCloud2Modifier modifier(*cloud);

@@ -49,7 +49,7 @@ class Child : public Base {
 // -  ros::Publisher advertise(ros::NodeHandle& nh, const std::string& topic, int queue) {
 // -    ros::Publisher pub = nh.advertise<T>(topic, queue, ros::SubscriberStatusCallback());
 // +  tzc::Publisher advertise(ros::NodeHandle& nh, const std::string& topic, int queue) {
-// +    tzc::Publisher pub = tzc::advertise<T>(nh, topic, queue, 0, ros::SubscriberStatusCallback());
+// +    tzc::Publisher pub = tzc::advertise<T>(nh, topic, queue, ros::SubscriberStatusCallback());
 // -  std::vector<ros::Publisher> publishers_;
 // +  std::vector<tzc::Publisher> publishers_;
 // -    sensor_msgs::Image image;

@@ -28,8 +28,8 @@ class Node {
 // +#include <tzc/sensor_msgs/Image.h>
 // -    pubs_[0] = nh_.advertise<sensor_msgs::Image>("left", 1);
 // -    pubs_[1] = nh_.advertise<sensor_msgs::Image>("right", 1);
-// +    pubs_[0] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "left", 1, 0);
-// +    pubs_[1] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "right", 1, 0);
+// +    pubs_[0] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "left", 1);
+// +    pubs_[1] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "right", 1);
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    pubs_[1].allocate(image);

@@ -45,12 +45,12 @@ class Laser : public Base {
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;
 // -  Camera() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 1); }
-// +  Camera() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1, 0); }
+// +  Camera() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1); }
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    pub_.allocate(image);
 // -  Laser() { pub_ = nh_.advertise<sensor_msgs::LaserScan>("scan", 1); }
-// +  Laser() { pub_ = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh_, "scan", 1, 0); }
+// +  Laser() { pub_ = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh_, "scan", 1); }
 // -    sensor_msgs::LaserScan scan;
 // +    tzc::sensor_msgs::LaserScan scan;
 // +    pub_.allocate(scan);

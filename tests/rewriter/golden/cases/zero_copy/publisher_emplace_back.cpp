@@ -25,6 +25,6 @@ void run(ros::NodeHandle& nh) {
 // -  pubs.emplace_back(nh.advertise<sensor_msgs::Image>("image", 10));
 // -  sensor_msgs::Image image;
 // +  std::vector<tzc::Publisher> pubs;
-// +  pubs.emplace_back(tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0));
+// +  pubs.emplace_back(tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10));
 // +  tzc::sensor_msgs::Image image;
 // +  pubs[0].allocate(image);

@@ -35,13 +35,11 @@ void run(ros::NodeHandle* nh, boost::shared_ptr<ros::NodeHandle> shared) {
 // -  ros::Publisher c = ros::NodeHandle("~").advertise<sensor_msgs::Image>("c", 1);
 // -  ros::Publisher d =
 // -      (*nh).advertise<sensor_msgs::Image>(  // the topic
-// +  tzc::Publisher a = tzc::advertise<tzc::sensor_msgs::Image>(*nh, "a", 1, 0);
-// +  tzc::Publisher b = tzc::advertise<tzc::sensor_msgs::Image>(*shared, "b", 1, 0);
-// +  tzc::Publisher c = tzc::advertise<tzc::sensor_msgs::Image>(ros::NodeHandle("~"), "c", 1, 0);
+// +  tzc::Publisher a = tzc::advertise<tzc::sensor_msgs::Image>(*nh, "a", 1);
+// +  tzc::Publisher b = tzc::advertise<tzc::sensor_msgs::Image>(*shared, "b", 1);
+// +  tzc::Publisher c = tzc::advertise<tzc::sensor_msgs::Image>(ros::NodeHandle("~"), "c", 1);
 // +  tzc::Publisher d =
 // +      tzc::advertise<tzc::sensor_msgs::Image>((*nh),  // the topic
-// -          1);
 // -  sensor_msgs::Image image;
-// +          1, 0);
 // +  tzc::sensor_msgs::Image image;
 // +  a.allocate(image);

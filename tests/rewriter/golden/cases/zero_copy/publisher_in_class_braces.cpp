@@ -24,4 +24,4 @@ class Node {
 // +    tzc::sensor_msgs::Image image;
 // +    pub_.allocate(image);
 // -  ros::Publisher pub_{nh_.advertise<sensor_msgs::Image>("image", 10)};
-// +  tzc::Publisher pub_{tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0)};
+// +  tzc::Publisher pub_{tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10)};

@@ -38,7 +38,7 @@ class Node {
 // +#include <tzc/sensor_msgs/Image.h>
 // -    pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);
 // -    sensor_msgs::Image image;
-// +    pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1, 0);
+// +    pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1);
 // +    tzc::sensor_msgs::Image image;
 // +    pub_.allocate(image);
 // -  ros::Publisher pub_;

@@ -46,7 +46,7 @@ class Node {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pubs_.push_back(nh_.advertise<sensor_msgs::Image>("image", 1)); }
-// +  Node() { pubs_.push_back(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1, 0)); }
+// +  Node() { pubs_.push_back(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1)); }
 // -      sensor_msgs::Image image;
 // +      tzc::sensor_msgs::Image image;
 // +      pubs_[i].allocate(image);

@@ -42,8 +42,8 @@ class Node {
 // +  tzc::Publisher publisher;
 // -    pubs_.push_back(nh.advertise<sensor_msgs::Image>("image", 1));
 // -    output_->publisher = nh.advertise<sensor_msgs::Image>("other", 1);
-// +    pubs_.push_back(tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1, 0));
-// +    output_->publisher = tzc::advertise<tzc::sensor_msgs::Image>(nh, "other", 1, 0);
+// +    pubs_.push_back(tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1));
+// +    output_->publisher = tzc::advertise<tzc::sensor_msgs::Image>(nh, "other", 1);
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    pubs_[i].allocate(image);

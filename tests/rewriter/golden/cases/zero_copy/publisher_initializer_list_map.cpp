@@ -23,6 +23,6 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  std::map<int, ros::Publisher> pubs = {{1, nh.advertise<sensor_msgs::Image>("a", 10)}, {2, nh.advertise<sensor_msgs::Image>("b", 10)}};
 // -  sensor_msgs::Image image;
-// +  std::map<int, tzc::Publisher> pubs = {{1, tzc::advertise<tzc::sensor_msgs::Image>(nh, "a", 10, 0)}, {2, tzc::advertise<tzc::sensor_msgs::Image>(nh, "b", 10, 0)}};
+// +  std::map<int, tzc::Publisher> pubs = {{1, tzc::advertise<tzc::sensor_msgs::Image>(nh, "a", 10)}, {2, tzc::advertise<tzc::sensor_msgs::Image>(nh, "b", 10)}};
 // +  tzc::sensor_msgs::Image image;
 // +  tzc::find_publisher(pubs, 1).allocate(image);

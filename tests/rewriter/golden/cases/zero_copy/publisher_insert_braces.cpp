@@ -25,6 +25,6 @@ void run(ros::NodeHandle& nh) {
 // -  pubs.insert({1, nh.advertise<sensor_msgs::Image>("image", 10)});
 // -  sensor_msgs::Image image;
 // +  std::map<int, tzc::Publisher> pubs;
-// +  pubs.insert({1, tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0)});
+// +  pubs.insert({1, tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10)});
 // +  tzc::sensor_msgs::Image image;
 // +  tzc::find_publisher(pubs, 1).allocate(image);

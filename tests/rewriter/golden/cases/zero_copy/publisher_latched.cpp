@@ -29,8 +29,8 @@ void run(ros::NodeHandle& nh) {
 // -  ros::Publisher b = nh.advertise<sensor_msgs::Image>("b", 1, connected, connected);
 // -  ros::Publisher c = nh.advertise<sensor_msgs::Image>("c", 1, &connected, &connected, ros::VoidConstPtr(), true);
 // -  sensor_msgs::Image image;
-// +  tzc::Publisher a = tzc::advertise<tzc::sensor_msgs::Image>(nh, "a", 1, 0, true);
-// +  tzc::Publisher b = tzc::advertise<tzc::sensor_msgs::Image>(nh, "b", 1, 0, connected, connected);
-// +  tzc::Publisher c = tzc::advertise<tzc::sensor_msgs::Image>(nh, "c", 1, 0, &connected, &connected, ros::VoidConstPtr(), true);
+// +  tzc::Publisher a = tzc::advertise<tzc::sensor_msgs::Image>(nh, "a", 1, true);
+// +  tzc::Publisher b = tzc::advertise<tzc::sensor_msgs::Image>(nh, "b", 1, connected, connected);
+// +  tzc::Publisher c = tzc::advertise<tzc::sensor_msgs::Image>(nh, "c", 1, &connected, &connected, ros::VoidConstPtr(), true);
 // +  tzc::sensor_msgs::Image image;
 // +  a.allocate(image);

@@ -36,10 +36,8 @@ class Child : public other::Nodelet {
 // +#include <tzc/sensor_msgs/PointCloud2.h>
 // -  explicit Child(ros::NodeHandle& nh) : nh_(nh), points_(advertise<sensor_msgs::PointCloud2>(nh, "points", 1)) {
 // -    images_ = this->advertise<sensor_msgs::Image>(nh_, "image", 1, true);
-// -    imu_ = advertise<sensor_msgs::Imu>(nh_, "imu", 1);
-// +  explicit Child(ros::NodeHandle& nh) : nh_(nh), points_(tzc::attach_publisher<tzc::sensor_msgs::PointCloud2>(advertise<sensor_msgs::PointCloud2>(nh, "points", 1), 0)) {
-// +    images_ = tzc::attach_publisher<tzc::sensor_msgs::Image>(this->advertise<sensor_msgs::Image>(nh_, "image", 1, true), 0);
-// +    imu_ = tzc::attach_publisher<sensor_msgs::Imu>(advertise<sensor_msgs::Imu>(nh_, "imu", 1), 0);
+// +  explicit Child(ros::NodeHandle& nh) : nh_(nh), points_(tzc::attach_publisher<tzc::sensor_msgs::PointCloud2>(advertise<sensor_msgs::PointCloud2>(nh, "points", 1))) {
+// +    images_ = tzc::attach_publisher<tzc::sensor_msgs::Image>(this->advertise<sensor_msgs::Image>(nh_, "image", 1, true));
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    images_.allocate(image);
@@ -47,4 +45,5 @@ class Child : public other::Nodelet {
 // +    tzc::sensor_msgs::PointCloud2Ptr points(new tzc::sensor_msgs::PointCloud2);
 // +    points_.allocate(*points);
 // -  ros::Publisher images_, points_, imu_;
-// +  tzc::Publisher images_, points_, imu_;
+// +  tzc::Publisher images_, points_;
+// +  ros::Publisher imu_;

@@ -23,6 +23,6 @@ class Child : public other::Nodelet {
 // +#include <tzc/pcl.h>
 // +#include <tzc/ros.h>
 // -  explicit Child(ros::NodeHandle& nh) { points_ = advertise<Cloud>(nh, "points", 1); }
-// +  explicit Child(ros::NodeHandle& nh) { points_ = tzc::attach_publisher<Cloud>(advertise<Cloud>(nh, "points", 1), 0); }
+// +  explicit Child(ros::NodeHandle& nh) { points_ = tzc::attach_publisher<Cloud>(advertise<Cloud>(nh, "points", 1)); }
 // -  ros::Publisher points_;
 // +  tzc::Publisher points_;

@@ -40,7 +40,7 @@ class Child : public Base {
 // -  ros::Publisher advertise_latched(ros::NodeHandle& nh, const std::string& topic) {
 // -    return advertise<T>(nh, topic, 1, true);
 // +  tzc::Publisher advertise_latched(ros::NodeHandle& nh, const std::string& topic) {
-// +    return tzc::attach_publisher<T>(advertise<T>(nh, topic, 1, true), 0);
+// +    return tzc::attach_publisher<T>(advertise<T>(nh, topic, 1, true));
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    images_.allocate(image);

@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 1000);
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1000, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1000);
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    pub.allocate(image);

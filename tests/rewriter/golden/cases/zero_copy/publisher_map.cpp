@@ -44,8 +44,8 @@ class Node {
 // +#include <tzc/sensor_msgs/Image.h>
 // -    pubs_["left"] = nh_.advertise<sensor_msgs::Image>("left", 1);
 // -    numbered_[7] = nh_.advertise<sensor_msgs::Image>("seven", 1);
-// +    pubs_["left"] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "left", 1, 0);
-// +    numbered_[7] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "seven", 1, 0);
+// +    pubs_["left"] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "left", 1);
+// +    numbered_[7] = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "seven", 1);
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    tzc::find_publisher(pubs_, name).allocate(image);

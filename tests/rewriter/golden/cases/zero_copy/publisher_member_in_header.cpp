@@ -46,4 +46,4 @@ int main() {
 // +  tzc::sensor_msgs::Image image;
 // +  pub_.allocate(image);
 // -Node::Node() : pub_(nh_.advertise<sensor_msgs::Image>("image", 1)) {}
-// +Node::Node() : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1, 0)) {}
+// +Node::Node() : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1)) {}

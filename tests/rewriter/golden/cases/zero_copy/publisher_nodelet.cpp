@@ -37,7 +37,7 @@ class Camera : public nodelet::Nodelet {
 // +#include <tzc/sensor_msgs/Image.h>
 // -    pub_ = getNodeHandle().advertise<sensor_msgs::Image>("image", 1);
 // -    sub_ = getPrivateNodeHandle().subscribe("in", 1, &Camera::on_image, this);
-// +    pub_ = tzc::advertise<tzc::sensor_msgs::Image>(getNodeHandle(), "image", 1, 0);
+// +    pub_ = tzc::advertise<tzc::sensor_msgs::Image>(getNodeHandle(), "image", 1);
 // +    sub_ = tzc::subscribe(getPrivateNodeHandle(), "in", 1, &Camera::on_image, this);
 // -    sensor_msgs::ImagePtr image = boost::make_shared<sensor_msgs::Image>();
 // +    tzc::sensor_msgs::ImagePtr image = boost::make_shared<tzc::sensor_msgs::Image>();

@@ -22,6 +22,6 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  auto entry = std::make_pair(1, nh.advertise<sensor_msgs::Image>("image", 10));
 // -  sensor_msgs::Image image;
-// +  auto entry = std::make_pair(1, tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0));
+// +  auto entry = std::make_pair(1, tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10));
 // +  tzc::sensor_msgs::Image image;
 // +  entry.second.allocate(image);

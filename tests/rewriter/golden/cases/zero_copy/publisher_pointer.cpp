@@ -23,7 +23,7 @@ class Node {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Node() : pub_(new ros::Publisher(nh_.advertise<sensor_msgs::Image>("image", 1))) {}
-// +  Node() : pub_(new tzc::Publisher(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1, 0))) {}
+// +  Node() : pub_(new tzc::Publisher(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1))) {}
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    pub_->allocate(image);

@@ -48,7 +48,7 @@ class Node {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -    if (debug) debug_.reset(new ros::Publisher(nh_.advertise<sensor_msgs::Image>("debug", 1)));
-// +    if (debug) debug_.reset(new tzc::Publisher(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "debug", 1, 0)));
+// +    if (debug) debug_.reset(new tzc::Publisher(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "debug", 1)));
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    if (debug_) debug_->allocate(image);
@@ -62,6 +62,6 @@ class Node {
 // +    tzc::sensor_msgs::Image image;
 // +    debug_->allocate(image);
 // -  void open() { debug_.reset(new ros::Publisher(nh_.advertise<sensor_msgs::Image>("late", 1))); }
-// +  void open() { debug_.reset(new tzc::Publisher(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "late", 1, 0))); }
+// +  void open() { debug_.reset(new tzc::Publisher(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "late", 1))); }
 // -  boost::shared_ptr<ros::Publisher> debug_;
 // +  boost::shared_ptr<tzc::Publisher> debug_;

@@ -24,7 +24,7 @@ class Node {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 1); }
-// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1, 0); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1); }
 // -    ros::Publisher* pub = &pub_;
 // -    sensor_msgs::Image image;
 // +    tzc::Publisher* pub = &pub_;

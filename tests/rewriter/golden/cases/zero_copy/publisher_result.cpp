@@ -18,7 +18,7 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -ros::Publisher make(ros::NodeHandle& nh) { return nh.advertise<sensor_msgs::Image>("image", 1); }
-// +tzc::Publisher make(ros::NodeHandle& nh) { return tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1, 0); }
+// +tzc::Publisher make(ros::NodeHandle& nh) { return tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1); }
 // -  ros::Publisher pub = make(nh);
 // -  sensor_msgs::Image image;
 // +  tzc::Publisher pub = make(nh);

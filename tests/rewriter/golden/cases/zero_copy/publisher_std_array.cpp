@@ -24,6 +24,6 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  std::array<ros::Publisher, 2> pubs{{nh.advertise<sensor_msgs::Image>("a", 10), nh.advertise<sensor_msgs::Image>("b", 10)}};
 // -  sensor_msgs::Image image;
-// +  std::array<tzc::Publisher, 2> pubs{{tzc::advertise<tzc::sensor_msgs::Image>(nh, "a", 10, 0), tzc::advertise<tzc::sensor_msgs::Image>(nh, "b", 10, 0)}};
+// +  std::array<tzc::Publisher, 2> pubs{{tzc::advertise<tzc::sensor_msgs::Image>(nh, "a", 10), tzc::advertise<tzc::sensor_msgs::Image>(nh, "b", 10)}};
 // +  tzc::sensor_msgs::Image image;
 // +  pubs[1].allocate(image);

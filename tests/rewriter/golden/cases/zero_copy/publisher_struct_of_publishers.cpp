@@ -26,11 +26,10 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
 // -  ros::Publisher image, text;
-// +  tzc::Publisher image, text;
+// +  tzc::Publisher image;
+// +  ros::Publisher text;
 // -  out.image = nh.advertise<sensor_msgs::Image>("image", 1);
-// -  out.text = nh.advertise<std_msgs::String>("text", 1);
+// +  out.image = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1);
 // -  sensor_msgs::Image image;
-// +  out.image = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1, 0);
-// +  out.text = tzc::advertise<std_msgs::String>(nh, "text", 1, 0);
 // +  tzc::sensor_msgs::Image image;
 // +  out.image.allocate(image);

@@ -31,4 +31,4 @@ void run(ros::NodeHandle& nh) {
 // +  tzc::sensor_msgs::Image image;
 // +  pub.allocate(image);
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);

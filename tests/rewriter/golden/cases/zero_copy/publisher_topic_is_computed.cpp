@@ -17,6 +17,6 @@ void run(ros::NodeHandle& nh, const std::string& name) {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>(name + "/image", 1);
 // -  sensor_msgs::Image image;
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, name + "/image", 1, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, name + "/image", 1);
 // +  tzc::sensor_msgs::Image image;
 // +  pub.allocate(image);

@@ -30,11 +30,10 @@ class Node {
 // +#include <tzc/sensor_msgs/Image.h>
 // +#include <tzc/ros.h>
 // -    image_ = nh_.advertise<sensor_msgs::Image>("image", 1);
-// -    text_ = nh_.advertise<std_msgs::String>("text", 1);
-// +    image_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1, 0);
-// +    text_ = tzc::advertise<std_msgs::String>(nh_, "text", 1, 0);
+// +    image_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1);
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    image_.allocate(image);
 // -  ros::Publisher image_, text_;
-// +  tzc::Publisher image_, text_;
+// +  tzc::Publisher image_;
+// +  ros::Publisher text_;

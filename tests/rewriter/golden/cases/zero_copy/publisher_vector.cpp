@@ -27,7 +27,7 @@ class Node {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -    for (int i = 0; i < 3; ++i) pubs_.push_back(nh_.advertise<sensor_msgs::Image>("image" + std::to_string(i), 1));
-// +    for (int i = 0; i < 3; ++i) pubs_.push_back(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image" + std::to_string(i), 1, 0));
+// +    for (int i = 0; i < 3; ++i) pubs_.push_back(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image" + std::to_string(i), 1));
 // -      sensor_msgs::Image image;
 // +      tzc::sensor_msgs::Image image;
 // +      pubs_[i].allocate(image);

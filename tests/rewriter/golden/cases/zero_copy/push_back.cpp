@@ -18,6 +18,6 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/sensor_msgs/LaserScan.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::LaserScan>("image", 10);
 // -  sensor_msgs::LaserScan scan;
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh, "image", 10);
 // +  tzc::sensor_msgs::LaserScan scan;
 // +  pub.allocate(scan);

@@ -19,7 +19,7 @@ void run(ros::NodeHandle& nh) {
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
 // -  sensor_msgs::Image image;
 // -  sensor_msgs::Image* p = &image;
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
 // +  tzc::sensor_msgs::Image image;
 // +  pub.allocate(image);
 // +  tzc::sensor_msgs::Image* p = &image;

@@ -28,7 +28,7 @@ void publish(ros::NodeHandle& nh) {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10, true);
 // -  sensor_msgs::ImagePtr first(new sensor_msgs::Image);
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0, true);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, true);
 // +  tzc::sensor_msgs::ImagePtr first(new tzc::sensor_msgs::Image);
 // +  pub.allocate(*first);
 // -  sensor_msgs::Image::Ptr second = boost::make_shared<sensor_msgs::Image>();

@@ -42,7 +42,7 @@ void Node<M>::send() {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -  pub_ = nh.advertise<sensor_msgs::Image>("image", 10);
-// +  pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
 // -  sensor_msgs::Image image;
 // +  tzc::sensor_msgs::Image image;
 // +  pub_.allocate(image);

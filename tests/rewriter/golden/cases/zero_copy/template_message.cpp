@@ -33,8 +33,8 @@ void run(ros::NodeHandle& nh) {
 // -  ros::Publisher images = nh.advertise<sensor_msgs::Image>("image", 10);
 // -  ros::Publisher scans = nh.advertise<sensor_msgs::LaserScan>("scan", 10);
 // -  sensor_msgs::Image image;
-// +  tzc::Publisher images = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
-// +  tzc::Publisher scans = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh, "scan", 10, 0);
+// +  tzc::Publisher images = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
+// +  tzc::Publisher scans = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh, "scan", 10);
 // +  tzc::sensor_msgs::Image image;
 // +  images.allocate(image);
 // -  sensor_msgs::LaserScan scan;

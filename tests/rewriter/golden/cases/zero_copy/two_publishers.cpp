@@ -22,7 +22,7 @@ void run(ros::NodeHandle& nh) {
 // -  ros::Publisher raw = nh.advertise<sensor_msgs::Image>("raw", 10);
 // -  ros::Publisher rect = nh.advertise<sensor_msgs::Image>("rect", 10);
 // -  sensor_msgs::Image image;
-// +  tzc::Publisher raw = tzc::advertise<tzc::sensor_msgs::Image>(nh, "raw", 10, 0);
-// +  tzc::Publisher rect = tzc::advertise<tzc::sensor_msgs::Image>(nh, "rect", 10, 0);
+// +  tzc::Publisher raw = tzc::advertise<tzc::sensor_msgs::Image>(nh, "raw", 10);
+// +  tzc::Publisher rect = tzc::advertise<tzc::sensor_msgs::Image>(nh, "rect", 10);
 // +  tzc::sensor_msgs::Image image;
 // +  raw.allocate(image);

@@ -30,7 +30,7 @@ void run(ros::NodeHandle& nh) {
 // -  Image image;
 // -  Picture picture;
 // -  Picture::Ptr shared(new Picture);
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
 // +  tzc::sensor_msgs::Image image;
 // +  pub.allocate(image);
 // +  tzc::sensor_msgs::Image picture;

@@ -24,7 +24,7 @@ void run(ros::NodeHandle& nh) {
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
 // -  Image image;
 // -  ImagePtr shared(new Image);
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10, 0);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
 // +  tzc::sensor_msgs::Image image;
 // +  pub.allocate(image);
 // +  tzc::sensor_msgs::ImagePtr shared(new tzc::sensor_msgs::Image);

@@ -23,8 +23,7 @@ class Node {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -  Node() : first_(start()), pub_(nh_.advertise<sensor_msgs::Image>("image", 10)) { pub_.publish(first_); }
-// +  Node() : first_(start()), pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0)) { pub_.publish(first_); }
+// +  Node() : first_(start()), pub_(tzc::advertise<sensor_msgs::Image>(nh_, "image", 10)) { pub_.publish(first_); }
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;

@@ -24,8 +24,7 @@ class Node {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -  Node() : first_([this] { return make(); }()), pub_(nh_.advertise<sensor_msgs::Image>("image", 10)) {
-// +  Node() : first_([this] { return make(); }()), pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0)) {
+// +  Node() : first_([this] { return make(); }()), pub_(tzc::advertise<sensor_msgs::Image>(nh_, "image", 10)) {
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;

@@ -23,8 +23,7 @@ class Node {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/PointCloud2.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::PointCloud2>("cloud", 10); }
-// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::PointCloud2>(nh_, "cloud", 10, 0); }
+// +  Node() { pub_ = tzc::advertise<sensor_msgs::PointCloud2>(nh_, "cloud", 10); }
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;

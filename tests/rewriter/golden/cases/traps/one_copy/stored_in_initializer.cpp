@@ -32,8 +32,7 @@ class Node {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
-// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10, 0); }
+// +  Node() { pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "image", 10); }
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;

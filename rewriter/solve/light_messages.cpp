@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solve/light_messages.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace tzc::rewriter {
+namespace {
+
+template <class Site>
+void leave(std::map<SiteId, Site>& sites, std::uint64_t small) {
+  for (auto& item : sites)
+    if (item.second.most_bytes && *item.second.most_bytes < small) item.second.has_data_part = false;
+}
+
+/// Parts of a message may be made any number of times.
+bool is_of_one_type(const Component& component) {
+  return std::all_of(component.entities.begin(), component.entities.end(),
+                     [&](const Entity* entity) { return entity->type == component.entities.front()->type; });
+}
+
+/// A use in a header is seen by every unit that includes it, one in a template by every instance.
+using Places = std::map<std::tuple<std::string, unsigned, unsigned>, std::uint64_t>;
+
+}  // namespace
+
+void leave_light_types(Facts& facts, std::uint64_t small) {
+  leave(facts.advertises, small);
+  leave(facts.publishes, small);
+  leave(facts.subscribes, small);
+}
+
+LightMessages::LightMessages(const Facts& facts, const Components& components) {
+  for (const DataUse& use : facts.data_uses)
+    if (const Component* message = components.of(use.entity)) uses_[message->id].push_back(&use);
+  for (const DataWrite& write :
+       facts.data_writes)  // who casts the const of an array away may change its size
+    if (const Component* message = components.of(write.message); message && write.to_array)
+      unbounded_.insert(message->id);
+}
+
+std::optional<std::uint64_t> LightMessages::most_bytes(const Component& component) const {
+  const auto uses = uses_.find(component.id);
+  if (uses == uses_.end()) return 0;
+  if (unbounded_.count(component.id) != 0 || !is_of_one_type(component)) return {};
+  Places places;
+  for (const DataUse* use : uses->second) {
+    // A message that is copied to and fro may grow each time.
+    if (!use->most_bytes || (use->appends && component.entities.size() > 1)) return {};
+    const Location& where = use->where;
+    std::uint64_t& bytes = places[std::make_tuple(where.file, where.line, where.column)];
+    bytes = std::max(bytes, *use->most_bytes);
+  }
+  std::uint64_t sum = 0;
+  for (const auto& item : places) sum += item.second;
+  return sum;
+}
+
+}  // namespace tzc::rewriter
