@@ -13,7 +13,7 @@ class Walk : public clang::RecursiveASTVisitor<Walk> {
   bool shouldVisitTemplateInstantiations() const { return visitor_.shouldVisitTemplateInstantiations(); }
 #define TZC_NODE(kind) \
   bool Visit##kind(clang::kind* node) { return visitor_.Visit##kind(node); }
-#include "parse/visited_nodes.def"
+#include "parse/ast_visitor.def"
 #undef TZC_NODE
   bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc place) { return visitor_.VisitDecltypeTypeLoc(place); }
   bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc place) {

@@ -24,7 +24,7 @@ class AstVisitor {
   virtual bool shouldVisitTemplateInstantiations() const { return false; }
 #define TZC_NODE(kind) \
   virtual bool Visit##kind(clang::kind*) { return true; }
-#include "parse/visited_nodes.def"
+#include "parse/ast_visitor.def"
 #undef TZC_NODE
   virtual bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc) { return true; }
   virtual bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc) { return true; }
