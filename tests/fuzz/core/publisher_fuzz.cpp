@@ -60,7 +60,7 @@ void publish(ConnectionImpl& connection, SegmentMemory& memory, fuzz::Input& inp
   }
   if (buffers.size() == 2 && (input.take<std::uint8_t>() & 1)) buffers[1] = buffers[0];
   const std::vector<std::uint8_t> control(input.take<std::uint8_t>() & 1 ? 10 : 40'000, 1);
-  connection.send(make_record(1, control.data(), control.size(), std::move(buffers)));
+  connection.send(make_record(1, control.data(), control.size(), buffers));
 }
 
 // What comes back says what was sent, whatever the peer wrote meanwhile.
