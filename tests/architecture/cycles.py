@@ -32,5 +32,5 @@ def _reachable(graph, start):
         node = todo.pop()
         if node not in seen:
             seen.add(node)
-            todo += graph[node]
+            todo += graph.get(node, ())  # a file that is no unit includes nothing that counts
     return seen
