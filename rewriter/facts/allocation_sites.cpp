@@ -71,10 +71,8 @@ class Connector {
     if (draft.function && draft.site.record.empty() && !record_usr_of(draft.function).empty()) return names;
     for (const PublisherMention& mention : mentions_) {
       if (mention.function != draft.function || mention.id.empty()) continue;
-      const Availability availability = hoisting_.availability_at(mention, *at);
-      if (availability != Availability::none)
-        names.push_back({mention.id, hoisting_.name_text(mention), mention.pointer,
-                         availability == Availability::guarded, mention.messages});
+      if (const std::optional<EarlyName> name = hoisting_.name_at(mention, *at))
+        names.push_back({mention.id, name->text, mention.pointer, name->guarded, mention.messages});
     }
     return names;
   }

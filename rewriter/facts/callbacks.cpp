@@ -41,9 +41,9 @@ bool CallbackPins::is_callee(const clang::DeclRefExpr* reference) const {
   return call && call->getCallee() == named;
 }
 
-void CallbackPins::check_address_taken(const clang::FunctionDecl* function,
+bool CallbackPins::check_address_taken(const clang::FunctionDecl* function,
                                        const clang::DeclRefExpr* reference) {
-  if (!unit_.declares(function) || is_callee(reference)) return;
+  if (!unit_.declares(function) || is_callee(reference)) return false;
   const std::string name = function->getNameAsString();
   const std::optional<BoundCall> bound = binding(reference);
   const bool subscribes = is_subscribed(unit_, *reference);
@@ -56,6 +56,7 @@ void CallbackPins::check_address_taken(const clang::FunctionDecl* function,
   if (const EntityId id = entities_.declare_result(function); !id.empty())
     entities_.add_obstacle(id, codes::TZC1005, "'" + name + "' is called through its address",
                            reference->getLocation());
+  return true;
 }
 
 bool CallbackPins::is_kept(const clang::LambdaExpr* lambda) const {

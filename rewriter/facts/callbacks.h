@@ -13,8 +13,8 @@ class CallbackPins {
  public:
   CallbackPins(const Unit& unit, EntityTable& entities) : unit_(unit), entities_(entities) {}
 
-  /// A function whose address is taken is a callback.
-  void check_address_taken(const clang::FunctionDecl* function, const clang::DeclRefExpr* reference);
+  /// A function whose address is taken is a callback. False: the name only calls it.
+  bool check_address_taken(const clang::FunctionDecl* function, const clang::DeclRefExpr* reference);
   /// A lambda that is not kept in a variable is a callback.
   void check_lambda(const clang::LambdaExpr* lambda);
 

@@ -51,7 +51,7 @@ class Dispatcher : public AstVisitor {
   }
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
     if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(reference->getDecl()))
-      callbacks_.check_address_taken(function, reference);
+      note_function(function, reference);
     else
       to_.name(reference, to_.entities().declare(reference->getDecl()));
     return true;
@@ -96,6 +96,10 @@ class Dispatcher : public AstVisitor {
   }
 
  private:
+  void note_function(const clang::FunctionDecl* function, const clang::DeclRefExpr* reference) {
+    if (callbacks_.check_address_taken(function, reference)) to_.addressed(function);
+  }
+
   Collectors to_;
   CallbackPins callbacks_;
   std::vector<const clang::FunctionDecl*> functions_;

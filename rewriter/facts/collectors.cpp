@@ -7,6 +7,7 @@
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
+#include "facts/content_events.h"
 #include "facts/escape.h"
 #include "facts/factories.h"
 #include "facts/library_sites.h"
@@ -65,11 +66,6 @@ void Collectors::object(const clang::Expr* expr, const clang::TypeSourceInfo* ty
   if (makes && message && message->has_data_part) add(allocations_.of_object(expr, id, end));
 }
 
-bool Collectors::is_filter(const clang::CXXRecordDecl* record) const {
-  const ClassRename* rename = record ? unit_.rules.find_class_or_ported(qualified_name_of(record)) : nullptr;
-  return rename && rename->role == ClassRename::Role::filter;
-}
-
 void Collectors::construction(const clang::CXXConstructExpr* construct) {
   if (!unit_.source.in_package(construct->getBeginLoc())) return;
   hidden_.note(unit_, construct->getType(), {construct->getArgs(), construct->getNumArgs()});
@@ -87,7 +83,7 @@ void Collectors::made_object(const clang::CallExpr* call) {
   const FlowEnd end = flow_.follow(call, id);
   const clang::QualType made = pointee_of(call->getType());
   const clang::CXXRecordDecl* record = made->getAsCXXRecordDecl();
-  if (is_filter(record)) add_site(facts_.subscribes, filters_.of_made(call, record, id));
+  if (filters_.is_filter(record)) add_site(facts_.subscribes, filters_.of_made(call, record, id));
   const auto message = message_of(made);
   if (message && message->has_data_part) add(allocations_.of_object(call, id, end));
 }
@@ -147,7 +143,7 @@ void Collectors::member_call(const clang::CXXMemberCallExpr* call) {
   add_site(facts_.publishes, library_publish(unit_, call));
   if (name == "registerCallback") filters_.add_callbacks(call, facts_.filter_callbacks);
   add_site(facts_.subscribes, filters_.of_emplaced(call));
-  if (is_filter(method->getParent()) && name == "subscribe")
+  if (filters_.is_filter(method->getParent()) && name == "subscribe")
     add_site(facts_.subscribes, filters_.of_call(call));
   else if (const MethodCall* rule = unit_.rules.find_method(object, name, written_arguments(call)))
     rule_call(call, *rule);
@@ -181,7 +177,9 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
   EscapeAnalysis analysis(context);
   SharedMats mats(context);
   for (const clang::FunctionDecl* function : functions) {
-    analysis.analyse(function);
+    const FunctionView& view = analysis.analyse(function);
+    if (std::optional<ContentFlow> flow = content_flow(unit_, view))
+      facts_.contents.emplace(usr_of(pattern_of(function)), std::move(*flow));
     mats.analyse(function);
   }
   mats.finish();
@@ -201,6 +199,10 @@ void Collectors::early_calls(const clang::Stmt* stmt) {
     facts_.early.insert(usr_of(pattern_of(call->getDirectCallee())));
   if (stmt)
     for (const clang::Stmt* child : stmt->children()) early_calls(child);
+}
+
+void Collectors::addressed(const clang::FunctionDecl* function) {
+  facts_.addressed.insert(usr_of(pattern_of(function)));
 }
 
 Facts Collectors::finish() {

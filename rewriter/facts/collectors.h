@@ -44,6 +44,8 @@ class Collectors {
   void escapes(const std::vector<const clang::FunctionDecl*>& functions,
                const std::vector<const clang::MemberExpr*>& arrays);
   void early_calls(const clang::Stmt* stmt);
+  /// The function may be called at any time: something else than a call names it.
+  void addressed(const clang::FunctionDecl* function);
   Facts finish();
 
  private:
@@ -53,7 +55,6 @@ class Collectors {
   void ported_call(const clang::CallExpr* call, const clang::FunctionDecl* function);
   void library_call(const clang::CallExpr* call);
   void publish(const clang::CXXMemberCallExpr* call);
-  bool is_filter(const clang::CXXRecordDecl* record) const;
   void add(std::optional<AllocationDraft> draft) {
     if (draft) drafts_.push_back(std::move(*draft));
   }

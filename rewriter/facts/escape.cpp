@@ -92,7 +92,7 @@ const EscapeAnalysis::Analysed& EscapeAnalysis::analysed(const clang::FunctionDe
   return known->second;
 }
 
-void EscapeAnalysis::analyse(const clang::FunctionDecl* definition) {
+const FunctionView& EscapeAnalysis::analyse(const clang::FunctionDecl* definition) {
   const Analysed& here = analysed(definition);
   std::vector<PublishEvent>& effects = context_.found.effects[usr_of(pattern_of(definition))];
   for (const SeenEvent& event : here.events) {
@@ -105,6 +105,7 @@ void EscapeAnalysis::analyse(const clang::FunctionDecl* definition) {
     note_lasting(stmt);
     start(*here.view, stmt);
   }
+  return *here.view;
 }
 
 /// Static locals live on; what a closure holds may be published wherever the closure is called.

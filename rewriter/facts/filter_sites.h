@@ -16,6 +16,8 @@ class FilterCollector {
   FilterCollector(const Unit& unit, EntityTable& entities, ValueFlow& flow)
       : unit_(unit), entities_(entities), flow_(flow) {}
 
+  /// message_filters::Subscriber and its like
+  bool is_filter(const clang::CXXRecordDecl* record) const;
   /// filter.subscribe(nh, "topic", 1)
   std::optional<Subscribe> of_call(const clang::CXXMemberCallExpr* call);
   /// Subscriber<M> filter(nh, "topic", 1)
@@ -36,7 +38,6 @@ class FilterCollector {
     llvm::ArrayRef<const clang::Expr*> arguments;
   };
   Subscribe site_of(const Construction& construction, const EntityId& filter) const;
-  bool is_filter(const clang::CXXRecordDecl* record) const;
   void note_callbacks(std::map<FilterCallback, FilterCallbackUse>& callbacks, const clang::Stmt* stmt,
                       const std::string& scope) const;
   EntityId constructed(const clang::CXXConstructExpr* construct);

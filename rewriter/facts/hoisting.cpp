@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/hoisting.h"
 
-#include "facts/must_execute.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -22,15 +21,65 @@ bool is_map(clang::QualType type) {
   return record && record->getName().ends_with("map");
 }
 
-/// pubs_[name] of a standard map. tzc::find_publisher(pubs_, name) finds the publisher without adding an
-/// entry.
-const clang::CXXOperatorCallExpr* lookup_of(const PublisherMention& publisher) {
+/// An element of a standard container: pubs_[key], pubs_.at(key), pubs_.front(), pubs_.back().
+struct Lookup {
+  const clang::Expr* container;
+  const clang::Expr* key;  ///< null: the first or the last
+  bool is_last = false;
+};
+
+bool is_sequence(clang::QualType type) {
+  type = type.getNonReferenceType().getCanonicalType();
+  if (type->isConstantArrayType()) return true;
+  const auto* record = type->getAsCXXRecordDecl();
+  if (!record || !record->isInStdNamespace()) return false;
+  return record->getName() == "vector" || record->getName() == "deque" || record->getName() == "array";
+}
+
+bool is_standard_map(clang::QualType type) {
+  const auto* record = type.getNonReferenceType().getCanonicalType()->getAsCXXRecordDecl();
+  return record && (record->getName() == "map" || record->getName() == "unordered_map");
+}
+
+std::optional<Lookup> lookup_by_method(const clang::CXXMemberCallExpr* call) {
+  const clang::Expr* container = call->getImplicitObjectArgument();
+  const clang::CXXMethodDecl* method = call->getMethodDecl();
+  if (!method || !method->getIdentifier() || container->getType()->isPointerType()) return {};
+  const llvm::StringRef name = method->getName();
+  const bool sequence = is_sequence(container->getType());
+  if (name == "at" && call->getNumArgs() == 1 && (sequence || is_standard_map(container->getType())))
+    return Lookup{container, call->getArg(0)};
+  if (sequence && call->getNumArgs() == 0 && (name == "front" || name == "back"))
+    return Lookup{container, nullptr, name == "back"};
+  return {};
+}
+
+std::optional<Lookup> lookup_of(const PublisherMention& publisher) {
+  if (publisher.pointer) return {};
   const clang::Expr* object = publisher.object->IgnoreParenImpCasts();
-  const auto* lookup = llvm::dyn_cast<clang::CXXOperatorCallExpr>(object);
-  if (publisher.pointer || !lookup || lookup->getOperator() != clang::OO_Subscript) return nullptr;
-  const auto* map = lookup->getArg(0)->getType().getCanonicalType()->getAsCXXRecordDecl();
-  const bool is_standard = map && (map->getName() == "map" || map->getName() == "unordered_map");
-  return is_standard ? lookup : nullptr;
+  if (const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(object)) return lookup_by_method(call);
+  const clang::Expr* container = nullptr;
+  const clang::Expr* key = nullptr;
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(object);
+      op && op->getOperator() == clang::OO_Subscript) {
+    container = op->getArg(0);
+    key = op->getArg(1);
+  } else if (const auto* subscript = llvm::dyn_cast<clang::ArraySubscriptExpr>(object)) {
+    container = subscript->getBase()->IgnoreParenImpCasts();
+    key = subscript->getIdx();
+  }
+  if (!container || !(is_sequence(container->getType()) || is_standard_map(container->getType()))) return {};
+  return Lookup{container, key};
+}
+
+/// What an expression mentions decides where a step behind it leads.
+void add_followed(NameParts& parts, const clang::Stmt* stmt) {
+  if (!stmt) return;
+  if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt))
+    parts.followed.push_back(reference->getDecl());
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt))
+    parts.followed.push_back(member->getMemberDecl());
+  for (const clang::Stmt* child : stmt->children()) add_followed(parts, child);
 }
 
 class PartsOf : public AstVisitor {
@@ -39,7 +88,9 @@ class PartsOf : public AstVisitor {
   NameParts parts;
 
   bool VisitStmt(clang::Stmt* stmt) override {
-    if (is_step(stmt)) parts.steps.insert(step_text(unit_, stmt));
+    if (!is_step(stmt)) return true;
+    parts.steps.insert(step_text(unit_, stmt));
+    for (const clang::Stmt* child : stmt->children()) add_followed(parts, child);
     return true;
   }
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
@@ -62,19 +113,27 @@ class PartsOf : public AstVisitor {
     parts.has_effects |= op->isIncrementDecrementOp();
     return true;
   }
+  bool VisitBinaryOperator(clang::BinaryOperator* op) override {
+    parts.has_effects |= op->isAssignmentOp();
+    return true;
+  }
+  /// A constructor of the package may do anything; std::string throws when it is given a null pointer.
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr* made) override {
+    parts.has_effects |= unit_.declares(made->getConstructor()) && made->getConstructor()->isUserProvided();
+    for (const clang::Expr* argument : made->arguments())
+      parts.has_effects |= argument->getType()->isPointerType() &&
+                           !llvm::isa<clang::StringLiteral>(argument->IgnoreParenImpCasts());
+    return true;
+  }
 
  private:
   const Unit& unit_;
 };
 
-NameParts parts_of(const Unit& unit, const PublisherMention& publisher) {
+NameParts parts_of(const Unit& unit, llvm::ArrayRef<const clang::Expr*> exprs) {
   PartsOf visitor(unit);
-  if (const clang::CXXOperatorCallExpr* lookup = lookup_of(publisher)) {
-    visitor.TraverseStmt(const_cast<clang::Expr*>(lookup->getArg(0)));
-    visitor.TraverseStmt(const_cast<clang::Expr*>(lookup->getArg(1)));
-  } else {
-    visitor.TraverseStmt(const_cast<clang::Expr*>(publisher.object));
-  }
+  for (const clang::Expr* expr : exprs)
+    if (expr) visitor.TraverseStmt(const_cast<clang::Expr*>(expr));
   return visitor.parts;
 }
 
@@ -111,38 +170,62 @@ class Changes : public AstVisitor {
   unsigned from_, to_;
 };
 
+/// Of the function that mentions it; null: it stands outside of functions.
+const clang::Stmt* body_around(const PublisherMention& publisher) {
+  return publisher.function ? publisher.function->getBody() : nullptr;
+}
+
 bool means_the_same(const Unit& unit, const PublisherMention& publisher, const NameParts& parts,
                     unsigned at) {
   for (const clang::VarDecl* local : parts.locals)
     if (unit.offset(local->getLocation()) >= at) return false;
-  if (parts.locals.empty() || !publisher.function || !publisher.function->getBody()) return true;
+  const clang::Stmt* body = body_around(publisher);
+  if (parts.locals.empty() || !body) return true;
   Changes changes(unit, parts.locals, at, publisher.begin);
-  changes.TraverseStmt(publisher.function->getBody());
+  changes.TraverseStmt(const_cast<clang::Stmt*>(body));
   return !changes.found;
 }
 
 }  // namespace
 
-std::string Hoisting::name_text(const PublisherMention& publisher) const {
-  const clang::CXXOperatorCallExpr* lookup = lookup_of(publisher);
-  if (!lookup) return unit_.text(publisher.object);
-  return "tzc::find_publisher(" + unit_.text(lookup->getArg(0)) + ", " + unit_.text(lookup->getArg(1)) + ")";
+std::optional<EarlyName> Hoisting::name_at(const PublisherMention& publisher, unsigned at) const {
+  std::optional<EarlyName> name = as_written_at(publisher, at);
+  return name ? name : looked_up_at(publisher, at);
 }
 
-Availability Hoisting::availability_at(const PublisherMention& publisher, unsigned at) const {
-  NameParts parts = parts_of(unit_, publisher);
-  const clang::Stmt* body = publisher.function ? publisher.function->getBody() : nullptr;
-  const MustExecute paths(unit_, parts, body);
-  if (parts.has_effects || !means_the_same(unit_, publisher, parts, at)) return Availability::none;
-  // Other threads may change a map while it is not locked.
-  if (lookup_of(publisher) && body && paths.locks_between(at, publisher.begin)) return Availability::none;
+std::optional<EarlyName> Hoisting::as_written_at(const PublisherMention& publisher, unsigned at) const {
+  NameParts parts = parts_of(unit_, publisher.object);
+  if (parts.has_effects || !means_the_same(unit_, publisher, parts, at)) return {};
   const bool can_be_asked =
       publisher.pointer && parts.steps.empty() && !publisher.object->getType()->isPointerType();
-  if (publisher.pointer) parts.steps.insert(unit_.text(publisher.object) + "->");
-  const bool always_taken =
-      llvm::all_of(parts.steps, [&](const std::string& step) { return body && paths.takes(step, at); });
-  if (always_taken) return Availability::safe;
-  return can_be_asked ? Availability::guarded : Availability::none;
+  if (publisher.pointer) {
+    parts.steps.insert(unit_.text(publisher.object) + "->");
+    add_followed(parts, publisher.object);
+  }
+  const bool valid = are_taken(publisher, parts, at);
+  if (!valid && !can_be_asked) return {};
+  return EarlyName{unit_.text(publisher.object), !valid};
+}
+
+std::optional<EarlyName> Hoisting::looked_up_at(const PublisherMention& publisher, unsigned at) const {
+  const std::optional<Lookup> lookup = lookup_of(publisher);
+  if (!lookup) return {};
+  const NameParts parts = parts_of(unit_, {lookup->container, lookup->key});
+  if (parts.has_effects || !means_the_same(unit_, publisher, parts, at)) return {};
+  // Other threads may change a container while it is not locked.
+  const clang::Stmt* body = body_around(publisher);
+  if (body && MustExecute(unit_, parts, body).locks_between(at, publisher.begin)) return {};
+  if (!are_taken(publisher, parts, at)) return {};
+  const std::string container = unit_.text(lookup->container);
+  std::string key = lookup->is_last ? container + ".size() - 1" : "0";
+  if (lookup->key) key = unit_.text(lookup->key);
+  return EarlyName{"tzc::find_publisher(" + container + ", " + key + ")"};
+}
+
+bool Hoisting::are_taken(const PublisherMention& publisher, const NameParts& parts, unsigned at) const {
+  const clang::Stmt* body = body_around(publisher);
+  const MustExecute paths(unit_, parts, body);
+  return llvm::all_of(parts.steps, [&](const std::string& step) { return body && paths.takes(step, at); });
 }
 
 }  // namespace tzc::rewriter

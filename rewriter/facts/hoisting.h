@@ -3,13 +3,15 @@
 
 // Whether the expression that names a publisher can be evaluated earlier in the function, where a message is
 // allocated: it must have the same value there and no side effect, and must not follow a pointer or an index
-// that is only valid at the publish call.
+// that is only valid at the publish call. tzc::find_publisher(container, key) may be evaluated anywhere.
 
 #include <clang/AST/Expr.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "facts/must_execute.h"
 #include "facts/unit.h"
 #include "model/ids.h"
 
@@ -25,18 +27,26 @@ struct PublisherMention {
   unsigned begin;                       ///< offset of the call
 };
 
-enum class Availability { none, guarded, safe };  ///< guarded: by a smart pointer that may be null there
+/// How a publisher can be named earlier than its mention does.
+struct EarlyName {
+  std::string text;
+  bool guarded = false;  ///< by a smart pointer that may be null there
+};
 
 class Hoisting {
  public:
   explicit Hoisting(const Unit& unit) : unit_(unit) {}
 
-  /// Whether the publisher's name can be evaluated at an offset of the function that mentions it.
-  Availability availability_at(const PublisherMention& publisher, unsigned at) const;
-  /// The text that names it there.
-  std::string name_text(const PublisherMention& publisher) const;
+  /// The name at an offset of the function that mentions the publisher; none: it cannot be named there.
+  std::optional<EarlyName> name_at(const PublisherMention& publisher, unsigned at) const;
 
  private:
+  std::optional<EarlyName> as_written_at(const PublisherMention& publisher, unsigned at) const;
+  /// As an element of a standard container.
+  std::optional<EarlyName> looked_up_at(const PublisherMention& publisher, unsigned at) const;
+  /// Whether every path through the offset follows the pointers and indices of the name.
+  bool are_taken(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
+
   const Unit& unit_;
 };
 

@@ -2,6 +2,7 @@
 #include "facts/must_execute.h"
 
 #include "facts/ast_walk.h"
+#include "facts/library_calls.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -10,38 +11,6 @@ namespace {
 unsigned begin_of(const Unit& unit, const clang::Stmt* stmt) {
   return unit.offset(stmt->getBeginLoc());
 }
-
-/// Whether a function, or one that it calls, mentions one of the declarations. True when that cannot be seen.
-class Reach : public AstVisitor {
- public:
-  Reach(const Unit& unit, const std::vector<const clang::ValueDecl*>& decls) : unit_(unit), decls_(decls) {}
-  bool found = false;
-
-  void follow(const clang::FunctionDecl* callee) {
-    if (callee && !unit_.declares(callee)) return;
-    const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(callee);
-    const clang::FunctionDecl* definition = nullptr;
-    if (!callee || !callee->isDefined(definition) || (method && method->isVirtual()))
-      found = true;  // a function pointer, another file, another class
-    else if (seen_.insert(definition).second)
-      TraverseStmt(definition->getBody());
-  }
-  bool VisitCallExpr(clang::CallExpr* call) override {
-    follow(call->getDirectCallee());
-    return !found;
-  }
-  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override { return note(reference->getDecl()); }
-  bool VisitMemberExpr(clang::MemberExpr* member) override { return note(member->getMemberDecl()); }
-
- private:
-  bool note(const clang::ValueDecl* decl) {
-    found = found || llvm::is_contained(decls_, decl);
-    return !found;
-  }
-  const Unit& unit_;
-  const std::vector<const clang::ValueDecl*>& decls_;
-  std::set<const clang::FunctionDecl*> seen_;
-};
 
 /// A mention of a pointer or container that leaves it as it is.
 bool only_looks(const Unit& unit, const clang::Expr* mention) {
@@ -58,38 +27,139 @@ bool only_looks(const Unit& unit, const clang::Expr* mention) {
   return is_step(around) && (!op || !op->isAssignmentOp());
 }
 
+/// Whether code of the package that runs unseen could change where the steps of a name lead: it cannot get at a local variable
+/// that is only read, or assigned under its own name outside of lambdas.
+class Exposure : public AstVisitor {
+ public:
+  Exposure(const Unit& unit, const NameParts& parts) : unit_(unit), parts_(parts) {
+    exposed = llvm::any_of(parts.followed, [&](const clang::ValueDecl* decl) { return is_shared(decl); });
+  }
+  bool exposed;
+
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
+    exposed = exposed || (llvm::is_contained(parts_.followed, reference->getDecl()) &&
+                          !only_looks(unit_, reference) && !is_own_change(reference));
+    return !exposed;
+  }
+
+ private:
+  static bool is_shared(const clang::ValueDecl* decl) {
+    const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
+    if (!variable) return llvm::isa<clang::FieldDecl, clang::BindingDecl>(decl);
+    return !variable->isLocalVarDeclOrParm() || variable->isStaticLocal() ||
+           variable->getType()->isReferenceType();
+  }
+  bool is_own_change(const clang::DeclRefExpr* reference) const {
+    const auto* change = parent_as<clang::Expr>(unit_.ast(), *reference);
+    const auto* step = llvm::dyn_cast_or_null<clang::UnaryOperator>(change);
+    const auto* assignment = llvm::dyn_cast_or_null<clang::BinaryOperator>(change);
+    const bool assigns = assignment && assignment->isAssignmentOp() && assignment->getLHS() == reference;
+    if (!assigns && !(step && step->isIncrementDecrementOp())) return false;
+    for (const clang::DynTypedNode& node : ancestors(unit_.ast(), *reference))
+      if (node.get<clang::LambdaExpr>()) return false;
+    return true;
+  }
+  const Unit& unit_;
+  const NameParts& parts_;
+};
+
+bool is_exposed(const Unit& unit, const NameParts& parts, const clang::Stmt* body) {
+  Exposure visitor(unit, parts);
+  visitor.TraverseStmt(const_cast<clang::Stmt*>(body));
+  return visitor.exposed;
+}
+
+/// Whether a call, or what it calls in turn, may change what a name depends on.
+class Reach : public AstVisitor {
+ public:
+  /// exposed: code that is not seen can change it.
+  Reach(const Unit& unit, const std::vector<const clang::ValueDecl*>& decls, bool exposed)
+      : unit_(unit), decls_(decls), exposed_(exposed) {}
+  bool found = false;
+
+  void call(const clang::FunctionDecl* callee, llvm::ArrayRef<const clang::Expr*> arguments) {
+    for (const clang::Expr* argument : arguments) {
+      const clang::CXXRecordDecl* record = argument->getType().getNonReferenceType()->getAsCXXRecordDecl();
+      if (record && record->isLambda()) follow(record->getLambdaCallOperator());
+    }
+    if (!callee || unit_.declares(callee))
+      follow(callee);
+    else
+      found = found || (exposed_ && !calls_no_package_code(unit_, callee, arguments));
+  }
+  bool VisitCallExpr(clang::CallExpr* expr) override {
+    call(expr->getDirectCallee(), {expr->getArgs(), expr->getNumArgs()});
+    return !found;
+  }
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override { return note(reference->getDecl()); }
+  bool VisitMemberExpr(clang::MemberExpr* member) override { return note(member->getMemberDecl()); }
+
+ private:
+  void follow(const clang::FunctionDecl* callee) {
+    const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(callee);
+    const clang::FunctionDecl* definition = nullptr;
+    if (!callee || !callee->isDefined(definition) || (method && method->isVirtual()))
+      found = found || exposed_;  // a function pointer, another file, another class
+    else if (seen_.insert(definition).second)
+      TraverseStmt(definition->getBody());
+  }
+  bool note(const clang::ValueDecl* decl) {
+    found = found || llvm::is_contained(decls_, decl);
+    return !found;
+  }
+  const Unit& unit_;
+  const std::vector<const clang::ValueDecl*>& decls_;
+  bool exposed_;
+  std::set<const clang::FunctionDecl*> seen_;
+};
+
+/// scoped_lock, MutexLocker, mutex_.lock(), pthread_mutex_lock()
+bool names_lock(llvm::StringRef name) {
+  return name.contains_insensitive("lock") && !name.contains_insensitive("clock") &&
+         !name.contains_insensitive("block") && !name.contains_insensitive("unlock");
+}
+
+struct Offsets {
+  unsigned from, to;
+};
+
 /// The code between two offsets of a function: exits, and changes of what the publisher's name depends on.
 class Between : public AstVisitor {
  public:
-  Between(const Unit& unit, const NameParts& parts, unsigned from, unsigned to)
-      : unit_(unit), parts_(parts), reach_(unit, parts.all), from_(from), to_(to) {}
+  Between(const Unit& unit, const NameParts& parts, bool exposed, Offsets range)
+      : unit_(unit), parts_(parts), reach_(unit, parts.all, exposed), range_(range) {}
   bool leaves = false, changes = false, locks = false;
 
   bool VisitStmt(clang::Stmt* stmt) override {
     const unsigned here = begin_of(unit_, stmt);
-    if (here < from_ || here >= to_) return true;
+    if (here < range_.from || here >= range_.to) return true;
     leaves |= llvm::isa<clang::ReturnStmt, clang::BreakStmt, clang::ContinueStmt, clang::GotoStmt,
                         clang::CXXThrowExpr, clang::SwitchCase, clang::LabelStmt>(stmt);
     if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt))
       note(reference, reference->getDecl());
     if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt)) note(member, member->getMemberDecl());
-    if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) reach_.follow(call->getDirectCallee());
+    if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) note_call(call);
     if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
-      reach_.follow(made->getConstructor());
-      locks |= made->getConstructor()->getParent()->getName().contains("lock");
+      reach_.call(made->getConstructor(), {made->getArgs(), made->getNumArgs()});
+      locks |= names_lock(made->getConstructor()->getParent()->getName());
     }
     changes |= reach_.found || locks;
     return true;
   }
 
  private:
+  void note_call(const clang::CallExpr* call) {
+    const clang::FunctionDecl* callee = call->getDirectCallee();
+    reach_.call(callee, {call->getArgs(), call->getNumArgs()});
+    locks |= callee && callee->getIdentifier() && names_lock(callee->getName());
+  }
   void note(const clang::Expr* mention, const clang::ValueDecl* decl) {
     changes |= llvm::is_contained(parts_.all, decl) && !only_looks(unit_, mention);
   }
   const Unit& unit_;
   const NameParts& parts_;
   Reach reach_;
-  unsigned from_, to_;
+  Offsets range_;
 };
 
 /// A statement or operand that is not always evaluated when what is around it is.
@@ -125,7 +195,12 @@ class StepFinder : public AstVisitor {
  public:
   StepFinder(const Unit& unit, const NameParts& parts, const clang::Stmt* body, const std::string& step,
              unsigned at)
-      : unit_(unit), parts_(parts), body_(body), step_(step), at_(at) {}
+      : unit_(unit),
+        parts_(parts),
+        body_(body),
+        exposed_(is_exposed(unit, parts, body)),
+        step_(step),
+        at_(at) {}
   bool found = false;
 
   bool VisitStmt(clang::Stmt* stmt) override {
@@ -137,13 +212,14 @@ class StepFinder : public AstVisitor {
   bool holds(const clang::Stmt* stmt) {
     if (!comes_with(unit_, stmt, at_)) return false;
     const unsigned here = begin_of(unit_, stmt);
-    Between between(unit_, parts_, std::min(here, at_), std::max(here, at_));
+    Between between(unit_, parts_, exposed_, {std::min(here, at_), std::max(here, at_)});
     between.TraverseStmt(const_cast<clang::Stmt*>(body_));
     return !between.changes && (here < at_ || !between.leaves);
   }
   const Unit& unit_;
   const NameParts& parts_;
   const clang::Stmt* body_;
+  bool exposed_;
   const std::string& step_;
   unsigned at_;
 };
@@ -154,6 +230,8 @@ bool is_step(const clang::Stmt* stmt) {
   if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt))
     return member->isArrow() && !llvm::isa<clang::CXXThisExpr>(member->getBase()->IgnoreParenImpCasts());
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(stmt)) return op->getOpcode() == clang::UO_Deref;
+  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(stmt))
+    return op->getOpcode() == clang::BO_Div || op->getOpcode() == clang::BO_Rem;
   return llvm::isa<clang::CXXOperatorCallExpr, clang::ArraySubscriptExpr>(stmt);
 }
 
@@ -168,7 +246,7 @@ std::string step_text(const Unit& unit, const clang::Stmt* step) {
 }
 
 bool MustExecute::locks_between(unsigned from, unsigned to) const {
-  Between between(unit_, parts_, from, to);
+  Between between(unit_, parts_, false, {from, to});
   between.TraverseStmt(const_cast<clang::Stmt*>(body_));
   return between.locks;
 }

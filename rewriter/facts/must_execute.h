@@ -17,11 +17,12 @@ namespace tzc::rewriter {
 struct NameParts {
   std::vector<const clang::VarDecl*> locals;
   std::vector<const clang::ValueDecl*> all;
-  std::set<std::string> steps;  ///< pointers and indices that it follows: "node_->", "pubs_[i]", "*pub"
+  std::vector<const clang::ValueDecl*> followed;  ///< those that decide where a step leads
+  std::set<std::string> steps;                    ///< what it follows: "node_->", "pubs_[i]", "*pub"; "i % n"
   bool has_effects = false;
 };
 
-/// Follows a pointer or an index, which may be invalid at another time.
+/// Follows a pointer or an index, or divides: what may be invalid at another time.
 bool is_step(const clang::Stmt* stmt);
 std::string step_text(const Unit& unit, const clang::Stmt* step);
 

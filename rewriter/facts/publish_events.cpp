@@ -2,7 +2,7 @@
 #include "facts/publish_events.h"
 
 #include "facts/hidden_calls.h"
-#include "facts/known_functions.h"
+#include "facts/library_calls.h"
 #include "facts/package_types.h"
 
 namespace tzc::rewriter {
@@ -15,22 +15,6 @@ bool parts_involve_package(const Unit& unit, const clang::CXXRecordDecl* record)
                       [&](const clang::FieldDecl* f) { return involves_package(unit, f->getType()); }) ||
          llvm::any_of(record->bases(), [&](const clang::CXXBaseSpecifier& base) {
            return involves_package(unit, base.getType());
-         });
-}
-
-/// std::make_unique<Node>(1), std::vector<Node> nodes(3): no argument names the class whose constructor runs.
-bool makes_package_object(const Unit& unit, const clang::FunctionDecl* function) {
-  const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(function);
-  if (constructor && !constructor->isCopyOrMoveConstructor()) {
-    const clang::CXXRecordDecl* record = constructor->getParent();
-    const bool is_empty = constructor->isDefaultConstructor() && is_owner_class(qualified_name_of(record)) &&
-                          record->getName() != "array";
-    if (!is_empty && involves_package(unit, unit.ast().getRecordType(record))) return true;
-  }
-  const clang::TemplateArgumentList* arguments = function->getTemplateSpecializationArgs();
-  return arguments && llvm::any_of(arguments->asArray(), [&](const clang::TemplateArgument& argument) {
-           return argument.getKind() == clang::TemplateArgument::Type &&
-                  involves_package(unit, argument.getAsType());
          });
 }
 
@@ -65,7 +49,6 @@ class EventFinder {
   void end_of(const clang::Stmt* at, unsigned when, clang::QualType type);
   void look_at_exchange(const clang::MemberExpr* array);
   bool is_own_lambda(const clang::FunctionDecl* function) const;
-  bool is_harmless(const clang::FunctionDecl* function, llvm::ArrayRef<const clang::Expr*> arguments) const;
   void look_at_delete(const clang::CXXDeleteExpr* stmt);
   void add_hidden(const clang::Stmt* at, FunctionView::Span span, clang::QualType type, bool releases);
   void add_call(const clang::Stmt* at, const clang::FunctionDecl* function,
@@ -90,7 +73,6 @@ std::set<EntityId> EventFinder::messages_in(llvm::ArrayRef<const clang::Expr*> a
   return messages;
 }
 
-/// The bodies of lambdas of this function are looked at as part of it.
 /// array.swap(vector), array = std::move(vector)
 void EventFinder::look_at_exchange(const clang::MemberExpr* array) {
   if (!is_data_array(array->getType())) return;
@@ -107,28 +89,13 @@ void EventFinder::look_at_exchange(const clang::MemberExpr* array) {
   add(std::move(event), whole, view_.span(whole));
 }
 
+/// The bodies of lambdas of this function are looked at as part of it.
 bool EventFinder::is_own_lambda(const clang::FunctionDecl* function) const {
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
   if (!method || !method->getParent()->isLambda()) return false;
   return llvm::any_of(view_.statements(), [&](const clang::Stmt* stmt) {
     const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt);
     return lambda && lambda->getLambdaClass() == method->getParent() && !lambda->isGenericLambda();
-  });
-}
-
-bool EventFinder::is_harmless(const clang::FunctionDecl* function,
-                              llvm::ArrayRef<const clang::Expr*> arguments) const {
-  if (function->getBuiltinID() != 0 && function->isExternC()) return true;
-  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
-  if (method && message_of(method->getParent())) return true;
-  if (!calls_nothing(qualified_name_of(function)) || makes_package_object(context_.unit, function))
-    return false;
-  // A lambda of this function that is handed over is part of the function's text.
-  return llvm::none_of(arguments, [&](const clang::Expr* argument) {
-    const clang::QualType type =
-        argument->IgnoreParenImpCasts()->getType();  // not the base class that it is passed as
-    const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-    return !(record && record->isLambda()) && involves_package(context_.unit, type);
   });
 }
 
@@ -156,7 +123,7 @@ void EventFinder::add_call(const clang::Stmt* at, const clang::FunctionDecl* fun
   const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(function);
   const bool seen = function && context_.unit.declares(function) && !(method && method->isVirtual());
   if (function && is_own_lambda(function)) return;
-  if (function && !context_.unit.declares(function) && is_harmless(function, arguments)) {
+  if (function && calls_no_package_code(context_.unit, function, arguments)) {
     const bool releases = !llvm::isa<clang::CXXConstructorDecl>(function) && !(method && method->isConst());
     for (const clang::Expr* argument : arguments)
       add_hidden(at, view_.span(at), argument->getType(), releases);

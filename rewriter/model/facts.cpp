@@ -74,6 +74,8 @@ void Facts::merge(Facts&& other) {
   for (auto& [usr, events] : other.effects) append(effects[usr], events);
   lasting.merge(other.lasting);
   early.merge(other.early);
+  contents.merge(other.contents);
+  addressed.merge(other.addressed);
   advertises.merge(other.advertises);
   publishes.merge(other.publishes);
   subscribes.merge(other.subscribes);

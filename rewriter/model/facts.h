@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "model/content_flow.h"
 #include "model/ids.h"
 #include "model/location.h"
 
@@ -267,6 +268,8 @@ struct EscapeFacts {
   std::map<std::string, std::vector<PublishEvent>> effects;  ///< what a function does, by USR
   std::set<EntityId> lasting;                                ///< static locals, and what closures hold
   std::set<std::string> early;  ///< functions that run before an object's members are all there, by USR
+  std::map<std::string, ContentFlow> contents;  ///< of functions that touch messages' arrays, by USR
+  std::set<std::string> addressed;              ///< functions that something else than a call names, by USR
 };
 
 struct Facts : EntityFacts, EscapeFacts {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "model/codes.h"
+#include "solve/copied_elements.h"
 #include "solve/flow_graph.h"
 #include "solve/memory_size.h"
 #include "solve/received_writes.h"
@@ -48,7 +49,8 @@ class SiteDescriber {
         options_(options),
         solution_(solution),
         flow_graph_(facts.flows),
-        received_(facts) {}
+        received_(facts),
+        copied_(facts) {}
 
   std::vector<Site> run() {
     for (const auto& item : facts_.publishes) {
@@ -79,6 +81,7 @@ class SiteDescriber {
   const Solution& solution_;
   FlowGraph flow_graph_;
   ReceivedWrites received_;
+  CopiedElements copied_;
   std::vector<Site> sites_;
   std::vector<const Publish*> published_without_copy_;
 };
@@ -106,6 +109,8 @@ void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
   } else {
     describe_origins(fact, site);
   }
+  if (site.level != Level::zero_copy) return;
+  if (const std::optional<Obstacle> why = copied_.why_copied(fact.id())) refuse(site, *why, Level::one_copy);
 }
 
 /// What the level rests on besides the analysis.

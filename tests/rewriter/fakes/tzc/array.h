@@ -17,6 +17,10 @@ class Array {
     v_ = v;
     return *this;
   }
+  Array& operator=(std::vector<T>&& v) {
+    v_ = std::move(v);
+    return *this;
+  }
   Array& operator=(std::initializer_list<T> values) {
     v_ = values;
     return *this;
@@ -40,6 +44,7 @@ class Array {
     v_.emplace_back(std::forward<A>(a)...);
   }
   void clear() { v_.clear(); }
+  void swap(Array& other) { v_.swap(other.v_); }
   void swap(std::vector<T>& v) { v_.swap(v); }
   bool empty() const { return v_.empty(); }
   std::size_t size() const { return v_.size(); }

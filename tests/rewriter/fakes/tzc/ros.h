@@ -22,6 +22,10 @@ template <class Map>
 const typename Map::mapped_type& find_publisher(const Map& map, const typename Map::key_type&) {
   return map.begin()->second;
 }
+template <class Sequence, class Index>
+auto find_publisher(const Sequence& sequence, Index) -> decltype(sequence[0u]) {
+  return sequence[0u];
+}
 template <class M>
 Publisher advertise(const ros::NodeHandle&, const std::string&, uint32_t, std::size_t = 0, bool = false) {
   return {};

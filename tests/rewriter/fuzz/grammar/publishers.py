@@ -140,7 +140,8 @@ def perhaps_missing(program, topic):
     home, parameter_type, argument, nothing, condition, call = program.rng.choice([
         (by_shared_pointer, f"const {SHARED}& out", "{}", f"{SHARED}()", "out", "out->"),
         (member, "ros::Publisher* out", "&{}", "nullptr", "out != nullptr", "out->"),
-        (in_vector, "std::vector<ros::Publisher>& outs", "{}", "none", "!outs.empty()", "outs[0].")])
+        (in_vector, "std::vector<ros::Publisher>& outs", "{}", "none", "!outs.empty()",
+         program.rng.choice(["outs[0].", "outs.at(0).", "outs.front().", "outs.back()."]))])
     stored, _ = home(program, topic)
 
     def wrap(lines):

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "facts/function_view.h"
+#include "facts/unit.h"
+#include "model/content_flow.h"
+
+namespace tzc::rewriter {
+
+/// What a function does to the content of messages, in the order of its control flow; none: nothing. Messages of the stock
+/// types and their twins alike, so that a port is seen as its original is.
+std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& view);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/library_calls.h"
+
+#include "facts/calls.h"
+#include "facts/known_functions.h"
+#include "facts/message_type.h"
+#include "facts/package_types.h"
+
+namespace tzc::rewriter {
+namespace {
+
+/// std::make_unique<Node>(1), std::vector<Node> nodes(3): no argument names the class whose constructor runs.
+bool makes_package_object(const Unit& unit, const clang::FunctionDecl* function) {
+  const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(function);
+  if (constructor && !constructor->isCopyOrMoveConstructor()) {
+    const clang::CXXRecordDecl* record = constructor->getParent();
+    const bool is_empty = constructor->isDefaultConstructor() && is_owner_class(qualified_name_of(record)) &&
+                          record->getName() != "array";
+    if (!is_empty && involves_package(unit, unit.ast().getRecordType(record))) return true;
+  }
+  const clang::TemplateArgumentList* arguments = function->getTemplateSpecializationArgs();
+  return arguments && llvm::any_of(arguments->asArray(), [&](const clang::TemplateArgument& argument) {
+           return argument.getKind() == clang::TemplateArgument::Type &&
+                  involves_package(unit, argument.getAsType());
+         });
+}
+
+}  // namespace
+
+bool calls_no_package_code(const Unit& unit, const clang::FunctionDecl* function,
+                           llvm::ArrayRef<const clang::Expr*> arguments) {
+  if (unit.declares(function)) return false;
+  if (function->getBuiltinID() != 0 && function->isExternC()) return true;
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
+  if (method && message_of(method->getParent())) return true;
+  if (!calls_nothing(qualified_name_of(function)) || makes_package_object(unit, function)) return false;
+  // A lambda of this function that is handed over is part of the function's text.
+  return llvm::none_of(arguments, [&](const clang::Expr* argument) {
+    const clang::QualType type =
+        argument->IgnoreParenImpCasts()->getType();  // not the base class that it is passed as
+    const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+    return !(record && record->isLambda()) && involves_package(unit, type);
+  });
+}
+
+}  // namespace tzc::rewriter

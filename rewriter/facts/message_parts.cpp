@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/message_parts.h"
+
+#include "facts/calls.h"
+#include "facts/message_type.h"
+
+namespace tzc::rewriter {
+namespace {
+
+constexpr unsigned max_depth = 12;
+
+/// The part of an expression that denotes the same object; null: it is no such expression.
+const clang::Expr* same_object(const clang::Expr* expr) {
+  if (const auto* cast = llvm::dyn_cast<clang::CastExpr>(expr)) return cast->getSubExpr();
+  if (const auto* full = llvm::dyn_cast<clang::FullExpr>(expr)) return full->getSubExpr();
+  if (const auto* made = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr)) return made->getSubExpr();
+  if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(expr)) return bound->getSubExpr();
+  if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr))
+    return op->getOpcode() == clang::UO_Deref || op->getOpcode() == clang::UO_AddrOf ? op->getSubExpr()
+                                                                                     : nullptr;
+  const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expr);
+  const bool is_pointer = made && !pointee_of(made->getType()).isNull();
+  return is_pointer && made->getNumArgs() == 1 ? made->getArg(0) : nullptr;
+}
+
+bool is_assigned(const FunctionView& view, const clang::DeclRefExpr* use) {
+  const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(view.parent(use));
+  const auto* call = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(view.parent(use));
+  const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(view.parent(use));
+  return (op && op->isAssignmentOp() && op->getLHS() == use) ||
+         (call && call->isAssignmentOp() && call->getArg(0) == use) ||
+         (member && !member->isArrow() && member->getMemberDecl()->getDeclName().isIdentifier() &&
+          (member->getMemberDecl()->getName() == "reset" || member->getMemberDecl()->getName() == "swap"));
+}
+
+}  // namespace
+
+bool is_stock_or_twin(clang::QualType type) {
+  return message_of(type.getNonReferenceType()).has_value() ||
+         twin_message_of(type.getNonReferenceType()).has_value();
+}
+
+bool is_stock_or_twin_array(clang::QualType type) {
+  if (is_data_array(type.getNonReferenceType())) return true;
+  const clang::CXXRecordDecl* record = type.getNonReferenceType()->getAsCXXRecordDecl();
+  return record && qualified_name_of(record) == "tzc::Array";
+}
+
+MessagePart MessageParts::root_of(const clang::ValueDecl* decl) const {
+  if (const auto* parameter = llvm::dyn_cast<clang::ParmVarDecl>(decl)) {
+    const auto* function = llvm::dyn_cast_or_null<clang::FunctionDecl>(parameter->getDeclContext());
+    if (function == view_.function())
+      return parameter_root(usr_of(pattern_of(function)), parameter->getFunctionScopeIndex());
+  }
+  const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
+  if (llvm::isa<clang::FieldDecl>(decl) || (variable && variable->hasGlobalStorage())) return usr_of(decl);
+  return "local " + std::to_string(unit_.offset(decl->getLocation())) + decl->getNameAsString();
+}
+
+/// A reference, or a pointer that is never given another value.
+bool MessageParts::is_another_name(const clang::VarDecl* variable) const {
+  if (!variable->getInit() || !variable->isLocalVarDecl() || variable->isStaticLocal()) return false;
+  if (variable->getType()->isReferenceType()) return true;
+  if (pointee_of(variable->getType()).isNull()) return false;
+  return llvm::none_of(view_.uses(variable),
+                       [&](const clang::DeclRefExpr* use) { return is_assigned(view_, use); });
+}
+
+MessagePart MessageParts::of_name(const clang::DeclRefExpr* name, unsigned depth) const {
+  const auto* variable = llvm::dyn_cast<clang::VarDecl>(name->getDecl());
+  if (!variable) return {};
+  if (is_another_name(variable))
+    if (MessagePart same = part_of(variable->getInit(), depth + 1); !same.empty()) return same;
+  return root_of(variable);
+}
+
+MessagePart MessageParts::of_member(const clang::MemberExpr* member, unsigned depth) const {
+  if (!llvm::isa<clang::FieldDecl, clang::VarDecl>(member->getMemberDecl())) return {};
+  const clang::QualType base = member->getBase()->getType();
+  const bool of_message = is_stock_or_twin(member->isArrow() ? base->getPointeeType() : base);
+  if (!of_message) return root_of(member->getMemberDecl());
+  const MessagePart whole = part_of(member->getBase(), depth + 1);
+  return whole.empty() ? whole : whole + "/" + member->getMemberDecl()->getNameAsString();
+}
+
+MessagePart MessageParts::element_of(const clang::Expr* container, const clang::Expr* index,
+                                     unsigned depth) const {
+  const MessagePart whole = part_of(container, depth + 1);
+  return whole.empty() ? whole : whole + "[" + unit_.text(index) + "]";
+}
+
+/// A function that returns one object of its own class.
+MessagePart MessageParts::of_result(const clang::FunctionDecl* function, unsigned depth) const {
+  const clang::FunctionDecl* definition = nullptr;
+  if (!function->isDefined(definition)) return {};
+  const auto* body = llvm::dyn_cast_or_null<clang::CompoundStmt>(definition->getBody());
+  const auto* returned =
+      body && body->size() == 1 ? llvm::dyn_cast<clang::ReturnStmt>(body->body_front()) : nullptr;
+  if (!returned || !returned->getRetValue() || is_stock_or_twin(function->getReturnType().getCanonicalType()))
+    return function->getReturnType()->isReferenceType() && returned && returned->getRetValue()
+               ? part_of(returned->getRetValue(), depth + 1)
+               : MessagePart();
+  const MessagePart part = part_of(returned->getRetValue(), depth + 1);
+  return part.rfind("c:", 0) == 0 ? part : MessagePart();
+}
+
+MessagePart MessageParts::of_call(const clang::CallExpr* call, unsigned depth) const {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function) return {};
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call)) {
+    if (op->getOperator() == clang::OO_Arrow || op->getOperator() == clang::OO_Star)
+      return part_of(op->getArg(0), depth + 1);
+    return op->getOperator() == clang::OO_Subscript ? element_of(op->getArg(0), op->getArg(1), depth)
+                                                    : MessagePart();
+  }
+  if (passes_through(function)) return part_of(call->getArg(0), depth + 1);
+  if (unit_.declares(function)) return of_result(function, depth);
+  const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
+  if (!method || !function->getDeclName().isIdentifier()) return {};
+  const clang::Expr* object = method->getImplicitObjectArgument();
+  if (function->getName() == "get" || function->getName() == "value") return part_of(object, depth + 1);
+  if (function->getName() == "at" && call->getNumArgs() == 1)
+    return element_of(object, call->getArg(0), depth);
+  if (function->getName() != "front" && function->getName() != "back") return {};
+  const MessagePart whole = part_of(object, depth + 1);
+  return whole.empty() ? whole : whole + "[" + function->getNameAsString() + "]";
+}
+
+MessagePart MessageParts::part_of(const clang::Expr* expr, unsigned depth) const {
+  if (depth > max_depth) return {};
+  expr = expr->IgnoreParens();
+  if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(expr)) return of_name(name, depth);
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr)) return of_member(member, depth);
+  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(expr)) return of_call(call, depth);
+  if (const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr))
+    return element_of(element->getBase(), element->getIdx(), depth);
+  const clang::Expr* same = same_object(expr);
+  return same ? part_of(same, depth + 1) : MessagePart();
+}
+
+}  // namespace tzc::rewriter

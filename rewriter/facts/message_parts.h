@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "facts/function_view.h"
+#include "facts/unit.h"
+#include "model/content_flow.h"
+
+namespace tzc::rewriter {
+
+/// Which message, or part of one, an expression denotes: through references, pointers and elements of containers.
+class MessageParts {
+ public:
+  MessageParts(const Unit& unit, const FunctionView& view) : unit_(unit), view_(view) {}
+
+  /// Empty: not known.
+  MessagePart part_of(const clang::Expr* expr, unsigned depth = 0) const;
+  /// The root of a variable of the function, a parameter, a member or a global.
+  MessagePart root_of(const clang::ValueDecl* decl) const;
+
+ private:
+  MessagePart of_name(const clang::DeclRefExpr* name, unsigned depth) const;
+  MessagePart of_member(const clang::MemberExpr* member, unsigned depth) const;
+  MessagePart of_call(const clang::CallExpr* call, unsigned depth) const;
+  MessagePart of_result(const clang::FunctionDecl* function, unsigned depth) const;
+  MessagePart element_of(const clang::Expr* container, const clang::Expr* index, unsigned depth) const;
+  bool is_another_name(const clang::VarDecl* variable) const;
+
+  const Unit& unit_;
+  const FunctionView& view_;
+};
+
+/// A stock message or its twin.
+bool is_stock_or_twin(clang::QualType type);
+/// A data array of a stock message or of a twin.
+bool is_stock_or_twin_array(clang::QualType type);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What functions do to the content of messages, in the order of their control flow: plain values, so that functions
+// of several translation units can be solved together.
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/location.h"
+
+namespace tzc::rewriter {
+
+/// A message, a part of it or one of its arrays: a root and the fields that lead there, "ROOT/image/data". The root is a
+/// variable, a member or a function's parameter.
+using MessagePart = std::string;
+
+/// The root of a function's parameter.
+inline std::string parameter_root(const std::string& function, unsigned index) {
+  return "parameter " + std::to_string(index) + " of " + function;
+}
+
+/// A publish call, without the type that instances of a template give it.
+using PublishPlace = std::pair<std::string, unsigned>;  // file, byte offset
+
+struct ContentEvent {
+  enum class Kind {
+    reset,    ///< the part has no content any more, or content that nobody else has
+    take,     ///< the array is given the elements of a std::vector, which lie outside shared memory
+    write,    ///< an element is written, or may be
+    publish,  ///< the part's elements are shared from here on
+    call      ///< of a function of the package
+  };
+  Kind kind = Kind::write;
+  MessagePart part;
+  Location where;
+  PublishPlace site;                          ///< of a publish
+  std::string callee;                         ///< USR of the function that is called
+  std::map<std::string, MessagePart> passed;  ///< parameter's root -> what it is given
+};
+
+struct ContentBlock {
+  std::vector<ContentEvent> events;
+  std::vector<unsigned> next;
+};
+
+/// One function's events as a graph: block 0 is where it begins.
+struct ContentFlow {
+  std::vector<ContentBlock> blocks;
+  unsigned exit = 0;
+  bool makes_object = false;  ///< a constructor: the members are new
+};
+
+}  // namespace tzc::rewriter

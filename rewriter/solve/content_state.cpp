@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solve/content_state.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace tzc::rewriter {
+namespace {
+
+const MessagePart& name_of(const MessagePart& part) {
+  return part;
+}
+template <class Value>
+const MessagePart& name_of(const std::pair<const MessagePart, Value>& item) {
+  return item.first;
+}
+
+template <class Container>
+void erase_inside(Container& parts, const MessagePart& whole) {
+  for (auto it = parts.begin(); it != parts.end();)
+    it = lies_in(name_of(*it), whole) ? parts.erase(it) : std::next(it);
+}
+
+}  // namespace
+
+bool lies_in(const MessagePart& part, const MessagePart& whole) {
+  return part.compare(0, whole.size(), whole) == 0 &&
+         (part.size() == whole.size() || part[whole.size()] == '/');
+}
+
+bool ContentState::is_own(const MessagePart& part) const {
+  return std::any_of(own_.begin(), own_.end(), [&](const MessagePart& own) { return lies_in(part, own); });
+}
+
+std::set<PublishPlace> ContentState::sharers_of(const MessagePart& part) const {
+  std::set<PublishPlace> sites;
+  if (is_own(part)) return sites;
+  for (const auto& [whole, sharers] : shared_)
+    if (lies_in(part, whole)) sites.insert(sharers.begin(), sharers.end());
+  return sites;
+}
+
+void ContentState::unshare(const MessagePart& part) {
+  erase_inside(shared_, part);
+  erase_inside(own_, part);
+  if (!sharers_of(part).empty()) own_.insert(part);
+}
+
+void ContentState::reset(const MessagePart& part) {
+  unshare(part);
+  erase_inside(taken_, part);
+}
+
+void ContentState::take(const MessagePart& part, const Location& where) {
+  reset(part);
+  taken_.emplace(part, where);
+}
+
+std::optional<Location> ContentState::publish(const MessagePart& part, const PublishPlace& site) {
+  std::optional<Location> where;
+  for (const auto& [array, taken_at] : taken_)
+    if (!where && lies_in(array, part)) where = taken_at;
+  reset(part);
+  erase_inside(own_, part);
+  shared_[part] = {site};
+  return where;
+}
+
+void ContentState::share(const MessagePart& part, const std::set<PublishPlace>& sites) {
+  if (!sites.empty()) shared_[part].insert(sites.begin(), sites.end());
+}
+
+std::set<PublishPlace> ContentState::write(const MessagePart& array) {
+  std::set<PublishPlace> sites = sharers_of(array);
+  if (!sites.empty()) own_.insert(array);
+  return sites;
+}
+
+/// An array stays its owner's where each path has made it so, or shares nothing.
+bool ContentState::join(const ContentState& other) {
+  const auto before = std::make_tuple(shared_, own_, taken_.size());
+  std::set<MessagePart> own;
+  for (const MessagePart& part : own_)
+    if (other.sharers_of(part).empty()) own.insert(part);
+  for (const MessagePart& part : other.own_)
+    if (sharers_of(part).empty()) own.insert(part);
+  own_ = std::move(own);
+  for (const auto& [part, sites] : other.shared_) share(part, sites);
+  taken_.insert(other.taken_.begin(), other.taken_.end());
+  return before != std::make_tuple(shared_, own_, taken_.size());
+}
+
+void ContentState::add(const ContentState& other) {
+  for (const auto& [part, sites] : other.shared_) share(part, sites);
+  own_.insert(other.own_.begin(), other.own_.end());
+  taken_.insert(other.taken_.begin(), other.taken_.end());
+}
+
+ContentState ContentState::renamed(const Renaming& rename) const {
+  ContentState result;
+  for (const auto& [part, sites] : shared_)
+    if (const MessagePart name = rename(part); !name.empty()) result.share(name, sites);
+  for (const MessagePart& part : own_)
+    if (const MessagePart name = rename(part); !name.empty()) result.own_.insert(name);
+  for (const auto& [part, where] : taken_)
+    if (const MessagePart name = rename(part); !name.empty()) result.taken_.emplace(name, where);
+  return result;
+}
+
+}  // namespace tzc::rewriter

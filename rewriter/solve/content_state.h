@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "model/content_flow.h"
+
+namespace tzc::rewriter {
+
+/// Whether the part is the whole, or lies inside it.
+bool lies_in(const MessagePart& part, const MessagePart& whole);
+
+/// Which messages' elements are shared with subscribers, or lie outside shared memory, at one point of a program, on some
+/// path to it.
+class ContentState {
+ public:
+  /// Gives a part its name in another function; empty: it has none there.
+  using Renaming = std::function<MessagePart(const MessagePart&)>;
+
+  /// The part has content of its own from here on, or none.
+  void reset(const MessagePart& part);
+  /// The part has the elements of a std::vector from here on.
+  void take(const MessagePart& part, const Location& where);
+  /// Where a part of it was given a vector's elements; none: it was not.
+  std::optional<Location> publish(const MessagePart& part, const PublishPlace& site);
+  /// The publishes whose elements a write to the array copies. Afterwards the array has its own again.
+  std::set<PublishPlace> write(const MessagePart& array);
+
+  /// Adds what another path brings. False: it brings nothing new.
+  bool join(const ContentState& other);
+  /// Adds what is known of other parts.
+  void add(const ContentState& other);
+  void share(const MessagePart& part, const std::set<PublishPlace>& sites);
+  void unshare(const MessagePart& part);
+  /// What is left of it under other names.
+  ContentState renamed(const Renaming& rename) const;
+  /// The sites that share a part around this one, or the part itself; none: nobody does.
+  std::set<PublishPlace> sharers_of(const MessagePart& part) const;
+
+ private:
+  bool is_own(const MessagePart& part) const;
+
+  std::map<MessagePart, std::set<PublishPlace>> shared_;
+  std::set<MessagePart> own_;  ///< inside shared parts
+  std::map<MessagePart, Location> taken_;
+};
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solve/copied_elements.h"
+
+#include <algorithm>
+
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+/// Members, globals and statics: the same object in each function. Their roots are USRs.
+bool outlives_functions(const MessagePart& part) {
+  return part.rfind("c:", 0) == 0;
+}
+
+MessagePart only_lasting(const MessagePart& part) {
+  return outlives_functions(part) ? part : MessagePart();
+}
+
+}  // namespace
+
+CopiedElements::CopiedElements(const Facts& facts) : facts_(facts) {
+  add_functions();
+  for (auto& [usr, function] : functions_)
+    if (called_from_outside(usr)) function.entry.emplace();
+  while (changed_) {
+    changed_ = false;
+    for (auto& [usr, function] : functions_)
+      if (function.entry) run(usr, function);
+  }
+}
+
+void CopiedElements::add_functions() {
+  for (const auto& [usr, flow] : facts_.contents) {
+    functions_[usr].flow = &flow;
+    for (const ContentBlock& block : flow.blocks)
+      for (const ContentEvent& event : block.events)
+        if (event.kind == ContentEvent::Kind::call && event.callee != usr) called_.insert(event.callee);
+  }
+}
+
+/// By the middleware, a timer or main's caller: no function of the package calls it.
+bool CopiedElements::called_from_outside(const std::string& usr) const {
+  return called_.count(usr) == 0 || facts_.addressed.count(usr) != 0;
+}
+
+/// False: no call that the block makes has returned yet.
+bool CopiedElements::step(const std::string& usr, const ContentBlock& block, ContentState& state) {
+  for (const ContentEvent& event : block.events) {
+    if (event.kind != ContentEvent::Kind::call || event.callee == usr) {
+      apply(event, state);
+      continue;
+    }
+    std::optional<ContentState> after = after_call(event, state);
+    if (!after) return false;
+    state = std::move(*after);
+  }
+  return true;
+}
+
+void CopiedElements::run(const std::string& usr, Function& function) {
+  const std::vector<ContentBlock>& blocks = function.flow->blocks;
+  std::vector<std::optional<ContentState>> states(blocks.size());
+  states[0] = function.entry;
+  std::set<unsigned> open{0};
+  while (!open.empty()) {
+    const unsigned index = *open.begin();
+    open.erase(open.begin());
+    ContentState state = *states[index];
+    if (!step(usr, blocks[index], state)) continue;
+    for (const unsigned next : blocks[index].next) {
+      const bool is_new = !states[next];
+      if (is_new)
+        states[next] = state;
+      else if (!states[next]->join(state))
+        continue;
+      open.insert(next);
+    }
+    if (index != function.flow->exit) continue;
+    if (!function.exit) {
+      function.exit = state;
+      changed_ = true;
+    } else {
+      changed_ |= function.exit->join(state);
+    }
+  }
+  leave(usr, function);
+}
+
+/// What a call from outside leaves behind is what the next one may find.
+void CopiedElements::leave(const std::string& usr, Function& function) {
+  if (!called_from_outside(usr)) return;
+  if (function.exit) changed_ |= anytime_.join(function.exit->renamed(only_lasting));
+  if (!function.flow->makes_object) changed_ |= function.entry->join(anytime_);
+}
+
+void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
+  switch (event.kind) {
+    case ContentEvent::Kind::reset:
+      return state.reset(event.part);
+    case ContentEvent::Kind::take:
+      return state.take(event.part, event.where);
+    case ContentEvent::Kind::publish:
+      if (const std::optional<Location> where = state.publish(event.part, event.site))
+        taken_.emplace(event.site, *where);
+      return;
+    case ContentEvent::Kind::write:
+      for (const PublishPlace& site : state.write(event.part)) writes_.emplace(site, event.where);
+      return;
+    case ContentEvent::Kind::call:
+      return;
+  }
+}
+
+void CopiedElements::enter(const std::string& usr, const ContentState& state) {
+  Function& callee = functions_.at(usr);
+  if (callee.entry) {
+    changed_ |= callee.entry->join(state);
+    return;
+  }
+  callee.entry = state;
+  changed_ = true;
+}
+
+/// None: no call of the function has returned yet.
+std::optional<ContentState> CopiedElements::after_call(const ContentEvent& event,
+                                                       const ContentState& before) {
+  const auto callee = functions_.find(event.callee);
+  if (callee == functions_.end()) return before;
+  const auto to_callee = [&](const MessagePart& part) {
+    for (const auto& [parameter, given] : event.passed)
+      if (lies_in(part, given)) return parameter + part.substr(given.size());
+    return only_lasting(part);
+  };
+  const auto to_caller = [&](const MessagePart& part) {
+    for (const auto& [parameter, given] : event.passed)
+      if (lies_in(part, parameter)) return given + part.substr(parameter.size());
+    return only_lasting(part);
+  };
+  ContentState inside = before.renamed(to_callee);
+  for (const auto& [parameter, given] : event.passed)  // a part of a message that is shared as a whole
+    inside.share(parameter, before.sharers_of(given));
+  enter(event.callee, inside);
+  if (!callee->second.exit) return {};
+  ContentState after = before.renamed([&](const MessagePart& part) {
+    const bool given = std::any_of(event.passed.begin(), event.passed.end(),
+                                   [&](const auto& item) { return lies_in(part, item.second); });
+    return given || outlives_functions(part) ? MessagePart() : part;
+  });
+  after.add(callee->second.exit->renamed(to_caller));
+  for (const auto& [parameter, given] : event.passed)
+    if (callee->second.exit->sharers_of(parameter).empty() && callee->second.exit->sharers_of(given).empty())
+      after.unshare(given);
+  return after;
+}
+
+std::optional<Obstacle> CopiedElements::why_copied(const SiteId& site) const {
+  const PublishPlace place{site.file, site.begin};
+  if (const auto found = taken_.find(place); found != taken_.end())
+    return Obstacle{codes::TZC1022,
+                    "line " + std::to_string(found->second.line) +
+                        " gives it the elements of a std::vector, which lie outside shared memory",
+                    found->second};
+  if (const auto found = writes_.find(place); found != writes_.end())
+    return Obstacle{codes::TZC1022,
+                    "line " + std::to_string(found->second.line) +
+                        " may use its elements for writing after this publish, which copies them",
+                    found->second};
+  return {};
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "model/facts.h"
+#include "solve/content_state.h"
+
+namespace tzc::rewriter {
+
+/// Which publishes of a tzc:: message cost a copy of its elements all the same: because they lie outside shared memory when
+/// they are published, or because the program writes them again later, while subscribers share them. It decides
+/// levels only, never whether a port is right.
+class CopiedElements {
+ public:
+  explicit CopiedElements(const Facts& facts);
+
+  /// None: no path to the call, and none from it, copies them.
+  std::optional<Obstacle> why_copied(const SiteId& site) const;
+
+ private:
+  struct Function {
+    const ContentFlow* flow = nullptr;
+    std::optional<ContentState> entry, exit;  ///< none: the function is not called, does not return
+  };
+
+  void add_functions();
+  bool called_from_outside(const std::string& usr) const;
+  void run(const std::string& usr, Function& function);
+  bool step(const std::string& usr, const ContentBlock& block, ContentState& state);
+  void apply(const ContentEvent& event, ContentState& state);
+  std::optional<ContentState> after_call(const ContentEvent& event, const ContentState& before);
+  void enter(const std::string& usr, const ContentState& state);
+  void leave(const std::string& usr, Function& function);
+
+  const Facts& facts_;
+  std::map<std::string, Function> functions_;
+  std::set<std::string> called_;
+  ContentState anytime_;  ///< of what outlives functions, when one is called from outside
+  std::map<PublishPlace, Location> writes_, taken_;
+  bool changed_ = true;
+};
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,23 @@
+// Elements are read through a message that is not const: that copies them, too.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+uint8_t run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.push_back(1);
+  pub.publish(image);
+  return image.data[0];
+}
+//--- expected
+// advertise src/node.cpp:6 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:9 sensor_msgs/Image one_copy 'image' TZC1022 line 10 may use its elements for writing after this publish, which copies them
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// -  sensor_msgs::Image image;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);

@@ -1,0 +1,30 @@
+// Written by another callback: a publish without a write in between copies nothing, so it is ported.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+  void onTimer() { pub_.publish(image_); }
+  void onPixel(uint8_t pixel) { image_.data.push_back(pixel); }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  sensor_msgs::Image image_;
+};
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:8 sensor_msgs/Image one_copy 'image' TZC1022 line 9 may use its elements for writing after this publish, which copies them
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+// -  void onTimer() { pub_.publish(image_); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
+// +  void onTimer() { pub_.allocate(image_); pub_.publish(image_); }
+// -  ros::Publisher pub_;
+// -  sensor_msgs::Image image_;
+// +  tzc::Publisher pub_;
+// +  tzc::sensor_msgs::Image image_;

@@ -1,0 +1,36 @@
+// Nothing is given.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+std::vector<uint8_t> render();
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+  void publish() {
+    sensor_msgs::Image image;
+    image.data = std::vector<uint8_t>();
+    image.data.resize(100);
+    pub_.publish(image);
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  std::vector<uint8_t> pixels_;
+  std::vector<uint8_t> empty_;
+};
+//--- expected
+// advertise src/node.cpp:9 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:14 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
+// -    sensor_msgs::Image image;
+// +    tzc::sensor_msgs::Image image;
+// +    pub_.allocate(image);
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;

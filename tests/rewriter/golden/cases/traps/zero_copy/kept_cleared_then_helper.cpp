@@ -1,0 +1,37 @@
+// Helpers write after the message was cleared, and are called from nowhere else.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+  void publish() {
+    image_.data.clear();
+    for (int i = 0; i < 100; ++i) add(i);
+    paint(image_);
+    pub_.publish(image_);
+  }
+  void add(uint8_t pixel) { image_.data.push_back(pixel); }
+  void paint(sensor_msgs::Image& image) { image.data[0] = 1; }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  sensor_msgs::Image image_;
+};
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:12 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
+// +    pub_.allocate(image_);
+// -  void paint(sensor_msgs::Image& image) { image.data[0] = 1; }
+// +  void paint(tzc::sensor_msgs::Image& image) { image.data[0] = 1; }
+// -  ros::Publisher pub_;
+// -  sensor_msgs::Image image_;
+// +  tzc::Publisher pub_;
+// +  tzc::sensor_msgs::Image image_;

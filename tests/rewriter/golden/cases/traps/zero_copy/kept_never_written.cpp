@@ -1,0 +1,31 @@
+// Built once, published often.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10);
+    image_.data.assign(100, 1);
+  }
+  void onTimer() { pub_.publish(image_); }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  sensor_msgs::Image image_;
+};
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:10 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10);
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10);
+// -  void onTimer() { pub_.publish(image_); }
+// +  void onTimer() { pub_.allocate(image_); pub_.publish(image_); }
+// -  ros::Publisher pub_;
+// -  sensor_msgs::Image image_;
+// +  tzc::Publisher pub_;
+// +  tzc::sensor_msgs::Image image_;

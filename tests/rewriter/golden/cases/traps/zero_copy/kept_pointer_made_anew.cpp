@@ -1,0 +1,35 @@
+// A pointer gets a new message in each turn.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+  void publish() {
+    image_ = boost::make_shared<sensor_msgs::Image>();
+    image_->data.resize(100);
+    image_->data[3] = 1;
+    pub_.publish(image_);
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  sensor_msgs::ImagePtr image_;
+};
+//--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:12 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
+// -    image_ = boost::make_shared<sensor_msgs::Image>();
+// +    image_ = boost::make_shared<tzc::sensor_msgs::Image>();
+// +    pub_.allocate(*image_);
+// -  ros::Publisher pub_;
+// -  sensor_msgs::ImagePtr image_;
+// +  tzc::Publisher pub_;
+// +  tzc::sensor_msgs::ImagePtr image_;
