@@ -7,6 +7,7 @@ usage: test_style.py CLANG_FORMAT CLANG_TIDY [--plugin PLUGIN]
 import io
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -64,12 +65,12 @@ class Format(StyleCase):
 
 
 class Tidy(StyleCase):
-    def tidy(self, *names):
+    def tidy(self, *names, options=()):
         build = os.path.join(self.root, "build")
         files = [os.path.join(self.root, name) for name in names or ["bench/a.cpp"]]
         self.write("build/compile_commands.json", json.dumps([{
             "directory": build, "file": file, "command": f"ccache c++ -I{self.root} -o {file}.o -c {file}"} for file in files]))
-        return self.outcome(tidy.main, *PLUGIN, CLANG_TIDY, self.root, build)
+        return self.outcome(tidy.main, *PLUGIN, *options, CLANG_TIDY, self.root, build)
 
     def marks(self):
         return len(os.listdir(os.path.join(self.root, "build/tidy")))
@@ -152,6 +153,26 @@ class Tidy(StyleCase):
             self.tidy(*names)
         self.assertEqual(batches, [2])
         self.assertEqual(self.tidy(*names)[0], 0)
+
+    def test_a_recorded_file_is_not_looked_at_in_another_clone(self):
+        self.write("bench/a.h", "static int* b = nullptr;\n")
+        self.write("bench/a.cpp", '#include "bench/a.h"\nint* a = nullptr;\n')
+        record = os.path.join(self.root, "clean.txt")
+        self.assertEqual(self.tidy(options=["--record", record])[0], 0)
+        other = tempfile.TemporaryDirectory()
+        self.addCleanup(other.cleanup)
+        self.root = shutil.copytree(self.root, other.name, dirs_exist_ok=True, ignore=shutil.ignore_patterns("build"))
+        self.assertEqual((self.tidy(options=["--clean", record])[0], self.marks()), (0, 0))
+        self.write("bench/a.h", "static int* b = 0;\n")
+        status, output = self.tidy(options=["--clean", record])
+        self.assertEqual(status, 1)
+        self.assertIn("bench/a.h:1", output)
+
+    def test_nothing_is_recorded_of_what_is_not_clean(self):
+        self.write("bench/a.cpp", "int* a = 0;\n")
+        record = os.path.join(self.root, "clean.txt")
+        self.assertEqual(self.tidy(options=["--record", record])[0], 1)
+        self.assertFalse(os.path.exists(record))
 
     def test_files_of_folders_with_other_checks(self):
         self.write("bench/.clang-tidy", "Checks: '-*,misc-unused-alias-decls'\nWarningsAsErrors: '*'\n")

@@ -9,7 +9,8 @@ not look for anything in system headers.
 
 A clean file is not looked at again until its content, that of a header it includes from the repository or the build
 folder, its compile command, the checks, clang-tidy, or the plugin changes: BUILD_FOLDER/tidy/ has a mark for each. Remove
-the folder after an upgrade of other projects' headers.
+the folder after an upgrade of other projects' headers. The repository has a list of such marks, too (--clean), so that a
+fresh clone looks at what has changed since the list was made; --record makes it anew, from a look at everything.
 """
 import argparse
 import collections
@@ -85,11 +86,14 @@ class Source:
         """Sources of one group are compiled alike and checked alike."""
         return self.folder, self.flags, self.configs
 
-    def key(self, headers, version):
+    def key(self, headers, version, places):
+        """The same wherever the repository and its build folder lie: `places` names both."""
         configs = b"".join(_content(config) for config in self.configs)
         content = headers.digest(self.path, include_folders(self.flags))
-        return hashlib.sha256(version + configs + repr((self.folder, self.flags, self.path)).encode()
-                              + content.encode()).hexdigest()
+        command = repr((self.folder, self.flags, self.path))
+        for folder, name in places:
+            command = command.replace(folder, name)
+        return hashlib.sha256(version + configs + command.encode() + content.encode()).hexdigest()
 
 
 def _content(path):
@@ -122,13 +126,20 @@ def _together(sources):
     return [part for part, _ in parts]
 
 
+def _version(program, plugin):
+    """Of clang-tidy, without the processor that it names, and of the plugin."""
+    said = subprocess.run([program, "--version"], stdout=subprocess.PIPE, check=True).stdout
+    beside = os.path.join(os.path.dirname(os.path.abspath(__file__)), "own_declarations.cpp")
+    return re.search(rb"version \S+", said).group() + (_content(beside) if plugin else b"")
+
+
 class Tidy:
-    def __init__(self, program, root, build, plugin=None):
-        self._root, self._build = root, build
+    def __init__(self, program, root, build, plugin=None, clean=frozenset()):
+        self._root, self._build, self._clean = root, build, clean
         self._program = [program] + ([f"--load={plugin}"] if plugin else [])
         self._headers = Headers([root, build])
-        self._version = subprocess.run([program, "--version"], stdout=subprocess.PIPE, check=True).stdout
-        self._version += _content(plugin) if plugin else b""
+        self._version = _version(program, plugin)
+        self._places = [(os.path.realpath(build), "BUILD"), (os.path.realpath(root), "ROOT")]  # the inner one first
         self._marks = os.path.join(build, "tidy")
         os.makedirs(self._marks, exist_ok=True)
 
@@ -137,7 +148,8 @@ class Tidy:
         groups = collections.defaultdict(list)
         for entry in entries:
             source = Source(self._root, entry)
-            if not os.path.exists(self._mark(source)):
+            key = self.key(source)
+            if key not in self._clean and not os.path.exists(os.path.join(self._marks, key)):
                 groups[source.group()].append(source)
         return [part for sources in groups.values() for part in _together(sources)]
 
@@ -146,7 +158,7 @@ class Tidy:
         status, text = self._look_at(batch)
         if status == 0:
             for source in batch:
-                _write(self._mark(source), source.path + "\n")
+                _write(os.path.join(self._marks, self.key(source)), source.path + "\n")
             return ""
         if len(batch) == 1:
             return text
@@ -181,8 +193,8 @@ class Tidy:
                                 cwd=source.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
         return result.returncode, result.stdout + _without_counts(result.stderr)
 
-    def _mark(self, source):
-        return os.path.join(self._marks, source.key(self._headers, self._version))
+    def key(self, source):
+        return source.key(self._headers, self._version, self._places)
 
 
 def _write(path, text):
@@ -202,22 +214,39 @@ def entries(root, build, wanted):
     return [by_file[path] for path in (os.path.realpath(os.path.join(root, file)) for file in files) if path in by_file]
 
 
+def read_keys(path):
+    with open(path, encoding="utf-8") as file:
+        return frozenset(line.split()[0] for line in file if not line.startswith("#"))
+
+
+def write_keys(path, tidy, root, sources):
+    rows = sorted((os.path.relpath(source.path, root), tidy.key(source)) for source in sources)
+    _write(path, "# What clang-tidy has nothing to say about. Made by scripts/test.d/full/0-tidy.\n"
+           + "".join(f"{key} {name}\n" for name, key in rows))
+
+
 def main(*words):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--plugin", type=os.path.abspath, help="a plugin that clang-tidy loads")
+    lists = parser.add_mutually_exclusive_group()
+    lists.add_argument("--clean", help="a list of what is clean, from --record")
+    lists.add_argument("--record", help="look at everything, and write the list of what is clean to this file")
     parser.add_argument("clang_tidy")
     parser.add_argument("repository", type=os.path.abspath)
     parser.add_argument("build", type=os.path.abspath)
     parser.add_argument("files", nargs="*")
     asked = parser.parse_args(words)
     todo = entries(asked.repository, asked.build, asked.files)
-    tidy = Tidy(asked.clang_tidy, asked.repository, asked.build, asked.plugin)
+    clean = read_keys(asked.clean) if asked.clean else frozenset()
+    tidy = Tidy(asked.clang_tidy, asked.repository, asked.build, asked.plugin, clean)
     bad = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for text in pool.map(tidy.complaints, tidy.batches(todo)):
             bad += bool(text)
             print(text, end="", flush=True)
     print(f"{len(todo)} files, " + (f"not clean: {bad} groups of them" if bad else "clean"))
+    if asked.record and todo and not bad:
+        write_keys(asked.record, tidy, asked.repository, [Source(asked.repository, entry) for entry in todo])
     return 1 if bad or not todo else 0
 
 
