@@ -88,7 +88,9 @@ class Search {
            fmt::format("{} sends {} to {} over {}: {}.{}", node.name, topic.name, connection.subscriber,
                        name(connection.transport), connection.reason, remedy(connection.reason))});
     const std::uint64_t lost = connection.revoked_for_queue + connection.revoked_for_memory;
-    if (connection.lost_since.value_or(lost) > 0 && connection.transport == Transport::shared)
+    // A stopped process loses messages, of course; its line says what to do.
+    if (connection.lost_since.value_or(lost) > 0 && connection.transport == Transport::shared &&
+        !connection.is_stopped)
       found_.push_back({ProblemKind::lost, connection.subscriber,
                         fmt::format("{} did not take {} messages of {} from {} in time{}.",
                                     connection.subscriber, lost, topic.name, node.name,

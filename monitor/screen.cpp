@@ -6,6 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <sstream>
@@ -52,19 +53,20 @@ bool is_of_words(const std::string& line) {
          line.find(". ") != std::string::npos || (!line.empty() && line.back() == '.');
 }
 
-/// Lines of at most so many columns, broken between words.
+/// Lines of at most so many columns, broken between words; what stands in columns stays there.
 void wrap(const std::string& line, std::size_t columns, std::vector<std::string>& lines) {
   const std::string indent(columns > 40 ? 11 : 2, ' ');
   std::string current;
-  std::istringstream words(line);
-  const std::size_t margin = line.find_first_not_of(' ');
-  for (std::string word, gap(margin == std::string::npos ? 0 : margin, ' '); words >> word; gap = " ") {
-    if (!current.empty() && width(current) + 1 + width(word) > columns) {
+  for (std::size_t at = 0, word = 0; (word = line.find_first_not_of(' ', at)) != std::string::npos;) {
+    const std::size_t end = std::min(line.find(' ', word), line.size());
+    std::string more = line.substr(at, end - at);
+    if (!current.empty() && width(current) + width(more) > columns) {
       lines.push_back(cut(current, columns));
       current.clear();
-      gap = indent;
+      more = indent + line.substr(word, end - word);
     }
-    current += gap + word;
+    current += more;
+    at = end;
   }
   lines.push_back(cut(current, columns));
 }

@@ -7,6 +7,7 @@
 
 #include "latency.h"
 #include "problems.h"
+#include "summary.h"
 #include "words.h"
 
 namespace tzc::monitor {
@@ -74,6 +75,7 @@ class Table {
 
   void add_problems() {
     const std::vector<Problem> found = problems(nodes_);
+    text_ += paint(found.empty() ? green : red, summary(nodes_, found)) + "\n\n";
     if (found.empty()) return;
     text_ += paint(bold, "PROBLEMS") + "\n";
     for (const Problem& problem : found)

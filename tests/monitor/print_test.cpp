@@ -67,6 +67,8 @@ Node viewer() {
 TEST(Table, has_a_line_for_each_node_topic_and_connection) {
   EXPECT_EQ(
       table({camera(), viewer()}, false),
+      "2 nodes, 2 connections (1 shared, 1 TCPROS). 2 problems: 1 lost, 1 TCPROS.\n"
+      "\n"
       "PROBLEMS\n"
       "  lost     /viewer did not take 2 messages of /image from /camera in time: its queue was full.\n"
       "  TCPROS   /camera sends /image to /rviz over TCPROS: it has no TZC.\n"
@@ -95,6 +97,7 @@ TEST(Table, shows_the_latencies_since_the_last_look_when_there_are_any) {
 TEST(Table, without_problems_has_no_list_of_them) {
   Node node = viewer();
   EXPECT_THAT(table({node}, false), Not(HasSubstr("PROBLEMS")));
+  EXPECT_THAT(table({node}, false), testing::StartsWith("1 node, 0 connections. No problem.\n\n  TOPIC"));
 }
 
 TEST(Table, fits_a_terminal_of_100_columns_up_to_the_type) {
@@ -158,12 +161,18 @@ TEST(Json, has_no_rates_of_one_sample) {
   EXPECT_TRUE(nlohmann::json::parse(json_report({node}))["nodes"][0]["topics"][0]["per_second"].is_null());
 }
 
+TEST(Screen, keeps_columns_where_a_line_is_continued) {
+  EXPECT_EQ(fitted("  stopped  a.  b \n    -> /viewer  \x1b[32mshared    \x1b[0m  0.0/s  one two\n", 5, 36),
+            "  stopped  a.  b \x1b[K\r\n"
+            "    -> /viewer  \x1b[32mshared    \x1b[0m  0.0/s\x1b[K\r\n  one two\x1b[K");
+}
+
 TEST(Screen, cuts_what_does_not_fit) {
   EXPECT_EQ(fitted("one\ntwo\n", 5, 80), "one\x1b[K\r\ntwo\x1b[K");
   EXPECT_EQ(fitted("abcdef\n", 5, 3), "abc\x1b[K");
   EXPECT_EQ(fitted("\x1b[31mabcdef\x1b[0m\n", 5, 3), "\x1b[31mabc\x1b[0m\x1b[K");
   EXPECT_EQ(fitted("    -> /viewer  TCPROS  one two three\n", 5, 20),
-            "    -> /viewer\x1b[K\r\n  TCPROS one two\x1b[K\r\n  three\x1b[K");
+            "    -> /viewer\x1b[K\r\n  TCPROS  one two\x1b[K\r\n  three\x1b[K");
   EXPECT_EQ(fitted("1\n2\n3\n4\n", 3, 80),
             "1\x1b[K\r\n2\x1b[K\r\n... 2 more lines: see --topic and --once\x1b[K");
 }

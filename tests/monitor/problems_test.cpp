@@ -99,6 +99,14 @@ TEST_F(Problems, lost_messages_of_long_ago_are_none) {
   EXPECT_THAT(texts(), ElementsAre(HasSubstr("did not take 5 messages")));
 }
 
+TEST_F(Problems, of_a_stopped_process_are_not_told_twice) {
+  Connection& stopped = connect("/viewer");
+  stopped.pid = 77;
+  stopped.is_stopped = true;
+  stopped.revoked_for_queue = 5;
+  EXPECT_THAT(texts(), ElementsAre(HasSubstr("/viewer (process 77) is stopped")));
+}
+
 TEST_F(Problems, of_connections_say_what_to_do_and_come_last) {
   connect("/rviz", Transport::tcpros, "the node at http://a:1/ does not know the method tzcOffer");
   Connection& stopped = connect("/viewer");
