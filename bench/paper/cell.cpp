@@ -57,6 +57,10 @@ double mean_share(const Summary& summary) {
   return expected > 0 ? static_cast<double>(all) / static_cast<double>(expected) : 0;
 }
 
+bool in_full(const Summary& summary) {
+  return summary.holds_rate && worst_share(summary) == 1;
+}
+
 double copies_per_message(const Summary& summary) {
   const double bytes = static_cast<double>(summary.sent) * static_cast<double>(summary.cell.size_bytes);
   return bytes > 0 ? (moved_bytes(summary.publisher) + moved_bytes(summary.subscribers)) / bytes : 0;

@@ -45,6 +45,8 @@ Summary summarize(const CellResult& result, double wanted_rate);
 /// Of the subscriber that got fewest; 0 to 1.
 double worst_share(const Summary& summary);
 double mean_share(const Summary& summary);
+/// Every message was delivered, at the rate that was wanted: only then do latencies tell all.
+bool in_full(const Summary& summary);
 /// How often a message was copied: by memcpy and memmove, into sockets, out of sockets; by all processes together.
 double copies_per_message(const Summary& summary);
 

@@ -19,6 +19,7 @@ constexpr Create table[] = {
     tcpros_contender,
     intraprocess_contender,
     tzc_queue_contender,
+    tzc_spin_contender,
     tzc_direct_contender,
     asl_contender,
 #endif

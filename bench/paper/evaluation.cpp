@@ -4,37 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <iterator>
 
 #include "paper/plots.h"
 #include "paper/real_time_results.h"
 #include "paper/tables.h"
+#include "paper/turns.h"
 
 namespace tzc {
 namespace bench {
 namespace {
 
 using nlohmann::json;
-
-/// One measurement that is to be made.
-struct Turn {
-  const Cell* cell;
-  std::size_t round;
-  std::size_t count;
-};
-
-// A virtual machine's wake-ups can take twice as long in one minute as in the next: taking turns gives every cell its
-// share of both.
-std::vector<Turn> turns_of(const Options& options, const std::vector<CellResult>& results) {
-  std::vector<Turn> turns;
-  for (std::size_t round = 0; round < options.rounds; ++round) {
-    const std::size_t count = share_of(options, round);
-    for (const CellResult& result : results)
-      if (count > 0 && result.rounds.count(round) == 0) turns.push_back({&result.cell, round, count});
-  }
-  return turns;
-}
 
 std::string remark(const Summary& summary, double wanted_rate) {
   std::string text;
@@ -44,15 +27,11 @@ std::string remark(const Summary& summary, double wanted_rate) {
   return text;
 }
 
-void tell(const CellResult& result, std::size_t round, double wanted_rate) {
+void tell(const CellResult& result, std::size_t round, double wanted_rate, const std::string& left) {
   const Summary summary = summarize({result.cell, {*result.rounds.find(round)}}, wanted_rate);
   const std::string median =
       summary.latency_us ? fmt::format("median {:.1f} µs", summary.latency_us->median) : "nothing arrived";
-  fmt::print(stderr, "{}{}\n", median, remark(summary, wanted_rate));
-}
-
-std::string counted(std::size_t number, const char* noun) {
-  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+  fmt::print(stderr, "{}{}{}\n", median, remark(summary, wanted_rate), left);
 }
 
 void announce(const Turn& turn, std::size_t number, std::size_t of) {
@@ -63,20 +42,19 @@ void announce(const Turn& turn, std::size_t number, std::size_t of) {
              turn.round + 1);
 }
 
-std::vector<CellResult> load(const std::vector<Cell>& cells, const Store& store) {
-  std::vector<CellResult> results;
-  for (const Cell& cell : cells) results.push_back(store.load(cell));
-  return results;
+/// "; 3 h 20 min left"
+std::string time_left(std::size_t next, const std::vector<Turn>& turns, const Timetable& timetable) {
+  return next == turns.size() ? "" : "; " + duration_text(timetable.seconds_from(next, turns)) + " left";
 }
 
-void estimate(const Options& options, const std::vector<Turn>& turns) {
+void tell_plan(const std::vector<Turn>& turns, const Timetable& timetable) {
   if (turns.empty()) return void(std::fprintf(stderr, "everything is measured already\n"));
-  constexpr double start_and_end = 1, warm_up_messages = 20;
-  double seconds = 0;
-  for (const Turn& turn : turns)
-    seconds += start_and_end + (warm_up_messages + static_cast<double>(turn.count)) / options.rate;
   fmt::print(stderr, "{}, about {}\n", counted(turns.size(), "measurement"),
-             counted(static_cast<std::size_t>(seconds / 60) + 1, "minute"));
+             duration_text(timetable.seconds_from(0, turns)));
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// Of all cells, what was measured under these conditions.
@@ -87,20 +65,21 @@ std::vector<Summary> under(const Conditions& conditions, const std::vector<Summa
   return chosen;
 }
 
-/// The plots of latencies, one for each number of subscribers.
-std::vector<std::string> draw_latencies(const Options& options, const std::vector<Summary>& summaries,
-                                        const Store& store) {
-  std::vector<std::string> plots;
-  if (summaries.empty()) return plots;
-  for (const std::size_t subscribers : options.subscribers) {
-    const std::string name = plot_name(subscribers, summaries.front().cell.conditions);
-    plots.push_back(draw(store, name, plot_script(summaries, subscribers)));
-  }
-  return plots;
+void add_plot(const Store& store, const std::string& name, const std::string& script,
+              std::vector<Plot>& plots) {
+  std::string svg = draw(store, name, script);
+  if (!svg.empty()) plots.push_back({name, std::move(svg)});
 }
 
-void write_table(const Store& store, const std::string& name, const Table& table) {
-  if (!table.rows.empty()) store.write(name, to_csv(table));
+/// The plots of latencies, one for each number of subscribers.
+std::vector<Plot> draw_latencies(const Options& options, const std::vector<Summary>& summaries,
+                                 const Store& store) {
+  std::vector<Plot> plots;
+  if (summaries.empty()) return plots;
+  for (const std::size_t subscribers : options.subscribers)
+    add_plot(store, plot_name(subscribers, summaries.front().cell.conditions),
+             plot_script(summaries, subscribers), plots);
+  return plots;
 }
 
 void write_json(const Store& store, const std::vector<CellResult>& results,
@@ -111,16 +90,53 @@ void write_json(const Store& store, const std::vector<CellResult>& results,
   store.write("results.json", document.dump() + "\n");
 }
 
+std::vector<CellResult> measured(const std::vector<Cell>& cells, const Store& store) {
+  std::vector<CellResult> results = store.load(cells);
+  const auto empty = [](const CellResult& result) { return result.rounds.empty(); };
+  results.erase(std::remove_if(results.begin(), results.end(), empty), results.end());
+  return results;
+}
+
+/// Draws the plots, too.
+std::vector<Section> sections_of(const Options& options, const std::vector<CellResult>& results,
+                                 const std::vector<Summary>& summaries, const Store& store, bool with_plots) {
+  const std::vector<Summary> main = under(usual, summaries), loaded = under(under_load, summaries);
+  const std::vector<RealTimeFigures> real_time = real_time_figures(results, options.rate);
+  std::vector<Plot> main_plots, load_plots, real_time_plots;
+  if (with_plots) {
+    main_plots = draw_latencies(options, main, store);
+    load_plots = draw_latencies(options, loaded, store);
+    add_plot(store, "real-time", real_time_script(real_time), real_time_plots);
+  }
+  std::vector<Section> sections = usual_sections(main, std::move(main_plots));
+  for (Section& section : load_sections(loaded, std::move(load_plots)))
+    sections.push_back(std::move(section));
+  sections.push_back(real_time_section(real_time, std::move(real_time_plots)));
+  return sections;
+}
+
+/// The page, its tables, and the page for a repository.
+void write_sections(const Store& store, std::vector<Section> sections, const std::vector<Section>& more) {
+  sections.insert(sections.end(), more.begin(), more.end());
+  for (const Section& section : sections)
+    if (!section.table.rows.empty()) store.write(section.file, to_csv(section.table));
+  const json run = json::parse(store.read("run.json"));
+  store.write("index.html", page_of(run, sections));
+  store.write("README.md", markdown_of(run, sections));
+}
+
 }  // namespace
 
 Progress measure_missing(const Options& options, const std::vector<Cell>& cells, const Store& store,
                          const MeasureCell& measure) {
-  std::vector<CellResult> results = load(cells, store);
+  std::vector<CellResult> results = store.load(cells);
   const std::vector<Turn> turns = turns_of(options, results);
-  estimate(options, turns);
+  Timetable timetable(options.rate, results);
+  tell_plan(turns, timetable);
   bool failures = false;
   for (std::size_t i = 0; i < turns.size(); ++i) {
     announce(turns[i], i + 1, turns.size());
+    const auto start = std::chrono::steady_clock::now();
     Measurement round = measure(*turns[i].cell, turns[i].count);
     if (round.outcome == Outcome::interrupted) {
       std::fprintf(stderr, "interrupted\n");
@@ -133,40 +149,21 @@ Progress measure_missing(const Options& options, const std::vector<Cell>& cells,
     }
     const auto result = std::find_if(results.begin(), results.end(),
                                      [&](const CellResult& one) { return &one.cell == turns[i].cell; });
+    timetable.add(turns[i], round, seconds_since(start));
     result->rounds.emplace(turns[i].round, std::move(round));
     store.save(*result);
-    tell(*result, turns[i].round, options.rate);
+    tell(*result, turns[i].round, options.rate, time_left(i + 1, turns, timetable));
   }
   return failures ? Progress::with_failures : Progress::complete;
 }
 
 void write_reports(const Options& options, const std::vector<Cell>& cells, const Store& store,
                    bool with_plots, const std::vector<Section>& more) {
-  std::vector<CellResult> results = load(cells, store);
-  const auto empty = [](const CellResult& result) { return result.rounds.empty(); };
-  results.erase(std::remove_if(results.begin(), results.end(), empty), results.end());
+  const std::vector<CellResult> results = measured(cells, store);
   std::vector<Summary> summaries;
   for (const CellResult& result : results) summaries.push_back(summarize(result, options.rate));
-  const std::vector<Summary> main = under(usual, summaries), loaded = under(under_load, summaries);
-  const std::vector<RealTimeFigures> real_time = real_time_figures(results, options.rate);
-  store.write("latency.csv", to_csv(latency_table(main)));
-  store.write("reliability.csv", to_csv(reliability_table(main)));
-  store.write("copies.csv", to_csv(copies_table(main)));
-  write_table(store, "latency-load.csv", latency_table(loaded));
-  write_table(store, "reliability-load.csv", reliability_table(loaded));
-  write_table(store, "real-time.csv", real_time_table(real_time));
   write_json(store, results, summaries);
-  std::vector<std::string> main_plots, load_plots, real_time_plots;
-  if (with_plots) {
-    main_plots = draw_latencies(options, main, store);
-    load_plots = draw_latencies(options, loaded, store);
-    real_time_plots = {draw(store, "real-time", real_time_script(real_time))};
-  }
-  std::vector<Section> sections{latency_section(main, main_plots), reliability_section(main),
-                                copies_section(main), load_section(loaded, load_plots),
-                                real_time_section(real_time, real_time_plots)};
-  sections.insert(sections.end(), more.begin(), more.end());
-  store.write("index.html", page_of(json::parse(store.read("run.json")), sections));
+  write_sections(store, sections_of(options, results, summaries, store, with_plots), more);
 }
 
 }  // namespace bench

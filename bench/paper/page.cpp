@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "paper/comparison.h"
 #include "paper/tables.h"
 
 namespace tzc {
@@ -31,18 +32,39 @@ figcaption, .note { color: #555; font-size: 14px; }
 <h1>TZC evaluation</h1>
 )";
 
-constexpr char span[] = R"(<h2>What is measured</h2>
-<p>One publisher sends at a fixed rate to subscribers that are processes of their own, except for <code>intraprocess</code>.
+constexpr char measuring[] =
+    R"(<p>One publisher sends at a fixed rate to subscribers that are processes of their own, except for <code>intraprocess</code>.
 The contenders take turns in rounds. Each measurement begins with 20 messages that do not count.</p>
-<p>The span begins right before the publisher calls publish and ends where the subscriber's callback begins. Inside are
+)";
+
+constexpr char publishing_span[] =
+    R"(<p>The span begins right before the publisher calls publish and ends where the subscriber's callback begins. Inside are
 what publish does (serialization, the copy into a ring or into datagrams), the way, and what comes before the callback
 (de-serialization, the copy out, a callback queue). Outside are allocating or borrowing the message and filling it:
 contenders that copy send the same buffer again, the others get a message each time, before the span; none writes new
 content, and no callback reads the content.</p>
 )";
 
+constexpr char filling_span[] =
+    R"(<p>The span begins before the publisher allocates or borrows the message, and ends where the
+subscriber's callback begins. Inside are allocating, writing every byte of the message anew, publishing, the way, and what
+comes before the callback. No callback reads the content.</p>
+)";
+
+constexpr char overview_text[] =
+    "<p>Each contender over all its cells: how many it sent at the rate, the smallest share of messages that "
+    "a "
+    "subscriber got, the largest median and 99th percentile in µs, and the median of 4 MB divided by "
+    "that "
+    "of 4 KB, for the number of subscribers where that is most.</p>\n";
+
+constexpr char ranking_text[] =
+    "<p>Medians in µs, the fastest first. * not every message was delivered, or the publisher did not "
+    "reach 95&nbsp;% of the rate.</p>\n";
+
 constexpr char latency_text[] =
-    "<p>Box: first to third quartile; line: median; whiskers: 1st to 99th percentile, of all deliveries. * "
+    "<p>Times in µs. Box: first to third quartile; line: median; whiskers: 1st to 99th percentile, of "
+    "all deliveries. * "
     "not every "
     "message was delivered, or the publisher did not reach 95&nbsp;% of the rate: the figures are of what "
     "arrived.</p>\n";
@@ -61,8 +83,7 @@ constexpr char copies_text[] =
     "copy.</p>\n";
 
 constexpr char load_text[] =
-    "<p>The same while every processor is busy with another process of normal priority that computes and "
-    "moves "
+    "<p>Every processor is busy with another process of normal priority that computes and moves "
     "memory.</p>\n";
 
 constexpr char real_time_text[] =
@@ -84,6 +105,8 @@ constexpr char effort_text[] =
     "<p>What <code>tzc-rewrite</code> changes in a package, build files included, as counted in its diff. "
     "Nobody writes "
     "these lines; the paper reports fewer than 100 written by hand for each package.</p>\n";
+
+constexpr std::size_t most_rows_of_markdown = 30;  // more is read in a file
 
 std::string text_of(const json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
@@ -123,9 +146,42 @@ std::string inline_svg(const std::string& document) {
   return begin == std::string::npos ? "" : document.substr(begin);
 }
 
-std::string figures(const std::vector<std::string>& plots) {
+std::string figures(const std::vector<Plot>& plots) {
   std::string text;
-  for (const std::string& plot : plots) text += fmt::format("<figure>\n{}</figure>\n", inline_svg(plot));
+  for (const Plot& plot : plots) text += fmt::format("<figure>\n{}</figure>\n", inline_svg(plot.svg));
+  return text;
+}
+
+std::string span_of(const json& run) {
+  const std::string span = run.value("/settings/span"_json_pointer, "publish");
+  return std::string(measuring) + (span == "publish" ? publishing_span : filling_span);
+}
+
+std::string markdown_row(const std::vector<std::string>& fields) {
+  std::string text = "|";
+  for (const std::string& field : fields) text += " " + escaped(field) + " |";
+  return text + "\n";
+}
+
+std::string markdown(const Table& table) {
+  std::string text = markdown_row(table.columns) + "|";
+  for (std::size_t i = 0; i < table.columns.size(); ++i) text += " --- |";
+  text += "\n";
+  for (const auto& fields : table.rows) text += markdown_row(fields);
+  return text;
+}
+
+std::string markdown(const Section& section) {
+  std::string text = fmt::format("## {}\n\n{}\n", section.heading, section.text);
+  for (const Plot& plot : section.plots) text += fmt::format("![{0}]({0}.svg)\n\n", plot.name);
+  if (section.table.rows.size() <= most_rows_of_markdown) text += markdown(section.table) + "\n";
+  return text + fmt::format("[{0}]({0}): {1} rows.\n\n", section.file, section.table.rows.size());
+}
+
+std::string markdown_list(const json& object) {
+  std::string text;
+  for (const auto& [name, value] : object.items())
+    text += fmt::format("- {}: {}\n", escaped(name), escaped(text_of(value)));
   return text;
 }
 
@@ -154,42 +210,58 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-Section latency_section(const std::vector<Summary>& summaries, std::vector<std::string> plots) {
-  return {"Latency", latency_text, std::move(plots), latency_table(summaries), lacks_rate};
+std::vector<Section> usual_sections(const std::vector<Summary>& summaries, std::vector<Plot> plots) {
+  return {{"Overview", overview_text, "overview.csv", {}, overview_table(summaries)},
+          {"Ranking", ranking_text, "ranking.csv", {}, ranking_table(summaries)},
+          {"Latency", latency_text, "latency.csv", std::move(plots), latency_table(summaries), lacks_rate},
+          {"Reliability", reliability_text, "reliability.csv", {}, reliability_table(summaries), lost_some},
+          {"Copies", copies_text, "copies.csv", {}, copies_table(summaries)}};
 }
 
-Section reliability_section(const std::vector<Summary>& summaries) {
-  return {"Reliability", reliability_text, {}, reliability_table(summaries), lost_some};
+std::vector<Section> load_sections(const std::vector<Summary>& summaries, std::vector<Plot> plots) {
+  const std::string busy = load_text;
+  return {{"Under load: overview", busy + overview_text, "overview-load.csv", {}, overview_table(summaries)},
+          {"Under load: latency", busy + latency_text, "latency-load.csv", std::move(plots),
+           latency_table(summaries), lacks_rate},
+          {"Under load: reliability",
+           busy + reliability_text,
+           "reliability-load.csv",
+           {},
+           reliability_table(summaries),
+           lost_some}};
 }
 
-Section copies_section(const std::vector<Summary>& summaries) {
-  return {"Copies", copies_text, {}, copies_table(summaries)};
-}
-
-Section load_section(const std::vector<Summary>& summaries, std::vector<std::string> plots) {
-  return {"Under load", load_text, std::move(plots), latency_table(summaries), lacks_rate};
-}
-
-Section real_time_section(const std::vector<RealTimeFigures>& figures, std::vector<std::string> plots) {
-  return {"Real time", real_time_text, std::move(plots), real_time_table(figures)};
+Section real_time_section(const std::vector<RealTimeFigures>& figures, std::vector<Plot> plots) {
+  return {"Real time", real_time_text, "real-time.csv", std::move(plots), real_time_table(figures)};
 }
 
 Section types_section(Table table) {
-  return {"Message types", types_text, {}, std::move(table)};
+  return {"Message types", types_text, "types.csv", {}, std::move(table)};
 }
 
 Section effort_section(Table table) {
-  return {"Effort", effort_text, {}, std::move(table)};
+  return {"Effort", effort_text, "effort.csv", {}, std::move(table)};
 }
 
 std::string page_of(const json& run, const std::vector<Section>& sections) {
   std::string text = head + definitions(run.at("machine")) + definitions(run.at("versions")) +
                      definitions(run.at("settings")) +
-                     fmt::format("<p>Begun {}.</p>\n", escaped(text_of(run.at("begun")))) + span;
+                     fmt::format("<p>Begun {}.</p>\n", escaped(text_of(run.at("begun")))) +
+                     "<h2>What is measured</h2>\n" + span_of(run);
   for (const Section& section : sections)
     if (!section.table.rows.empty())
       text += "<h2>" + section.heading + "</h2>\n" + section.text + figures(section.plots) + html(section);
   return text + "</body>\n</html>\n";
+}
+
+std::string markdown_of(const json& run, const std::vector<Section>& sections) {
+  std::string text = "# Figures of the evaluation\n\nWritten by `tzc-bench paper`, begun " +
+                     escaped(text_of(run.at("begun"))) + ". The machine, versions and settings:\n\n" +
+                     markdown_list(run.at("machine")) + markdown_list(run.at("versions")) +
+                     markdown_list(run.at("settings")) + "\n" + span_of(run) + "\n";
+  for (const Section& section : sections)
+    if (!section.table.rows.empty()) text += markdown(section);
+  return text;
 }
 
 }  // namespace bench

@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <limits>
 
 #include "paper/contender_table.h"
+#include "posix/memory_limit.h"
 #include "real_time.h"
 
 namespace tzc {
@@ -31,15 +30,6 @@ Options in_real_time_case(Options options) {
   if (!sizes.empty()) sizes = {*std::max_element(sizes.begin(), sizes.end())};
   options.subscribers = {*std::max_element(options.subscribers.begin(), options.subscribers.end())};
   return options;
-}
-
-/// What the kernel could give without swapping.
-std::size_t available_bytes() {
-  std::ifstream file("/proc/meminfo");
-  std::string name, rest;
-  for (std::size_t kilobytes = 0; file >> name >> kilobytes; std::getline(file, rest))
-    if (name == "MemAvailable:") return kilobytes * 1024;
-  return std::numeric_limits<std::size_t>::max();  // not told: nothing is left out
 }
 
 template <class Condition>
@@ -75,16 +65,23 @@ Setup setup_of(const Cell& cell, const PaperOptions& options) {
   return setup;
 }
 
+std::size_t memory_of(const Cell& cell, const PaperOptions& options, const Contestants& contestants) {
+  return contestants.find(cell.contender)->memory_bytes(setup_of(cell, options));
+}
+
+std::string memory_obstacle(const Cell& cell, const PaperOptions& options, const Contestants& contestants) {
+  const std::size_t needed = memory_of(cell, options, contestants), free = posix::memory_headroom();
+  if (needed <= free && free - needed >= kept_free) return "";
+  return fmt::format("{} of {} to {} subscribers may need {} of memory, and {} is free", cell.contender,
+                     size_text(cell.size_bytes), cell.subscribers, size_text(needed), size_text(free));
+}
+
 void leave_out_impossible(const PaperOptions& options, const Contestants& contestants,
                           std::vector<Cell>& cells, std::vector<std::string>& said) {
-  const std::size_t available = available_bytes();
   remove_cells(cells, [&](const Cell& cell) {
-    const std::size_t needed = contestants.find(cell.contender)->memory_bytes(setup_of(cell, options));
-    if (needed <= available && available - needed >= kept_free) return false;
-    said.push_back(fmt::format("{} of {} to {} subscribers may need {} of memory, and {} is free; left out",
-                               cell.contender, size_text(cell.size_bytes), cell.subscribers,
-                               size_text(needed), size_text(available)));
-    return true;
+    const std::string why = memory_obstacle(cell, options, contestants);
+    if (!why.empty()) said.push_back(why + "; left out");
+    return !why.empty();
   });
   const auto real_time = [](const Cell& cell) { return cell.conditions.real_time; };
   if (std::none_of(cells.begin(), cells.end(), real_time)) return;

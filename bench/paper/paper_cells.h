@@ -26,6 +26,12 @@ std::vector<Cell> cells_of(const PaperOptions& options, const Contestants& conte
 /// What contender and processes of a cell are told, without a number of messages and a name.
 Setup setup_of(const Cell& cell, const PaperOptions& options);
 
+/// The most memory that the cell's processes need together.
+std::size_t memory_of(const Cell& cell, const PaperOptions& options, const Contestants& contestants);
+
+/// Why the machine, as it is now, cannot hold the cell's messages; empty: it can.
+std::string memory_obstacle(const Cell& cell, const PaperOptions& options, const Contestants& contestants);
+
 /// Takes away the cells that could need more memory than the machine has free, or real time where that is not permitted;
 /// `said` gets a line for each reason.
 void leave_out_impossible(const PaperOptions& options, const Contestants& contestants,

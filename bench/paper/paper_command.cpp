@@ -3,6 +3,8 @@
 #include <time.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "commands.h"
@@ -12,7 +14,9 @@
 #include "paper/evaluation.h"
 #include "paper/paper_cells.h"
 #include "paper/paper_options.h"
+#include "paper/plan.h"
 #include "paper/plots.h"
+#include "paper/publication.h"
 #include "paper/tool_tables.h"
 #include "processes.h"
 
@@ -23,6 +27,12 @@ namespace {
 using nlohmann::json;
 
 constexpr int interrupted_status = 130;  // as of a shell's command that SIGINT ended
+
+constexpr char plan_remarks[] =
+    "Cases that cannot hold the rate take longer; the progress of a run tells what is left of it. What "
+    "contenders "
+    "need\n"
+    "besides memory (a rosmaster, daemons, the network) is tried when a run begins.\n";
 
 std::string date() {
   const std::time_t now = std::time(nullptr);
@@ -52,6 +62,8 @@ MeasureCell measure_with(const Contestants& contestants, const PaperOptions& opt
     Setup setup = setup_of(cell, options);
     setup.count = count;
     setup.name = unique_name();
+    const std::string obstacle = memory_obstacle(cell, options, contestants);  // others may have taken it
+    if (!obstacle.empty()) return fmt::print(stderr, "{}: ", obstacle), Measurement();
     const auto load = cell.conditions.load ? std::make_unique<Load>() : nullptr;
     return measure(*contestants.find(cell.contender), setup);
   };
@@ -62,20 +74,33 @@ int fail(int status, const std::string& message) {
   return status;
 }
 
-void write_section(const Store& store, const std::string& file, Section section,
-                   std::vector<Section>& sections) {
-  if (section.table.rows.empty()) return;
-  store.write(file, to_csv(section.table));
-  sections.push_back(std::move(section));
+/// What is counted and not measured: message types and changed lines.
+std::vector<Section> counted_sections(const PaperOptions& options, std::vector<std::string>& said) {
+  return {types_section(types_table(options.types, said)),
+          effort_section(effort_table(options.effort, said))};
 }
 
-/// What is counted and not measured: message types and changed lines.
-std::vector<Section> counted_sections(const PaperOptions& options, const Store& store,
-                                      std::vector<std::string>& said) {
-  std::vector<Section> sections;
-  write_section(store, "types.csv", types_section(types_table(options.types, said)), sections);
-  write_section(store, "effort.csv", effort_section(effort_table(options.effort, said)), sections);
-  return sections;
+/// Nothing, where no run has begun in this folder.
+std::vector<CellResult> measured_already(const PaperOptions& options, const std::vector<Cell>& cells) {
+  if (std::filesystem::exists(options.output + "/run.json")) {
+    const Store store(options.output);
+    store.begin(description_of(options));
+    return store.load(cells);
+  }
+  std::vector<CellResult> results;
+  for (const Cell& cell : cells) results.push_back({cell, {}});
+  return results;
+}
+
+int show_plan(const PaperOptions& options, const Contestants& contestants) {
+  std::vector<Cell> cells = cells_of(options, contestants);
+  std::vector<std::string> obstacles;
+  leave_out_impossible(options, contestants, cells, obstacles);
+  const std::vector<CellResult> results = measured_already(options, cells);
+  const auto memory = [&](const Cell& cell) { return memory_of(cell, options, contestants); };
+  fmt::print("{}{}", plan_text(options.cells, results, memory), plan_remarks);
+  for (const std::string& obstacle : obstacles) fmt::print("{}\n", obstacle);
+  return 0;
 }
 
 /// What could not be measured is not what was asked for: the status says so.
@@ -86,16 +111,25 @@ int evaluate(const PaperOptions& options, const Contestants& contestants) {
   std::vector<std::string> obstacles;
   leave_out_impossible(options, contestants, cells, obstacles);
   const Daemons daemons(contestants.usual, cells, obstacles);
-  const std::vector<Section> counted = counted_sections(options, store, obstacles);
+  const std::vector<Section> counted = counted_sections(options, obstacles);
   for (const std::string& obstacle : obstacles) fail(1, obstacle);
   const Progress progress = measure_missing(options.cells, cells, store, measure_with(contestants, options));
   if (progress == Progress::interrupted)
     return fail(interrupted_status, "interrupted; the same command goes on from here");
   write_reports(options.cells, cells, store, options.plots, counted);
   std::printf("%s\n", store.path_of("index.html").c_str());
+  if (!options.publish.empty()) publish(store, options.publish);
   if (progress == Progress::with_failures)
     return fail(1, "some measurements failed; the same command tries them again");
   return obstacles.empty() ? 0 : 1;
+}
+
+int with_store_errors(const std::function<int()>& command) {
+  try {
+    return command();
+  } catch (const StoreError& error) {
+    return interrupted() ? interrupted_status : fail(1, error.what());
+  }
 }
 
 }  // namespace
@@ -107,14 +141,11 @@ int run_paper(int argc, char** argv) {
   const std::string unknown = unknown_name(options.cells, contestants);
   if (!unknown.empty())
     return fail(2, fmt::format("--only: there is no {}; there are {}", unknown, names_of(contestants.usual)));
+  if (options.dry_run) return with_store_errors([&] { return show_plan(options, contestants); });
   if (options.plots && gnuplot_version().empty())
     return fail(1, "gnuplot is not installed: install the package gnuplot-nox, or give --no-plots");
   hold_interrupts();
-  try {
-    return evaluate(options, contestants);
-  } catch (const StoreError& error) {
-    return interrupted() ? interrupted_status : fail(1, error.what());
-  }
+  return with_store_errors([&] { return evaluate(options, contestants); });
 }
 
 }  // namespace bench

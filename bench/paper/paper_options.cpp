@@ -16,6 +16,7 @@ Run again with the same options, it goes on where it was interrupted.
 Examples:
   tzc-bench paper                                  everything: some hours; results in ./tzc-paper
   tzc-bench paper --quick                          less than ten minutes: is all well?
+  tzc-bench paper --dry-run                        what that measures, and how long it takes
   tzc-bench paper --sizes 4m --only tcpros,tzc-queue --output camera
   tzc-bench paper --types /opt/ros/noetic/share --effort src/my_camera
 The machine should be idle: compare ratios within one run, never figures of two runs.)";
@@ -53,6 +54,11 @@ std::optional<int> parse_paper_options(int argc, char** argv, PaperOptions& opti
   app.add_flag("--fill", options.fills, "the span begins before the message is allocated and filled");
   app.add_flag("--real-time,!--no-real-time", options.real_time,
                "the cases under SCHED_FIFO; given unless --only is");
+  app.add_flag("--dry-run", options.dry_run,
+               "print what a run would measure, how long, with how much memory");
+  app.add_option("--publish", options.publish,
+                 "folder for page, tables and plots, as a repository shows them")
+      ->type_name("DIR");
   app.add_option("--types", options.types,
                  "count the message types below this folder; may be given more than once")
       ->type_name("DIR")

@@ -102,13 +102,9 @@ std::string latency_axis(const std::vector<const Summary*>& summaries) {
   return fmt::format("set yrange [0.999e{}:1e{}]\nset ytics ({})\n", bottom, top, tics);
 }
 
-bool questionable(const Summary& summary) {
-  return !summary.holds_rate || worst_share(summary) < 1;
-}
-
 std::string title(const std::vector<const Summary*>& summaries, std::size_t subscribers) {
   const bool marked = std::any_of(summaries.begin(), summaries.end(),
-                                  [](const Summary* summary) { return questionable(*summary); });
+                                  [](const Summary* summary) { return !in_full(*summary); });
   const bool load = summaries.front()->cell.conditions.load;
   return fmt::format("set title \"{} subscriber{}{}{}\"\n", subscribers, subscribers == 1 ? "" : "s",
                      load ? ", every processor busy with other work" : "",
@@ -133,7 +129,7 @@ std::string axes(const Places& places) {
 std::string marks(const std::vector<const Summary*>& summaries, const Places& places) {
   std::string text;
   for (const Summary* summary : summaries)
-    if (questionable(*summary))
+    if (!in_full(*summary))
       text += fmt::format("set label \"*\" at {:.4f}, {:.3f} center offset 0, 0.5 front\n",
                           places.of(summary->cell), summary->latency_us->p99);
   return text;

@@ -140,6 +140,12 @@ CellResult Store::load(const Cell& cell) const {
   return result;
 }
 
+std::vector<CellResult> Store::load(const std::vector<Cell>& cells) const {
+  std::vector<CellResult> results;
+  for (const Cell& cell : cells) results.push_back(load(cell));
+  return results;
+}
+
 void Store::save(const CellResult& result) const {
   json document{{"contender", result.cell.contender},
                 {"size_bytes", result.cell.size_bytes},

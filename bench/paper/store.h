@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "paper/cell.h"
 
@@ -40,6 +41,7 @@ class Store {
 
   /// The rounds of the cell that were measured already.
   CellResult load(const Cell& cell) const;
+  std::vector<CellResult> load(const std::vector<Cell>& cells) const;
   void save(const CellResult& result) const;
 
  private:

@@ -42,7 +42,7 @@ USES = {
     "bench": [],
     "bench/core": ["bench", "runtime/channel"],
     "bench/roscpp": ["bench", "bench/core", "runtime/roscpp"],
-    "bench/paper": ["bench", "bench/core", "bench/roscpp"],
+    "bench/paper": ["bench", "bench/core", "bench/roscpp", "runtime/posix"],
     # tzc-monitor knows the layout of a statistics page and what owns a descriptor, and nothing else of the runtime.
     "monitor": ["runtime/posix", "runtime/statistics"],
     "monitor/diagnostics": ["monitor"],

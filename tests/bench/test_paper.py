@@ -103,6 +103,22 @@ def stamps(scratch):
     return {path: os.stat(path).st_mtime_ns for path in glob.glob(os.path.join(scratch, "out", "cells", "*"))}
 
 
+def check_publication(bench, scratch, options):
+    """A repository's page of what was measured: it refers to files beside it, and raw samples stay behind."""
+    folder = os.path.join(scratch, "repository", "docs")
+    done = run(bench, scratch, *options, "--publish", folder)
+    assert done.returncode == 0 and "measured already" in done.stderr, done
+    with open(os.path.join(folder, "README.md"), encoding="utf-8") as file:
+        page = file.read()
+    named = re.findall(r"\]\(([^)]+)\)", page)
+    assert {"latency-2.svg", "latency.csv", "overview.csv", "ranking.csv"} <= set(named), named
+    assert set(named) <= set(os.listdir(folder)) and "results.json" not in os.listdir(folder), os.listdir(folder)
+    assert json.loads(read(scratch, "run.json"))["machine"]["kernel"] in page, page
+    overview = {row["contender"]: row for row in rows(scratch, "overview.csv")}
+    assert {row["cells"] for row in overview.values()} == {"2"} and "tcpros" in overview, overview
+    assert [row["size_bytes"] for row in rows(scratch, "ranking.csv")] == ["4096", "65536"]
+
+
 def check_resuming(bench, scratch, options):
     before = stamps(scratch)
     again = run(bench, scratch, *options)
@@ -117,7 +133,7 @@ def check_resuming(bench, scratch, options):
 
 
 def report(bench, scratch):
-    contenders = ["tcpros", "intraprocess", "tzc-queue", "tzc-direct", "asl", "ach", "tzc"]
+    contenders = ["tcpros", "intraprocess", "tzc-queue", "tzc-spin", "tzc-direct", "asl", "ach", "tzc"]
     options = ["--sizes", "4k,64k", "--subscribers", "2", "--count", "4", *TINY, "--only", ",".join(contenders)]
     done = run(bench, scratch, *options)
     assert done.returncode == 0, done
@@ -129,6 +145,7 @@ def report(bench, scratch):
     check_copies(scratch, 65536, 2)
     check_page(scratch)
     check_plot(scratch, contenders)
+    check_publication(bench, scratch, options)
     check_resuming(bench, scratch, options)
     other = run(bench, scratch, *options, "--rate", "60")
     assert other.returncode != 0, "results of two rates were mixed"
@@ -222,7 +239,17 @@ def interruption(bench, scratch):
         check_interrupted_drawing(bench, another)
 
 
+def check_plan(bench, scratch):
+    """A dry run tells what a run would do, and does nothing."""
+    full = run(bench, scratch, "--dry-run", PATH=scratch)
+    assert full.returncode == 0 and re.search(r"^tcpros +2\d +1\d\d +\d+ minutes +\d+ MB$", full.stdout, re.M), full
+    large = run(bench, scratch, *ROS_FREE, "--sizes", "4k,1tb", "--dry-run")
+    assert large.returncode == 0 and "may need" in large.stdout and re.search(r"^all +2 ", large.stdout, re.M), large
+    assert not os.path.exists(os.path.join(scratch, "out")), "a dry run left something behind"
+
+
 def mistakes(bench, scratch):
+    check_plan(bench, scratch)
     unknown = run(bench, scratch, "--only", "tzc,udpros")
     assert unknown.returncode == 2 and "udpros" in unknown.stderr and "tcpros" in unknown.stderr, unknown
     assert run(bench, scratch, "--sizes", "many").returncode == 2

@@ -96,6 +96,14 @@ TEST_F(Evaluation, leaves_no_round_without_a_message) {
   EXPECT_THAT(measurements.asked, ElementsAre("a 1", "b 1"));
 }
 
+TEST_F(Evaluation, tells_how_much_time_is_left) {
+  testing::internal::CaptureStderr();
+  run();
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, testing::ContainsRegex("\\[1/4\\] a, .*; 1 minute left\n"));
+  EXPECT_THAT(said, testing::ContainsRegex("\\[4/4\\] b, [^;]*µs\n"));
+}
+
 TEST_F(Evaluation, reports_the_cells_that_it_has) {
   measurements.end_at = 2;
   run();
