@@ -151,7 +151,8 @@ std::string real_time_script(const std::vector<RealTimeFigures>& figures) {
   std::copy_if(figures.begin(), figures.end(), std::back_inserter(shown), has_both);
   if (shown.empty()) return "";
   const std::string plots =
-      "set multiplot layout 1,2\nset xlabel \"one-way latency\"\nset key top right samplen 2 spacing 1.2\n" +
+      "set multiplot layout 1,2 margins 0.07,0.96,0.14,0.84 spacing 0.1\nset xlabel \"one-way latency\"\n"
+      "set key at screen 0.5,0.98 center top horizontal maxrows 2 Left reverse samplen 2\n" +
       curves(shown, "latency", true) + "set xlabel \"error of the period\"\n" +
       curves(shown, "period", false) + "unset multiplot\n";
   return head + data(shown, "latency", &RealTimeFigures::latencies_us) +
