@@ -86,7 +86,7 @@ class Search {
       found_.push_back(
           {ProblemKind::tcpros, node.name,
            fmt::format("{} sends {} to {} over {}: {}.{}", node.name, topic.name, connection.subscriber,
-                       name(connection.transport), connection.reason, remedy(connection.reason))});
+                       name(connection.transport), named_reason(connection), remedy(connection.reason))});
     const std::uint64_t lost = connection.revoked_for_queue + connection.revoked_for_memory;
     // A stopped process loses messages, of course; its line says what to do.
     if (connection.lost_since.value_or(lost) > 0 && connection.transport == Transport::shared &&

@@ -15,7 +15,7 @@ std::string transport_text(const Connection& connection) {
                                  connection.transport == Transport::intraprocess
                                      ? "without any transport"
                                      : fmt::format("over {}", name(connection.transport)),
-                                 connection.reason);
+                                 named_reason(connection));
   const std::string remedy = advice(connection.reason);
   return remedy.empty() ? text : text + " " + remedy;
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace tzc::monitor {
 namespace {
 
@@ -69,6 +71,12 @@ const char* name(Transport transport) {
       return "unknown";
   }
   return "unknown";
+}
+
+std::string named_reason(const Connection& connection) {
+  constexpr std::string_view itself = "this node ";
+  if (connection.reason.rfind(itself, 0) != 0) return connection.reason;
+  return connection.subscriber + " " + connection.reason.substr(itself.size());
 }
 
 std::string advice(const std::string& reason) {

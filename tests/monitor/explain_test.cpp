@@ -36,7 +36,7 @@ TEST(Explain, a_shared_connection_by_its_subscriber) {
 TEST(Explain, all_connections_of_a_publisher) {
   EXPECT_THAT(explain({camera()}, "/camera", "/image").sentences,
               ElementsAre("/camera sends /image to /viewer through shared memory.",
-                          "/camera sends /image to /rviz over TCPROS: this node has not attached /image. It "
+                          "/camera sends /image to /rviz over TCPROS: /rviz has not attached /image. It "
                           "subscribes by nh.subscribe: use tzc::subscribe or tzc::attach there."));
 }
 
