@@ -58,21 +58,27 @@ class Watchers:
         return False
 
     def _watch(self):
-        # Their lives end one after the other.
-        terminals = [Terminal(self.monitor) for _ in range(self.count)]
-        for number, terminal in enumerate(terminals):
-            terminal.end_of_life += number / self.count
+        terminals = []
+        try:
+            self._replace(terminals)
+        finally:
+            for terminal in terminals:
+                terminal.kill()
+
+    def _replace(self, terminals):
+        for number in range(self.count):
+            terminals.append(Terminal(self.monitor))
+            terminals[-1].end_of_life += number / self.count  # their lives end one after the other
         while not self._over.is_set():
             readable = select.select([terminal.end for terminal in terminals], [], [], 0.05)[0]
-            for number, terminal in enumerate(terminals):
+            for terminal in list(terminals):
                 if terminal.end in readable:
                     self.nodes = b"bench_publisher" in terminal.read() or self.nodes
                 if time.monotonic() > terminal.end_of_life:
+                    terminals.remove(terminal)
                     terminal.kill()
                     self.kills += 1
-                    terminals[number] = Terminal(self.monitor)
-        for terminal in terminals:
-            terminal.kill()
+                    terminals.append(Terminal(self.monitor))
 
 
 def measure(options, scratch):
