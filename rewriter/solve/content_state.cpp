@@ -2,7 +2,6 @@
 #include "solve/content_state.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace tzc::rewriter {
 namespace {
@@ -66,8 +65,12 @@ std::optional<Location> ContentState::publish(const MessagePart& part, const Pub
   return where;
 }
 
-void ContentState::share(const MessagePart& part, const std::set<PublishPlace>& sites) {
-  if (!sites.empty()) shared_[part].insert(sites.begin(), sites.end());
+bool ContentState::share(const MessagePart& part, const std::set<PublishPlace>& sites) {
+  if (sites.empty()) return false;
+  std::set<PublishPlace>& known = shared_[part];
+  const std::size_t before = known.size();
+  known.insert(sites.begin(), sites.end());
+  return known.size() > before;
 }
 
 std::set<PublishPlace> ContentState::write(const MessagePart& array) {
@@ -78,16 +81,17 @@ std::set<PublishPlace> ContentState::write(const MessagePart& array) {
 
 /// An array stays its owner's where each path has made it so, or shares nothing.
 bool ContentState::join(const ContentState& other) {
-  const auto before = std::make_tuple(shared_, own_, taken_.size());
   std::set<MessagePart> own;
   for (const MessagePart& part : own_)
     if (other.sharers_of(part).empty()) own.insert(part);
   for (const MessagePart& part : other.own_)
     if (sharers_of(part).empty()) own.insert(part);
+  bool grown = own != own_;
   own_ = std::move(own);
-  for (const auto& [part, sites] : other.shared_) share(part, sites);
+  for (const auto& [part, sites] : other.shared_) grown |= share(part, sites);
+  const std::size_t taken_before = taken_.size();
   taken_.insert(other.taken_.begin(), other.taken_.end());
-  return before != std::make_tuple(shared_, own_, taken_.size());
+  return grown || taken_.size() > taken_before;
 }
 
 void ContentState::add(const ContentState& other) {

@@ -33,7 +33,8 @@ class ContentState {
   bool join(const ContentState& other);
   /// Adds what is known of other parts.
   void add(const ContentState& other);
-  void share(const MessagePart& part, const std::set<PublishPlace>& sites);
+  /// False: these sites share it already.
+  bool share(const MessagePart& part, const std::set<PublishPlace>& sites);
   void unshare(const MessagePart& part);
   /// What is left of it under other names.
   ContentState renamed(const Renaming& rename) const;

@@ -17,10 +17,15 @@ MessagePart only_lasting(const MessagePart& part) {
   return outlives_functions(part) ? part : MessagePart();
 }
 
+std::string root_of(const MessagePart& part) {
+  return part.substr(0, part.find('/'));
+}
+
 }  // namespace
 
 CopiedElements::CopiedElements(const Facts& facts) : facts_(facts) {
   add_functions();
+  touch_what_callees_touch();
   for (auto& [usr, function] : functions_)
     if (called_from_outside(usr)) function.entry.emplace();
   while (changed_) {
@@ -30,12 +35,46 @@ CopiedElements::CopiedElements(const Facts& facts) : facts_(facts) {
   }
 }
 
+/// A function is followed with the state of what it touches alone: of a whole package's members that may be little.
+bool CopiedElements::Function::touches(const MessagePart& part) const {
+  return outlives_functions(part) && touched.count(root_of(part)) != 0;
+}
+
 void CopiedElements::add_functions() {
   for (const auto& [usr, flow] : facts_.contents) {
-    functions_[usr].flow = &flow;
+    Function& function = functions_[usr];
+    function.flow = &flow;
+    const auto touch = [&](const MessagePart& part) {
+      if (outlives_functions(part)) function.touched.insert(root_of(part));
+    };
     for (const ContentBlock& block : flow.blocks)
-      for (const ContentEvent& event : block.events)
+      for (const ContentEvent& event : block.events) {
+        touch(event.part);
+        for (const auto& item : event.passed) touch(item.second);
         if (event.kind == ContentEvent::Kind::call && event.callee != usr) called_.insert(event.callee);
+      }
+  }
+}
+
+void CopiedElements::touch_what_callees_touch() {
+  std::map<std::string, std::set<std::string>> callers;
+  std::set<std::string> open;
+  for (const auto& [usr, function] : functions_) {
+    open.insert(usr);
+    for (const ContentBlock& block : function.flow->blocks)
+      for (const ContentEvent& event : block.events) callers[event.callee].insert(usr);
+  }
+  while (!open.empty()) {
+    const std::string usr = *open.begin();
+    open.erase(open.begin());
+    const std::set<std::string>& touched = functions_.at(usr).touched;
+    for (const std::string& name : callers[usr]) {
+      if (name == usr) continue;
+      Function& caller = functions_.at(name);
+      const std::size_t before = caller.touched.size();
+      caller.touched.insert(touched.begin(), touched.end());
+      if (caller.touched.size() > before) open.insert(name);
+    }
   }
 }
 
@@ -91,7 +130,9 @@ void CopiedElements::run(const std::string& usr, Function& function) {
 void CopiedElements::leave(const std::string& usr, Function& function) {
   if (!called_from_outside(usr)) return;
   if (function.exit) changed_ |= anytime_.join(function.exit->renamed(only_lasting));
-  if (!function.flow->makes_object) changed_ |= function.entry->join(anytime_);
+  if (function.flow->makes_object) return;
+  changed_ |= function.entry->join(anytime_.renamed(
+      [&](const MessagePart& part) { return function.touches(part) ? part : MessagePart(); }));
 }
 
 void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
@@ -125,12 +166,13 @@ void CopiedElements::enter(const std::string& usr, const ContentState& state) {
 /// None: no call of the function has returned yet.
 std::optional<ContentState> CopiedElements::after_call(const ContentEvent& event,
                                                        const ContentState& before) {
-  const auto callee = functions_.find(event.callee);
-  if (callee == functions_.end()) return before;
+  const auto found = functions_.find(event.callee);
+  if (found == functions_.end()) return before;
+  const Function& callee = found->second;
   const auto to_callee = [&](const MessagePart& part) {
     for (const auto& [parameter, given] : event.passed)
       if (lies_in(part, given)) return parameter + part.substr(given.size());
-    return only_lasting(part);
+    return callee.touches(part) ? part : MessagePart();
   };
   const auto to_caller = [&](const MessagePart& part) {
     for (const auto& [parameter, given] : event.passed)
@@ -141,15 +183,15 @@ std::optional<ContentState> CopiedElements::after_call(const ContentEvent& event
   for (const auto& [parameter, given] : event.passed)  // a part of a message that is shared as a whole
     inside.share(parameter, before.sharers_of(given));
   enter(event.callee, inside);
-  if (!callee->second.exit) return {};
+  if (!callee.exit) return {};
   ContentState after = before.renamed([&](const MessagePart& part) {
     const bool given = std::any_of(event.passed.begin(), event.passed.end(),
                                    [&](const auto& item) { return lies_in(part, item.second); });
-    return given || outlives_functions(part) ? MessagePart() : part;
+    return given || callee.touches(part) ? MessagePart() : part;
   });
-  after.add(callee->second.exit->renamed(to_caller));
+  after.add(callee.exit->renamed(to_caller));
   for (const auto& [parameter, given] : event.passed)
-    if (callee->second.exit->sharers_of(parameter).empty() && callee->second.exit->sharers_of(given).empty())
+    if (callee.exit->sharers_of(parameter).empty() && callee.exit->sharers_of(given).empty())
       after.unshare(given);
   return after;
 }

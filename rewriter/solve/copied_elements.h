@@ -24,10 +24,14 @@ class CopiedElements {
  private:
   struct Function {
     const ContentFlow* flow = nullptr;
+    std::set<std::string> touched;            ///< what outlives functions and it, or what it calls, names
     std::optional<ContentState> entry, exit;  ///< none: the function is not called, does not return
+
+    bool touches(const MessagePart& part) const;
   };
 
   void add_functions();
+  void touch_what_callees_touch();
   bool called_from_outside(const std::string& usr) const;
   void run(const std::string& usr, Function& function);
   bool step(const std::string& usr, const ContentBlock& block, ContentState& state);

@@ -142,6 +142,25 @@ TEST(CopiedElements, a_helper_that_is_called_by_the_middleware_too) {
   EXPECT_EQ(costs(contents, 100, {"paint"}), 12u);
 }
 
+TEST(CopiedElements, a_call_of_what_does_not_touch_it_changes_nothing) {
+  const std::string other = "c:@S@Node@FI@other_";
+  const std::map<std::string, ContentFlow> contents = {
+      {"f", straight({publish(member), call("g"), event(Kind::write, data_of(member), 7)})},
+      {"g", straight({event(Kind::reset, other), publish(other, 200)})}};
+  EXPECT_EQ(costs(contents), 7u);
+  EXPECT_EQ(costs(contents, 200), 0u);
+}
+
+TEST(CopiedElements, what_a_helper_of_a_helper_does_to_a_member) {
+  const auto through_helper = [](const ContentEvent& last) {
+    return std::map<std::string, ContentFlow>{
+        {"f", straight({call("g"), publish(member)})}, {"g", straight({call("h")})}, {"h", straight({last})}};
+  };
+  EXPECT_EQ(costs(through_helper(event(Kind::write, data_of(member), 14))), 14u);
+  EXPECT_EQ(costs(through_helper(event(Kind::take, data_of(member), 15))), 15u);
+  EXPECT_EQ(costs(through_helper(event(Kind::reset, data_of(member)))), 0u);
+}
+
 TEST(CopiedElements, functions_that_call_each_other_end) {
   EXPECT_EQ(costs({{"f", straight({call("g"), publish(member)})},
                    {"g", straight({call("h"), event(Kind::write, data_of(member), 4)})},
