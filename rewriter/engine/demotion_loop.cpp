@@ -28,13 +28,13 @@ DemotionLoop::Attempt DemotionLoop::planned(const Demotions& demotions) const {
   return attempt;
 }
 
-Expected<void> DemotionLoop::verify(Attempt& attempt, const std::set<std::string>& only) const {
+Expected<void> DemotionLoop::verify(Attempt& attempt, const std::set<std::string>& only, Judge judge) const {
   const auto progress = [&](unsigned done, unsigned total) {
     if (options_.progress)
       options_.progress->step(round_ == 0 ? "verifying" : "verifying again", done, total,
                               options_.package_dir);
   };
-  Expected<Verification> verification = verifier_.run({attempt.result.plan.edits, only, progress});
+  Expected<Verification> verification = verifier_.run({attempt.result.plan.edits, only, judge, progress});
   if (!verification) return verification.error();
   attempt.result.contents = std::move(verification->contents);
   attempt.failures = std::move(verification->failures);
@@ -64,18 +64,20 @@ std::vector<ComponentId> DemotionLoop::ported_components(const Attempt& attempt)
   return {ids.begin(), ids.end()};
 }
 
-/// Whether the unit of the failure compiles when these are not ported. Only that unit is looked at.
-Expected<bool> DemotionLoop::compiles_without(const Failure& failure,
-                                              const std::vector<ComponentId>& components) const {
+/// Whether the error is gone when these are not ported; the unit may have others. Only that unit is looked at,
+/// by the judge that found the error.
+Expected<bool> DemotionLoop::is_gone_without(const Failure& failure,
+                                             const std::vector<ComponentId>& components) const {
   Demotions trial = demotions_;
   for (const ComponentId component : components)
     trial.emplace(component, Obstacle{codes::TZC1009, "", failure.error.where});
   Attempt without = planned(trial);
-  if (Expected<void> done = verify(without, {failure.unit}); !done) return done.error();
-  return without.failures.empty();
+  if (Expected<void> done = verify(without, {failure.unit}, failure.judge); !done) return done.error();
+  return std::none_of(without.failures.begin(), without.failures.end(),
+                      [&](const Failure& left) { return left.is_same(failure); });
 }
 
-/// The component without which the unit compiles: first among those that the error's lines name, then among all
+/// The component without which the error is gone: first among those that the error's lines name, then among all
 /// that the unit sees, in halves. Costs a parse of one unit for each step.
 Expected<std::optional<ComponentId>> DemotionLoop::culprit_of(const Failure& failure) const {
   std::vector<ComponentId> suspects = failure.candidates;
@@ -84,13 +86,13 @@ Expected<std::optional<ComponentId>> DemotionLoop::culprit_of(const Failure& fai
   std::stable_partition(suspects.begin(), named_end, message);  // a message goes first
   std::stable_partition(named_end, suspects.end(), message);
   if (failure.named > 0 && failure.named < suspects.size()) {
-    const Expected<bool> named = compiles_without(failure, {suspects.begin(), named_end});
+    const Expected<bool> named = is_gone_without(failure, {suspects.begin(), named_end});
     if (!named) return named.error();
     *named ? suspects.erase(named_end, suspects.end()) : suspects.erase(suspects.begin(), named_end);
   }
   while (suspects.size() > 1) {
     const auto half = suspects.begin() + static_cast<long>(suspects.size() / 2);
-    const Expected<bool> first = compiles_without(failure, {suspects.begin(), half});
+    const Expected<bool> first = is_gone_without(failure, {suspects.begin(), half});
     if (!first) return first.error();
     *first ? suspects.erase(half, suspects.end()) : suspects.erase(suspects.begin(), half);
   }
@@ -104,7 +106,7 @@ Expected<void> DemotionLoop::demote_by_bisection(const Attempt& failed) {
   for (const Failure& failure : failed.failures) {
     if (!seen.insert(failure.unit).second) continue;
     if (seen.size() > 1) {
-      const Expected<bool> healed = compiles_without(failure, {});
+      const Expected<bool> healed = is_gone_without(failure, {});
       if (!healed) return healed.error();
       if (*healed) continue;
     }
@@ -154,7 +156,7 @@ Expected<DemotionLoop::Result> DemotionLoop::run() {
     Attempt attempt = planned(demotions_);
     const bool judged = options_.without_rules.count("verification") == 0;
     if (judged && demote_unseen(attempt)) continue;
-    if (Expected<void> done = verify(attempt, {}); !done) return done.error();
+    if (Expected<void> done = verify(attempt, {}, Judge::both); !done) return done.error();
     if (attempt.failures.empty() || !judged) return std::move(attempt.result);
     const Expected<bool> demoted = demote_some(attempt);
     if (!demoted) return demoted.error();

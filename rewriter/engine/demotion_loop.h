@@ -38,13 +38,13 @@ class DemotionLoop {
   };
   Attempt planned(const Demotions& demotions) const;
   /// `only`: the main files to verify; empty: all.
-  Expected<void> verify(Attempt& attempt, const std::set<std::string>& only) const;
+  Expected<void> verify(Attempt& attempt, const std::set<std::string>& only, Judge judge) const;
   Expected<bool> demote_some(const Attempt& failed);
   bool demote_suspects(const Attempt& attempt);
   bool demote_all_of(const Attempt& failed);
   Expected<void> demote_by_bisection(const Attempt& failed);
   Expected<std::optional<ComponentId>> culprit_of(const Failure& failure) const;
-  Expected<bool> compiles_without(const Failure& failure, const std::vector<ComponentId>& components) const;
+  Expected<bool> is_gone_without(const Failure& failure, const std::vector<ComponentId>& components) const;
   bool demote_unseen(const Attempt& attempt);
   void demote(ComponentId component, const Failure& failure);
   bool is_message(ComponentId component) const;

@@ -120,12 +120,21 @@ Expected<Verifier::Judgement> Verifier::ask_compiler(const VerifyRequest& reques
   return all;
 }
 
-Failure Verifier::failure_of(const std::string& unit, const Diagnostic& error,
-                             const Attribution& attribution) const {
-  Failure failure{error, unit, attribution.suspects_of(error), {}, 0};
+bool Failure::is_same(const Failure& other) const {
+  const Location &here = error.where, &there = other.error.where;
+  const bool placed = here.line > 0 && there.line > 0;
+  return unit == other.unit && here.file == there.file &&
+         (placed ? origin.has(other.origin.first) || other.origin.has(origin.first)
+                 : error.text == other.error.text);
+}
+
+void Verifier::attribute(Failure& failure, const Attribution& attribution) const {
+  const Diagnostic& error = failure.error;
+  failure.origin = attribution.original(error.where.file, error.where.line);
+  failure.suspects = attribution.suspects_of(error);
   std::set<std::string> files;
   for (const auto& [file, users] : package_.facts.units_of_file)
-    if (users.count(unit)) files.insert(file);
+    if (users.count(failure.unit)) files.insert(file);
   const std::set<ComponentId> named = attribution.named_at(error);
   const std::set<ComponentId> edited = attribution.edited_in(files);
   std::set_intersection(named.begin(), named.end(), edited.begin(), edited.end(),
@@ -133,7 +142,6 @@ Failure Verifier::failure_of(const std::string& unit, const Diagnostic& error,
   failure.named = failure.candidates.size();
   std::set_difference(edited.begin(), edited.end(), named.begin(), named.end(),
                       std::back_inserter(failure.candidates));
-  return failure;
 }
 
 Expected<Verification> Verifier::run(const VerifyRequest& request) {
@@ -142,11 +150,18 @@ Expected<Verification> Verifier::run(const VerifyRequest& request) {
   if (!contents) return contents.error();
   result.contents = std::move(*contents);
   const Attribution attribution(package_.facts, package_.components, {request.edits, result.contents, read_});
-  Expected<Judgement> judgement = ask_clang(request, result.contents, attribution);
-  if (judgement->empty()) judgement = ask_compiler(request, result.contents);
+  Expected<Judgement> judgement = Judgement();
+  Judge judge = Judge::clang;
+  if (request.judge != Judge::compiler) judgement = ask_clang(request, result.contents, attribution);
+  if (judgement->empty() && request.judge != Judge::clang) {
+    judge = Judge::compiler;
+    judgement = ask_compiler(request, result.contents);
+  }
   if (!judgement) return judgement.error();
-  for (const auto& [unit, error] : *judgement)
-    result.failures.push_back(failure_of(unit, error, attribution));
+  for (const auto& [unit, error] : *judgement) {
+    result.failures.push_back({error, unit, judge, {}, {}, {}, 0});
+    attribute(result.failures.back(), attribution);
+  }
   return result;
 }
 

@@ -19,13 +19,20 @@
 
 namespace tzc::rewriter {
 
+enum class Judge { both, clang, compiler };
+
 /// An error of the edited sources, and the components that may have caused it, likeliest first.
 struct Failure {
   Diagnostic error;
   std::string unit;
+  Judge judge = Judge::both;  ///< who found it
+  LineRange origin;           ///< the lines of the original that its line stands for
   std::vector<ComponentId> suspects;
   std::vector<ComponentId> candidates;  ///< those that the error's lines name first, then all of the unit's
   std::size_t named = 0;                ///< how many of the candidates are named there
+
+  /// Whether it is the same error with other edits, which may move it and change its words.
+  bool is_same(const Failure& other) const;
 };
 
 struct Verification {
@@ -46,6 +53,7 @@ struct VerifiedPackage {
 struct VerifyRequest {
   const Edits& edits;
   std::set<std::string> only;  ///< main files; empty: every unit that includes an edited file
+  Judge judge = Judge::both;   ///< both: the compiler is asked about what Clang accepts
   std::function<void(unsigned, unsigned)> progress;
 };
 
@@ -76,7 +84,7 @@ class Verifier {
   /// Calls that would pick another function than before, as errors.
   std::vector<Diagnostic> changed_calls(const std::string& unit, const std::vector<PackageCall>& now,
                                         const Attribution& attribution) const;
-  Failure failure_of(const std::string& unit, const Diagnostic& error, const Attribution& attribution) const;
+  void attribute(Failure& failure, const Attribution& attribution) const;
 
   VerifiedPackage package_;
   ParseOptions options_;

@@ -115,6 +115,34 @@ TEST_F(JudgesTest, a_unit_is_judged_again_only_when_its_text_changed) {
   EXPECT_LE(asked.size(), 5u);
 }
 
+/// An error without a place for each of these functions whose message is ported.
+CompilerCheck rejects(const std::vector<std::string>& names, unsigned& rounds) {
+  return [names, &rounds](const FileContents& contents, const std::set<std::string>&) {
+    ++rounds;
+    std::vector<CompilerError> errors;
+    if (contents.empty()) return errors;
+    const auto& [file, text] = *contents.begin();
+    for (const std::string& name : names) {
+      const std::size_t begin = text.find("void " + name + "(");
+      const std::size_t end = text.find("\n}", begin);
+      if (text.substr(begin, end - begin).find("tzc::sensor_msgs::Image image") != std::string::npos)
+        errors.push_back({file, {file, 0, 0}, "no " + name, {}});
+    }
+    return errors;
+  };
+}
+
+TEST_F(JudgesTest, of_several_errors_without_a_place_each_costs_its_own_message) {
+  std::string unit = includes;
+  for (const char* name : {"one", "two", "three", "four"}) unit += publisher(name).substr(includes.size());
+  unsigned rounds = 0;
+  judges.compiler = rejects({"one", "three"}, rounds);
+  const auto port = plan({{"src/node.cpp", unit}});
+  ASSERT_TRUE(port) << to_string(port.error());
+  EXPECT_EQ(levels(*port), "one_copy TZC1009\nzero_copy \none_copy TZC1009\nzero_copy \n");
+  EXPECT_LE(rounds, 12u);
+}
+
 /// A compiler that stops at its first error would need a round for each message.
 TEST_F(JudgesTest, many_errors_of_a_unit_end_in_few_rounds) {
   std::string unit = includes;
