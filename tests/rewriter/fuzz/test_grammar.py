@@ -39,6 +39,13 @@ class Programs(unittest.TestCase):
                 ("output", outputs.PLAIN + outputs.HIDDEN), ("time", [*times.ONCE, *times.ANEW, attacks.in_next_step])]
         self.assertEqual({f"{kind}: {way.__name__}" for kind, some in ways for way in some} - seen, set())
 
+    def test_what_writes_when_it_ends_does_not_outlive_the_elements(self):
+        late = {"store: " + store.__name__ for store in keepers.WRITE_AT_END}
+        for index in range(1000):
+            for topic in package.make_program("1", index, adversarial=True).topics:
+                if late & set(topic.traits):
+                    self.assertIn("transfer: unchanged", topic.traits, topic.name)
+
 
 class Comparison(unittest.TestCase):
     BEFORE = {("recorder.log", "/p001/topic1"): ["10:aa", "12:bb"], ("listener.log", "/p001/topic1"): ["10:aa",

@@ -69,7 +69,7 @@ def choose(program):
     store = rng.choice(pointers.STORES if rng.random() < 0.6 else keepers.STORES)
     owner = rng.choice(owners.OWNERS)
     output = rng.choice(outputs.PLAIN if rng.random() < 0.5 else outputs.HIDDEN)
-    if rng.random() < 0.25 and store not in TO_ARRAY:
+    if rng.random() < 0.25 and store not in TO_ARRAY + keepers.WRITE_AT_END:
         return owner, store, rng.choice(owners.TRANSFERS), output, rng.choice(times.ONCE)
     return owner, store, owners.unchanged, output, rng.choice(times.ONCE + times.ANEW)
 

@@ -165,3 +165,6 @@ STORES = [in_closure, in_function, closure_over_message, in_class, smart_pointer
           in_template_class, in_converting_class, kept_by_helper, returned_by_helper, kept_by_virtual_call,
           kept_by_template, passed_through, written_by_destructor, written_by_deleter, written_by_thread, by_context,
           unique_pointer, pointer_to_member, second_closure]
+
+# They write when they end, which is after what took the elements over ended.
+WRITE_AT_END = [written_by_destructor, written_by_deleter]
