@@ -8,12 +8,12 @@ import subprocess
 from toolchain import Failure
 
 
-def rewrite(config, build, package, report, more):
+def rewrite(toolchain, build, package, report, more):
     """Runs tzc-rewrite; its report. The package has compile commands and nothing to configure."""
-    includes = [word for folder in config["tzc_includes"] for word in ("--tzc-include", folder)]
+    includes = [word for folder in toolchain.config["tzc_includes"] for word in ("--tzc-include", folder)]
     # The programs' arrays are small, and would be left alone.
-    done = subprocess.run([config["rewrite"], "--verify=source", "--small=0", "-p", build, "--report", report, *includes,
-                           *more, package],
+    done = subprocess.run([toolchain.config["rewrite"], "--verify=source", "--small=0", "--jobs", str(toolchain.jobs),
+                           "-p", build, "--report", report, *includes, *more, package],
                           stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, check=False)
     if done.returncode not in (0, 1):

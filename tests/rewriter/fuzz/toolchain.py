@@ -5,7 +5,9 @@ import hashlib
 import json
 import os
 import shlex
+import shutil
 import subprocess
+import tempfile
 
 # Of the libraries that programs use. TZC's own headers are not among them: what a ported file needs it must include.
 PRECOMPILED = ["ros/ros.h", "sensor_msgs/Image.h", "sensor_msgs/PointCloud2.h", "sensor_msgs/point_cloud2_iterator.h",
@@ -19,10 +21,16 @@ class Failure(Exception):
     """Something that must not happen did; the text says what."""
 
 
+# As tzc-rewrite parses: its Clang takes no header that was precompiled with other macros, and rejects old code without.
+AS_PARSED = ["-DTZC_ENABLED", "-Wno-enum-constexpr-conversion", "-Wno-missing-template-arg-list-after-template-kw"]
+
+
 class Toolchain:
     def __init__(self, config, jobs):
         self.config, self.jobs = config, jobs
         self.harness = os.path.join(os.path.dirname(os.path.abspath(__file__)), "harness")
+        self.linker = ["-fuse-ld=lld"] if shutil.which("ld.lld") else []
+        self.objects = tempfile.TemporaryDirectory()  # of the harness, compiled once
 
     def flags(self, package):
         folders = [f"-I{package}/include", f"-I{self.harness}"]
@@ -32,27 +40,31 @@ class Toolchain:
     def tzc_flags(self):
         return [f"-I{folder}" for folder in self.config["tzc_includes"]]
 
-    def write_commands(self, package, build, sources):
+    def write_commands(self, package, build, sources, precompiled=None):
         """compile_commands.json, as catkin would have it made."""
         os.makedirs(build, exist_ok=True)
+        first = ["-include", precompiled] if precompiled else []
         entries = [{"directory": build, "file": f"{package}/{source}",
-                    "command": shlex.join(["c++", *self.flags(package), *self.tzc_flags(), "-o",
+                    "command": shlex.join(["c++", *first, *self.flags(package), *self.tzc_flags(), "-o",
                                            f"CMakeFiles/fuzz_nodes.dir/{source}.o", "-c", f"{package}/{source}"])}
                    for source in sources]
         with open(f"{build}/compile_commands.json", "w") as file:
             json.dump(entries, file, indent=1)
 
     def precompiled(self, folder):
-        """Made once for a build folder."""
+        """The stock headers as one, made once for a folder: for g++, and for tzc-rewrite where there is its Clang."""
         text = "".join(f"#include <{header}>\n" for header in PRECOMPILED)
-        command = ["g++", "-x", "c++-header", *self.flags("precompiled")]
-        name = f"{folder}/{hashlib.sha1(repr((text, command)).encode()).hexdigest()[:12]}.h"
-        if not os.path.exists(name + ".gch"):
-            os.makedirs(folder, exist_ok=True)
-            with open(name, "w") as file:
-                file.write(text)
-            check([*command, name, "-o", name + ".tmp"], "precompiling the stock headers")
-            os.rename(name + ".tmp", name + ".gch")
+        flags = ["-x", "c++-header", *self.flags("precompiled")]
+        commands = {".gch": ["g++", *flags]}
+        if self.config["clang"]:
+            commands[".pch"] = [self.config["clang"], *flags, *AS_PARSED]
+        name = f"{folder}/{hashlib.sha1(repr((text, commands)).encode()).hexdigest()[:12]}.h"
+        if not os.path.exists(name):
+            write_once(name, lambda path: write(path, text))
+        for suffix, command in commands.items():
+            if not os.path.exists(name + suffix):
+                write_once(name + suffix, lambda path, made_by=command: check([*made_by, name, "-o", path],
+                                                                              "precompiling the stock headers"))
         return name
 
     def build(self, package, build, sources, precompiled, ported):
@@ -60,7 +72,9 @@ class Toolchain:
         extra = (["-DFUZZ_TZC"] if ported else []) + self.tzc_flags()
         commands = [(f"{build}/{source.replace('/', '_')}.o", f"{package}/{source}",
                      ["-include", precompiled]) for source in sources]
-        commands.append((f"{build}/fuzz.o", f"{self.harness}/fuzz.cpp", []))
+        harness = f"{self.objects.name}/{'ported' if ported else 'original'}.o"
+        if not os.path.exists(harness):
+            commands.append((harness, f"{self.harness}/fuzz.cpp", []))
         os.makedirs(build, exist_ok=True)
 
         def compile_one(command):
@@ -69,12 +83,26 @@ class Toolchain:
             return output
 
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
-            objects = list(pool.map(compile_one, commands))
+            objects = {*pool.map(compile_one, commands), harness}
         libraries = self.config["libraries"] + (self.config["tzc_libraries"] if ported else [])
         libraries = [one if one.startswith(("/", "-")) else f"-l{one}" for one in libraries]
         folders = sorted({os.path.dirname(library) for library in libraries if "/" in library})
-        check(["g++", "-o", f"{build}/fuzz_nodes", *objects, *libraries, "-Wl,-rpath," + ":".join(folders)], "linking")
+        check(["g++", *self.linker, "-o", f"{build}/fuzz_nodes", *sorted(objects), *libraries,
+               "-Wl,-rpath," + ":".join(folders)], "linking")
         return f"{build}/fuzz_nodes"
+
+
+def write(path, text):
+    with open(path, "w") as file:
+        file.write(text)
+
+
+def write_once(path, make):
+    """A file that is complete as soon as it has its name."""
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    unfinished = f"{path}.{os.getpid()}"
+    make(unfinished)
+    os.rename(unfinished, path)
 
 
 def check(command, what):

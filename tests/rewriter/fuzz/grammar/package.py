@@ -48,15 +48,6 @@ def add_to_both(program, message):
     program.steps += publishers.in_block(lines + pairs[0].publish("msg") + pairs[1].publish("msg"))
 
 
-def groups_of(programs, size):
-    """Programs that need the same libraries go into one pair of source files."""
-    groups = []
-    for heavy in (False, True):
-        chosen = [p for p in programs if (KINDS[p.index % len(KINDS)] is libraries.CLOUDS) == heavy]
-        groups += [chosen[i:i + size] for i in range(0, len(chosen), size)]
-    return groups
-
-
 HEAD = "// SPDX-License-Identifier: BSD-3-Clause\n"
 STANDARD = ["algorithm", "cstring", "iterator", "map", "string", "vector"]
 
@@ -124,12 +115,12 @@ def write(path, text):
         file.write(text.rstrip() + "\n")
 
 
-def write_package(folder, programs, group_size=20):
-    """Writes the package; returns its sources, relative to it."""
+def write_package(folder, programs, group_size=50):
+    """Writes the package; returns its sources, relative to it. A unit costs more than the programs in it."""
     sources = ["src/main.cpp"]
     write(f"{folder}/src/main.cpp", main_text(programs))
-    for number, group in enumerate(groups_of(programs, group_size)):
-        sources += write_group(folder, number, group)
+    for first in range(0, len(programs), group_size):
+        sources += write_group(folder, first // group_size, programs[first:first + group_size])
     write(f"{folder}/package.xml", PACKAGE_XML)
     write(f"{folder}/CMakeLists.txt", CMAKE % " ".join(sources))
     return sources
