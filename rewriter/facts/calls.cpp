@@ -3,6 +3,8 @@
 
 #include <set>
 
+#include "facts/message_type.h"
+
 namespace tzc::rewriter {
 namespace {
 
@@ -29,6 +31,16 @@ Place span(const Place& from, unsigned begin, unsigned end) {
 unsigned first_paren(const Unit& unit, const Place& call, unsigned from) {
   const std::string text = unit.source.text(span(call, from, call.end));
   return from + static_cast<unsigned>(text.find('('));
+}
+
+/// Whether what is const in one type is not in the other, at any depth of raw and smart pointers.
+bool loses_const(clang::QualType before, clang::QualType after) {
+  while (!before.isNull() && !after.isNull()) {
+    if (before.isConstQualified() && !after.isConstQualified()) return true;
+    before = pointee_of(before);
+    after = pointee_of(after);
+  }
+  return false;
 }
 
 }  // namespace
@@ -115,12 +127,10 @@ bool is_publisher_class(const std::string& name) {
 }
 
 bool removes_const(const clang::ExplicitCastExpr* cast) {
-  const clang::Expr* from = cast->getSubExprAsWritten();
-  if (cast->isGLValue()) return from->getType().isConstQualified() && !cast->getType().isConstQualified();
-  const clang::QualType before = from->getType()->getPointeeType();
-  const clang::QualType after = cast->getType()->getPointeeType();
-  if (from->getType()->isArrayType() || before.isNull() || after.isNull()) return false;
-  return before.isConstQualified() && !after.isConstQualified();
+  const clang::QualType before = cast->getSubExprAsWritten()->getType(), after = cast->getType();
+  if (cast->isGLValue()) return loses_const(before, after);
+  const clang::QualType from = pointee_of(before), to = pointee_of(after);
+  return !before->isArrayType() && !from.isNull() && !to.isNull() && loses_const(from, to);
 }
 
 bool is_publish(const clang::CXXMemberCallExpr* call) {

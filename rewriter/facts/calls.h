@@ -54,6 +54,8 @@ std::vector<Change> receiver_first(const Unit& unit, const clang::CXXMemberCallE
                                    const Callee& callee, const std::string& last = "");
 
 std::optional<std::string> constant_string(const clang::Expr* expr);
+/// The calls of this function that fill ros::AdvertiseOptions or SubscribeOptions.
+std::vector<const clang::CallExpr*> options_calls(const Unit& unit, const clang::Expr* options);
 /// The message that ros::AdvertiseOptions or SubscribeOptions were made for; none: this function does not show it.
 std::optional<clang::QualType> options_message(const Unit& unit, const clang::Expr* options);
 

@@ -180,7 +180,7 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
     const FunctionView& view = analysis.analyse(function);
     if (std::optional<ContentFlow> flow = content_flow(unit_, view))
       facts_.contents.emplace(usr_of(pattern_of(function)), std::move(*flow));
-    mats.analyse(function);
+    mats.analyse(view);
   }
   mats.finish();
   for (const clang::MemberExpr* array : arrays) {

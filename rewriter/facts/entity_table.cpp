@@ -106,7 +106,8 @@ void EntityTable::connect_overrides(const EntityId& id, const clang::FunctionDec
   for (const clang::CXXMethodDecl* base : method->overridden_methods()) {
     if (!unit_.source.in_package(base->getLocation())) continue;
     const EntityId other = parameter < 0 ? declare_result(base) : declare(base->getParamDecl(parameter));
-    if (!other.empty()) add_flow(id, other, function->getLocation(), "overrides a function");
+    add_flow(id, other, function->getLocation(), "overrides a function");
+    add_flow(other, id, function->getLocation(), "is overridden");
   }
 }
 

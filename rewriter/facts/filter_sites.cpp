@@ -2,6 +2,7 @@
 #include "facts/filter_sites.h"
 
 #include "facts/ast_walk.h"
+#include "facts/callback_functions.h"
 #include "facts/callback_parameter.h"
 #include "facts/calls.h"
 #include "model/codes.h"
@@ -35,12 +36,20 @@ Subscribe FilterCollector::site_of(const Construction& construction, const Entit
   if (const auto message = filter_message(construction.record)) set_message(site, *message);
   for (const clang::Expr* argument : construction.arguments)
     if (!site.topic && !argument->getType()->isArithmeticType()) site.topic = constant_string(argument);
-  const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *construction.expr);
-  site.scope = function ? record_usr_of(function) : "";
+  site.scope = scope_of(construction.expr);
   if (filter.empty())
     site.obstacles.push_back(
         {codes::TZC2009, "what holds the filter cannot be given another type", location_of(site.where)});
   return site;
+}
+
+/// The class around an expression, also when a member begins with it.
+std::string FilterCollector::scope_of(const clang::Expr* expr) const {
+  if (const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *expr))
+    return record_usr_of(function);
+  for (const clang::DynTypedNode& node : ancestors(unit_.ast(), *expr))
+    if (const auto* field = node.get<clang::FieldDecl>()) return usr_of(field->getParent());
+  return "";
 }
 
 std::optional<Subscribe> FilterCollector::of_call(const clang::CXXMemberCallExpr* call) {
@@ -108,19 +117,15 @@ EntityId FilterCollector::constructed(const clang::CXXConstructExpr* construct) 
   return {};
 }
 
-void FilterCollector::note_callbacks(std::map<FilterCallback, FilterCallbackUse>& callbacks,
-                                     const clang::Stmt* stmt, const std::string& scope) const {
-  if (!stmt) return;
-  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt);
-  if (const auto* function = reference ? llvm::dyn_cast<clang::FunctionDecl>(reference->getDecl()) : nullptr)
-    for (const clang::ParmVarDecl* parameter : function->parameters()) {
-      const CallbackParameter one = callback_parameter_of(parameter->getType());
-      if (!one.message) continue;
-      FilterCallbackUse& use = callbacks[{scope, one.message->name}];
-      use.writes |= one.writes;
-      if (const EntityId id = entities_.declare(parameter); !id.empty()) use.parameters.insert(id);
-    }
-  for (const clang::Stmt* child : stmt->children()) note_callbacks(callbacks, child, scope);
+void FilterCollector::note_callback(std::map<FilterCallback, FilterCallbackUse>& callbacks,
+                                    const clang::FunctionDecl* function, const std::string& scope) const {
+  for (const clang::ParmVarDecl* parameter : function->parameters()) {
+    const CallbackParameter one = callback_parameter_of(parameter->getType());
+    if (!one.message) continue;
+    FilterCallbackUse& use = callbacks[{scope, one.message->name}];
+    use.writes |= one.writes;
+    if (const EntityId id = entities_.declare(parameter); !id.empty()) use.parameters.insert(id);
+  }
 }
 
 void FilterCollector::add_callbacks(const clang::CXXMemberCallExpr* call,
@@ -128,7 +133,8 @@ void FilterCollector::add_callbacks(const clang::CXXMemberCallExpr* call,
   const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *call);
   if (!function) return;
   for (const clang::Expr* argument : call->arguments())
-    note_callbacks(callbacks, argument, record_usr_of(function));
+    for (const clang::FunctionDecl* callback : callback_functions(unit_, argument))
+      note_callback(callbacks, callback, record_usr_of(function));
 }
 
 }  // namespace tzc::rewriter

@@ -38,8 +38,9 @@ class FilterCollector {
     llvm::ArrayRef<const clang::Expr*> arguments;
   };
   Subscribe site_of(const Construction& construction, const EntityId& filter) const;
-  void note_callbacks(std::map<FilterCallback, FilterCallbackUse>& callbacks, const clang::Stmt* stmt,
-                      const std::string& scope) const;
+  void note_callback(std::map<FilterCallback, FilterCallbackUse>& callbacks,
+                     const clang::FunctionDecl* function, const std::string& scope) const;
+  std::string scope_of(const clang::Expr* expr) const;
   EntityId constructed(const clang::CXXConstructExpr* construct);
 
   const Unit& unit_;

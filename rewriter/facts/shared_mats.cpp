@@ -1,222 +1,127 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/shared_mats.h"
 
-#include <clang/AST/StmtCXX.h>
-
 #include "facts/calls.h"
+#include "facts/shared_types.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
 namespace {
 
-std::string class_of(clang::QualType type) {
-  const clang::CXXRecordDecl* record = type.getNonReferenceType().getCanonicalType()->getAsCXXRecordDecl();
-  return record ? qualified_name_of(record) : "";
+const clang::ValueDecl* canonical(const clang::ValueDecl* decl) {
+  return llvm::cast<clang::ValueDecl>(decl->getCanonicalDecl());
 }
 
-bool is_mat(clang::QualType type) {
-  const std::string name = class_of(type);
-  return name == "cv::Mat" || name == "cv::Mat_";
+/// What a call gives to a parameter of the function; null: nothing that is written there.
+const clang::Expr* argument_of(const clang::Expr* mention, unsigned parameter) {
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(mention);
+  if (!call) return nullptr;
+  const bool of_object =
+      llvm::isa<clang::CXXOperatorCallExpr>(call) && llvm::isa<clang::CXXMethodDecl>(call->getDirectCallee());
+  const unsigned index = parameter + (of_object ? 1 : 0);
+  return index < call->getNumArgs() ? call->getArg(index) : nullptr;
 }
 
-bool is_smart_pointer(clang::QualType type) {
-  const std::string name = class_of(type);
-  return name == "boost::shared_ptr" || name == "std::shared_ptr";
-}
-
-/// Whether something of this type still leads to the elements.
-bool leads_on(clang::QualType type) {
-  return is_mat(type) || is_smart_pointer(type) || type->isAnyPointerType() ||
-         llvm::StringRef(class_of(type)).contains("Iterator");
-}
-
-bool is_share(const clang::Stmt* stmt) {
-  const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
-  const clang::FunctionDecl* function = call ? call->getDirectCallee() : nullptr;
-  return function && qualified_name_of(function) == "cv_bridge::toCvShare" && call->getNumArgs() > 0;
-}
-
-unsigned index_of(llvm::ArrayRef<const clang::Expr*> arguments, const clang::Expr* argument) {
-  return static_cast<unsigned>(llvm::find(arguments, argument) - arguments.begin());
+/// The object that an expression selects a part of, or refers to; null: none.
+const clang::Expr* inner(const clang::Expr* expr) {
+  if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr)) return op->getSubExpr();
+  if (const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr)) return element->getBase();
+  if (const auto* cast = llvm::dyn_cast<clang::ExplicitCastExpr>(expr)) return cast->getSubExpr();
+  if (const auto* full = llvm::dyn_cast<clang::FullExpr>(expr)) return full->getSubExpr();
+  if (const auto* made = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr)) return made->getSubExpr();
+  if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(expr))
+    return method->getImplicitObjectArgument();
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(expr)) return op->getArg(0);
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(expr);
+  return call && passes_through(call->getDirectCallee()) ? call->getArg(0) : nullptr;
 }
 
 }  // namespace
 
-const FunctionView& SharedMats::view_of(const clang::FunctionDecl* definition) {
-  std::unique_ptr<FunctionView>& view = views_[definition];
-  if (!view) view = std::make_unique<FunctionView>(definition);
-  return *view;
+void SharedMats::analyse(const FunctionView& view) {
+  views_.push_back(&view);
+  for (const clang::Stmt* stmt : view.statements())
+    if (shares_message(stmt)) shares_.push_back({&view, llvm::cast<clang::Expr>(stmt)});
 }
 
-void SharedMats::note(const clang::Expr* write, const Messages& messages) {
-  if (!write) return;
-  const Obstacle why{codes::TZC2001, "the cv::Mat that shares its data may be written to",
-                     location_of(context_.unit.source.where(write->getBeginLoc()))};
-  for (const EntityId& key : messages) context_.found.data_writes.push_back({key, why, false});
-}
-
-void SharedMats::analyse(const clang::FunctionDecl* definition) {
-  functions_.push_back(definition);
-  const FunctionView& view = view_of(definition);
+void SharedMats::index(const FunctionView& view) {
   for (const clang::Stmt* stmt : view.statements()) {
-    if (!is_share(stmt)) continue;
-    const auto* call = llvm::cast<clang::CallExpr>(stmt);
-    current_ = context_.sources_of(call->getArg(0));
-    seen_.clear();
-    if (!current_.empty()) note(write_through(view, call), current_);
+    const clang::ValueDecl* named = nullptr;
+    if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(stmt)) named = name->getDecl();
+    if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt)) named = member->getMemberDecl();
+    if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) named = call->getDirectCallee();
+    const bool is_name = named && llvm::isa<clang::FunctionDecl>(named) && !llvm::isa<clang::CallExpr>(stmt);
+    if (named && !is_name) mentions_[canonical(named)].push_back({&view, llvm::cast<clang::Expr>(stmt)});
   }
 }
 
 void SharedMats::finish() {
-  const auto kept = std::move(kept_);
-  for (const auto& [field, messages] : kept)
-    for (const clang::FunctionDecl* function : functions_) {
-      const FunctionView& view = view_of(function);
-      for (const clang::Stmt* stmt : view.statements()) {
-        const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt);
-        seen_.clear();
-        if (member && member->getMemberDecl() == field) note(write_through(view, member), messages);
-      }
+  if (shares_.empty()) return;
+  for (const FunctionView* view : views_) index(*view);
+  for (const Mention& share : shares_) {
+    const auto messages = context_.sources_of(llvm::cast<clang::CallExpr>(share.expr)->getArg(0));
+    current_ = {messages.begin(), messages.end()};
+    if (!current_.empty()) SharedClimb(context_, *this, *share.view).run(share.expr);
+  }
+  while (!open_.empty()) {
+    const clang::ValueDecl* holder = open_.front().first;
+    current_ = std::move(open_.front().second);
+    open_.pop_front();
+    for (const Mention& mention : mentions_[holder])
+      SharedClimb(context_, *this, *mention.view).run(mention.expr);
+  }
+}
+
+void SharedMats::hold(const clang::ValueDecl* holder) {
+  holder = canonical(holder);
+  std::set<EntityId> unknown;
+  for (const EntityId& message : current_)
+    if (holders_[holder].insert(message).second) unknown.insert(message);
+  if (!unknown.empty()) open_.emplace_back(holder, std::move(unknown));
+}
+
+void SharedMats::hold_object(const clang::Expr* object) {
+  const clang::ValueDecl* named = named_object(object);
+  if (!named) return;
+  hold(named);
+  if (const auto* parameter = llvm::dyn_cast<clang::ParmVarDecl>(named)) give_back(parameter);
+}
+
+/// An output parameter: the callers' objects share the elements, too.
+void SharedMats::give_back(const clang::ParmVarDecl* parameter) {
+  const auto* function = llvm::dyn_cast<clang::FunctionDecl>(parameter->getDeclContext());
+  if (!function || parameter->getType()->getPointeeType().isNull()) return;
+  bool is_new = false;
+  for (const EntityId& message : current_) is_new |= outputs_.insert({parameter, message}).second;
+  if (!is_new) return;
+  for (const Mention& mention : mentions_[canonical(function)])
+    if (const clang::Expr* given = argument_of(mention.expr, parameter->getFunctionScopeIndex()))
+      hold_object(given);
+}
+
+/// The variable, or the package's member or function, that an expression begins with.
+const clang::ValueDecl* SharedMats::named_object(const clang::Expr* expr) const {
+  while (expr) {
+    expr = expr->IgnoreParenImpCasts();
+    if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(expr)) return name->getDecl();
+    const auto* call = llvm::dyn_cast<clang::CallExpr>(expr);
+    if (call && context_.unit.declares(call->getDirectCallee())) return call->getDirectCallee();
+    if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr)) {
+      const clang::ValueDecl* field = member->getMemberDecl();
+      if (context_.unit.source.in_package(field->getLocation())) return field;
+      expr = member->getBase();
+    } else {
+      expr = inner(expr);
     }
-}
-
-const clang::Expr* SharedMats::write_in_uses(const FunctionView& view, const clang::ValueDecl* variable) {
-  if (!seen_.insert(variable).second) return nullptr;
-  for (const clang::DeclRefExpr* use : view.uses(variable))
-    if (const clang::Expr* write = write_through(view, use)) return write;
-  return nullptr;
-}
-
-/// A function of the package is followed; another one writes to what it takes by non-const reference or pointer.
-const clang::Expr* SharedMats::write_in(const clang::FunctionDecl* function, unsigned parameter,
-                                        const clang::Expr* at) {
-  if (parameter >= function->getNumParams()) return nullptr;
-  const clang::FunctionDecl* definition = nullptr;
-  if (context_.unit.declares(function) && function->isDefined(definition) && definition->getBody() &&
-      !definition->isDependentContext())
-    return write_in_uses(view_of(definition), definition->getParamDecl(parameter));
-  const clang::QualType type = function->getParamDecl(parameter)->getType();
-  const clang::QualType target = type->getPointeeType();
-  return !target.isNull() && !target.isConstQualified() && !is_smart_pointer(target) ? at : nullptr;
-}
-
-const clang::Expr* SharedMats::write_in_target(const FunctionView& view, const clang::Expr* target) {
-  target = target->IgnoreParenImpCasts();
-  if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(target))
-    return write_in_uses(view, name->getDecl());
-  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(target)) {
-    Messages& messages = kept_[member->getMemberDecl()];
-    messages.insert(messages.end(), current_.begin(), current_.end());
   }
   return nullptr;
 }
 
-const clang::Expr* SharedMats::write_in_construction(const clang::CXXConstructExpr* made,
-                                                     const clang::Expr* at) {
-  const std::string name = qualified_name_of(made->getConstructor()->getParent());
-  if (name == "cv::_OutputArray" || name == "cv::_InputOutputArray") return at;
-  if (!context_.unit.declares(made->getConstructor())) return nullptr;
-  return write_in(made->getConstructor(), index_of({made->getArgs(), made->getNumArgs()}, at), at);
-}
-
-SharedMats::Step SharedMats::into_binary(const FunctionView& view, const clang::Expr* at,
-                                         const clang::BinaryOperator* op) {
-  if (op->isAssignmentOp() && op->getLHS() == at)
-    return at->getType()->isAnyPointerType() ? Step{} : Step{at, nullptr};
-  if (op->isAssignmentOp()) return {write_in_target(view, op->getLHS()), nullptr};
-  const bool goes_on = op->isAdditiveOp() || (op->getOpcode() == clang::BO_Comma && op->getRHS() == at);
-  return {nullptr, goes_on ? op : nullptr};
-}
-
-SharedMats::Step SharedMats::into_operator(const FunctionView& view, const clang::Expr* at,
-                                           const clang::CXXOperatorCallExpr* call) {
-  const bool is_target = call->getArg(0) == at;
-  if (call->isAssignmentOp()) {
-    const bool rebinds =
-        call->getOperator() == clang::OO_Equal &&
-        (is_smart_pointer(at->getType()) || (is_mat(at->getType()) && is_mat(call->getArg(1)->getType())));
-    if (is_target) return {rebinds ? nullptr : at, nullptr};
-    return {call->getOperator() == clang::OO_Equal ? write_in_target(view, call->getArg(0)) : nullptr,
-            nullptr};
-  }
-  switch (call->getOperator()) {
-    case clang::OO_Arrow:
-    case clang::OO_Star:
-    case clang::OO_Subscript:
-    case clang::OO_Call:
-      return {nullptr, is_target ? call : nullptr};
-    case clang::OO_PlusPlus:
-    case clang::OO_MinusMinus:
-      return {leads_on(at->getType()) ? nullptr : at, nullptr};
-    default:
-      return {};
-  }
-}
-
-SharedMats::Step SharedMats::into_call(const clang::Expr* at, const clang::CallExpr* call) {
-  const clang::FunctionDecl* function = call->getDirectCallee();
-  if (!function) return {at, nullptr};
-  if (passes_through(function)) return {nullptr, call};
-  const llvm::StringRef name = function->getIdentifier() ? function->getName() : "";
-  if (name == "const_pointer_cast" || name == "static_pointer_cast") return {nullptr, call};
-  return {write_in(function, index_of({call->getArgs(), call->getNumArgs()}, at), at), nullptr};
-}
-
-/// A function of the image, of a pointer to it or of an iterator.
-SharedMats::Step SharedMats::into_method(const FunctionView& view, const clang::MemberExpr* member) {
-  const auto* call = llvm::dyn_cast_or_null<clang::CXXMemberCallExpr>(view.parent(member));
-  if (!call || !call->getMethodDecl()) return {};
-  const std::string name = call->getMethodDecl()->getNameAsString();
-  if (name == "setTo") return {call, nullptr};
-  if (name == "clone" || class_of(member->getBase()->getType()) == "cv_bridge::CvImage") return {};
-  return {nullptr, call->isGLValue() || leads_on(call->getType()) ? call : nullptr};
-}
-
-SharedMats::Step SharedMats::into(const FunctionView& view, const clang::Expr* at,
-                                  const clang::Expr* parent) {
-  if (const auto* cast = llvm::dyn_cast<clang::ImplicitCastExpr>(parent))
-    return {nullptr, cast->isGLValue() || leads_on(cast->getType()) ? cast : nullptr};
-  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(parent)) return into_binary(view, at, op);
-  if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(parent)) {
-    const bool writes = op->isIncrementDecrementOp() && !at->getType()->isAnyPointerType();
-    return writes ? Step{at, nullptr} : Step{nullptr, op};
-  }
-  if (const auto* call = llvm::dyn_cast<clang::CXXOperatorCallExpr>(parent))
-    return context_.unit.declares(call->getDirectCallee()) ? into_call(at, call)
-                                                           : into_operator(view, at, call);
-  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(parent)) return into_call(at, call);
-  if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(parent)) {
-    if (leads_on(made->getType())) return {nullptr, made};
-    return {write_in_construction(made, at), nullptr};
-  }
-  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(parent)) {
-    if (llvm::isa<clang::CXXMethodDecl>(member->getMemberDecl())) return into_method(view, member);
-    const bool in_header = is_mat(at->getType()) && member->getType()->isArithmeticType();
-    return {nullptr, in_header ? nullptr : member};
-  }
-  const bool wraps =
-      llvm::isa<clang::ExplicitCastExpr, clang::ParenExpr, clang::FullExpr, clang::MaterializeTemporaryExpr,
-                clang::CXXBindTemporaryExpr, clang::ArraySubscriptExpr, clang::ConditionalOperator>(parent);
-  return {nullptr, wraps ? parent : nullptr};
-}
-
-const clang::Expr* SharedMats::write_through(const FunctionView& view, const clang::Expr* at) {
-  while (at) {
-    const clang::Stmt* parent = view.parent(at);
-    if (const auto* declaration = llvm::dyn_cast_or_null<clang::DeclStmt>(parent)) {
-      for (const clang::Decl* decl : declaration->decls())
-        if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
-            variable && variable->getInit() == at)
-          return write_in_uses(view, variable);
-      return nullptr;
-    }
-    const auto* expr = llvm::dyn_cast_or_null<clang::Expr>(parent);
-    if (!expr) return nullptr;
-    const Step step = into(view, at, expr);
-    if (step.write) return step.write;
-    at = step.next;
-  }
-  return nullptr;
+void SharedMats::write(const clang::Expr* at) {
+  const Obstacle why{codes::TZC2001, "the cv::Mat that shares its data may be written to",
+                     location_of(context_.unit.source.where(at->getBeginLoc()))};
+  for (const EntityId& message : current_)
+    if (written_.insert(message).second) context_.found.data_writes.push_back({message, why, false});
 }
 
 }  // namespace tzc::rewriter

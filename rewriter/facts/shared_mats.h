@@ -1,54 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <deque>
 #include <map>
-#include <memory>
 #include <set>
 #include <vector>
 
-#include "facts/escape_context.h"
-#include "facts/function_view.h"
+#include "facts/shared_climb.h"
 
 namespace tzc::rewriter {
 
 /// Follows the image that cv_bridge::toCvShare gives, and everything that shares its elements, to what may write to
-/// them. Nothing but the level of subscriptions depends on it: at run time a write changes private pages.
-class SharedMats {
+/// them: through variables, members, globals, containers, results and output parameters of the unit. Nothing but the
+/// level of subscriptions depends on it: at run time a write changes private pages.
+class SharedMats : private SharedElements {
  public:
   explicit SharedMats(EscapeContext& context) : context_(context) {}
 
-  /// A function with a body, not a lambda.
-  void analyse(const clang::FunctionDecl* definition);
-  /// The members that a shared image was put into, in all functions that were analysed.
+  /// Of a function with a body; a lambda is part of the function around it. The view must outlive this.
+  void analyse(const FunctionView& view);
+  /// When all functions were analysed.
   void finish();
 
  private:
-  using Messages = std::vector<EntityId>;
-  const FunctionView& view_of(const clang::FunctionDecl* definition);
-  void note(const clang::Expr* write, const Messages& messages);
-  const clang::Expr* write_through(const FunctionView& view, const clang::Expr* at);
-  const clang::Expr* write_in_uses(const FunctionView& view, const clang::ValueDecl* variable);
-  const clang::Expr* write_in(const clang::FunctionDecl* function, unsigned parameter, const clang::Expr* at);
-  const clang::Expr* write_in_target(const FunctionView& view, const clang::Expr* target);
-  const clang::Expr* write_in_construction(const clang::CXXConstructExpr* made, const clang::Expr* at);
-
-  /// One step upwards: what writes, or where to go on; neither: it ends harmlessly.
-  struct Step {
-    const clang::Expr* write = nullptr;
-    const clang::Expr* next = nullptr;
+  struct Mention {
+    const FunctionView* view;
+    const clang::Expr* expr;
   };
-  Step into(const FunctionView& view, const clang::Expr* at, const clang::Expr* parent);
-  Step into_binary(const FunctionView& view, const clang::Expr* at, const clang::BinaryOperator* op);
-  Step into_operator(const FunctionView& view, const clang::Expr* at, const clang::CXXOperatorCallExpr* call);
-  Step into_call(const clang::Expr* at, const clang::CallExpr* call);
-  Step into_method(const FunctionView& view, const clang::MemberExpr* member);
+  void hold(const clang::ValueDecl* holder) override;
+  void hold_object(const clang::Expr* object) override;
+  void write(const clang::Expr* at) override;
+  void index(const FunctionView& view);
+  void give_back(const clang::ParmVarDecl* parameter);
+  const clang::ValueDecl* named_object(const clang::Expr* expr) const;
 
   EscapeContext& context_;
-  std::map<const clang::FunctionDecl*, std::unique_ptr<FunctionView>> views_;
-  std::set<const clang::ValueDecl*> seen_;
-  std::map<const clang::ValueDecl*, Messages> kept_;
-  Messages current_;
-  std::vector<const clang::FunctionDecl*> functions_;
+  std::vector<const FunctionView*> views_;
+  std::vector<Mention> shares_;
+  std::map<const clang::ValueDecl*, std::vector<Mention>> mentions_;
+  std::map<const clang::ValueDecl*, std::set<EntityId>> holders_;
+  std::deque<std::pair<const clang::ValueDecl*, std::set<EntityId>>> open_;
+  std::set<std::pair<const clang::ParmVarDecl*, EntityId>> outputs_;
+  std::set<EntityId> written_;
+  std::set<EntityId> current_;  ///< the messages whose elements are followed
 };
 
 }  // namespace tzc::rewriter

@@ -2,6 +2,7 @@
 #include "facts/subscribe_sites.h"
 
 #include "facts/ast_walk.h"
+#include "facts/callback_functions.h"
 #include "facts/callback_parameter.h"
 #include "facts/calls.h"
 #include "model/codes.h"
@@ -18,16 +19,12 @@ void describe(Subscribe& site, const CallbackParameter& parameter) {
 
 }  // namespace
 
-/// The callback argument: the parameters of the functions that it names.
-std::vector<EntityId> SubscribeCollector::callbacks_in(const clang::Stmt* stmt) {
+/// The parameters of the functions that the call is given.
+std::vector<EntityId> SubscribeCollector::callbacks_in(const clang::CallExpr* call) {
   std::vector<EntityId> callbacks;
-  if (!stmt) return callbacks;
-  if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt))
-    if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(reference->getDecl()))
-      for (const clang::ParmVarDecl* parameter : function->parameters())
-        if (const EntityId id = entities_.declare(parameter); !id.empty()) callbacks.push_back(id);
-  for (const clang::Stmt* child : stmt->children())
-    for (const EntityId& id : callbacks_in(child)) callbacks.push_back(id);
+  for (const clang::FunctionDecl* function : callback_functions(unit_, call))
+    for (const clang::ParmVarDecl* parameter : function->parameters())
+      if (const EntityId id = entities_.declare(parameter); !id.empty()) callbacks.push_back(id);
   return callbacks;
 }
 
@@ -51,6 +48,7 @@ Subscribe SubscribeCollector::of_call(const clang::CXXMemberCallExpr* call, cons
     }
   describe(site, parameter);
   site.callbacks = callbacks_in(call);
+  if (written_arguments(call) == 1) add_options(site, call->getArg(0));
   const Location here = location_of(site.where);
   if (site.type.empty())
     site.obstacles.push_back({codes::TZC2006, "no message type is to be seen in this call", here});
@@ -63,11 +61,20 @@ Subscribe SubscribeCollector::of_call(const clang::CXXMemberCallExpr* call, cons
   return site;
 }
 
+/// The callback that ros::SubscribeOptions were given.
+void SubscribeCollector::add_options(Subscribe& site, const clang::Expr* options) {
+  for (const clang::CallExpr* filled : options_calls(unit_, options)) {
+    site.writes = site.writes || callback_parameter_of(filled).writes;
+    for (const EntityId& id : callbacks_in(filled)) site.callbacks.push_back(id);
+  }
+}
+
 Subscribe SubscribeCollector::of_ported_call(const clang::CallExpr* call, const MethodCall& rule) {
   Subscribe site = site_at(call, rule);
   site.ported = true;
   describe(site, callback_parameter_of(call));
   site.callbacks = callbacks_in(call);
+  if (written_arguments(call) == 2) add_options(site, call->getArg(1));
   if (written_arguments(call) > 1) site.topic = constant_string(call->getArg(1));
   return site;
 }

@@ -19,7 +19,8 @@ class SubscribeCollector {
 
  private:
   Subscribe site_at(const clang::CallExpr* call, const MethodCall& rule) const;
-  std::vector<EntityId> callbacks_in(const clang::Stmt* stmt);
+  void add_options(Subscribe& site, const clang::Expr* options);
+  std::vector<EntityId> callbacks_in(const clang::CallExpr* call);
 
   const Unit& unit_;
   EntityTable& entities_;

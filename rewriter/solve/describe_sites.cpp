@@ -204,10 +204,7 @@ Site SiteDescriber::describe(const Advertise& fact) const {
 
 /// Why a subscription's callbacks do not read the very bytes that were published; none: they do.
 std::optional<std::string> SiteDescriber::why_copied(const Subscribe& fact) const {
-  const auto registered = facts_.filter_callbacks.find({fact.scope, fact.type});
-  const bool by_filter =
-      !fact.filter.empty() && registered != facts_.filter_callbacks.end() && registered->second.writes;
-  if (fact.writes || by_filter) return "the callback may write to the message, so it gets a copy of its own";
+  if (received_.takes_own(fact)) return "the callback may write to the message, so it gets a copy of its own";
   if (const auto write = received_.to_elements(fact))
     return write->reason + ": pages that it writes to are copied";
   return {};

@@ -14,12 +14,16 @@ class ReceivedWrites {
  public:
   explicit ReceivedWrites(const Facts& facts);
 
+  /// A callback takes the message by value or as its own.
+  bool takes_own(const Subscribe& site) const;
   /// The message itself, or one of its arrays, is made writable: it could be resized. None: it is not.
   std::optional<Obstacle> to_message(const Subscribe& site) const;
   /// Elements of its arrays may be written to. None: they are not.
   std::optional<Obstacle> to_elements(const Subscribe& site) const;
 
  private:
+  bool derives(const std::string& record, const std::string& base) const;
+  std::vector<const FilterCallbackUse*> registered(const Subscribe& site) const;
   std::set<EntityId> received(const Subscribe& site) const;
   std::optional<Obstacle> write(const Subscribe& site, bool to_array) const;
 

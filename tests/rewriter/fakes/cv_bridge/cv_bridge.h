@@ -3,6 +3,16 @@
 #include <sensor_msgs/Image.h>
 #define CV_8UC3 16
 namespace cv {
+struct Scalar {
+  Scalar(int) {}
+};
+template <class T>
+struct MatIterator_ {
+  T& operator*() const { return *at; }
+  MatIterator_& operator++() { return *this; }
+  bool operator!=(const MatIterator_&) const { return false; }
+  T* at = nullptr;
+};
 struct Mat {
   Mat() = default;
   Mat(int, int, int) {}
@@ -22,6 +32,18 @@ struct Mat {
   unsigned char* ptr(int = 0) { return data; }
   const unsigned char* ptr(int = 0) const { return data; }
   bool empty() const { return !data; }
+  Mat& operator=(const Scalar&) { return *this; }
+  template <class T>
+  MatIterator_<T> begin() {
+    return {};
+  }
+  template <class T>
+  MatIterator_<T> end() {
+    return {};
+  }
+  template <class T, class F>
+  void forEach(const F&) {}
+  std::size_t total() const { return 0; }
   unsigned char* data = nullptr;
   int rows = 0, cols = 0;
 };
@@ -58,6 +80,10 @@ class CvImage {
 typedef boost::shared_ptr<CvImage> CvImagePtr;
 typedef boost::shared_ptr<CvImage const> CvImageConstPtr;
 inline CvImageConstPtr toCvShare(const sensor_msgs::ImageConstPtr&, const std::string& = "") {
+  return {};
+}
+inline CvImageConstPtr toCvShare(const sensor_msgs::Image&, const boost::shared_ptr<void const>&,
+                                 const std::string& = "") {
   return {};
 }
 inline CvImagePtr toCvCopy(const sensor_msgs::ImageConstPtr&, const std::string& = "") {

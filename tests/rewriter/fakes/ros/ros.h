@@ -35,6 +35,11 @@ struct AdvertiseOptions {
 };
 struct SubscribeOptions {
   template <class M>
+  static SubscribeOptions create(const std::string&, uint32_t,
+                                 const boost::function<void(const boost::shared_ptr<M const>&)>&) {
+    return {};
+  }
+  template <class M>
   void init(const std::string&, uint32_t, const boost::function<void(const boost::shared_ptr<M const>&)>&) {}
 };
 struct TimerEvent {};

@@ -1,0 +1,26 @@
+// A shared cv::Mat goes from member to member.
+#include <cv_bridge/cv_bridge.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  Node() { sub_ = nh_.subscribe("image", 1, &Node::callback, this); }
+  void callback(const sensor_msgs::ImageConstPtr& image) {
+    mat_ = cv_bridge::toCvShare(image)->image;
+  }
+  void keep() { other_ = mat_; }
+  void draw() { cv::circle(other_, 1); }
+  cv::Mat mat_, other_;
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Subscriber sub_;
+};
+//--- expected
+// subscribe src/node.cpp:8 sensor_msgs/Image copied 'image' TZC2001 the cv::Mat that shares its data may be written to: pages that it writes to are copied
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  Node() { sub_ = nh_.subscribe("image", 1, &Node::callback, this); }
+// +  Node() { sub_ = tzc::subscribe(nh_, "image", 1, &Node::callback, this); }
