@@ -88,7 +88,8 @@ class ApiCalls : public AstVisitor {
     const clang::FunctionDecl* function = call->getDirectCallee();
     if (!function || !function->getIdentifier() || call->isTypeDependent()) return true;
     if (function->getName().starts_with("make_")) return note_made_filter(call, function);
-    if (function->getName().starts_with("emplace")) return note_emplaced_filter(call, function);
+    if (function->getName().starts_with("emplace") || function->getName() == "try_emplace")
+      return note_emplaced_filter(call, function);
     const std::string owner = space_of(function->getDeclContext());
     const auto behalf = on_behalf.find(owner + function->getNameAsString());
     if (behalf != on_behalf.end()) note_behalf(behalf->second, call, function);
@@ -146,15 +147,29 @@ class ApiCalls : public AstVisitor {
     return true;
   }
 
-  /// subscribers.emplace_back(nh, "topic", 1)
+  /// subscribers.emplace_back(nh, "topic", 1), by_name.try_emplace("name", nh, "topic", 1),
+  /// by_name.emplace(std::piecewise_construct, ..., std::forward_as_tuple(nh, "topic", 1))
   bool note_emplaced_filter(const clang::CallExpr* call, const clang::FunctionDecl* function) {
     const auto* container =
         llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(function->getDeclContext());
-    if (call->getNumArgs() < 2 || !container || container->getTemplateArgs().size() == 0) return true;
-    const clang::TemplateArgument& held = container->getTemplateArgs()[0];
-    if (held.getKind() == clang::TemplateArgument::Type && is_filter(held.getAsType()->getAsCXXRecordDecl()))
+    if (!container || call->getNumArgs() < 2) return true;
+    const bool tries = function->getName() == "try_emplace";
+    if (holds_filter(container, 0) && !tries) note(SiteKind::subscribe, call, "");
+    const auto* tuple =
+        llvm::dyn_cast<clang::CallExpr>(call->getArg(call->getNumArgs() - 1)->IgnoreImplicit());
+    const clang::FunctionDecl* made_by = tuple ? tuple->getDirectCallee() : nullptr;
+    const bool is_tuple =
+        made_by && made_by->getNameAsString() == "forward_as_tuple" && tuple->getNumArgs() >= 2;
+    if (holds_filter(container, 1) && (tries ? call->getNumArgs() >= 3 : is_tuple))
       note(SiteKind::subscribe, call, "");
     return true;
+  }
+
+  static bool holds_filter(const clang::ClassTemplateSpecializationDecl* container, unsigned index) {
+    if (container->getTemplateArgs().size() <= index) return false;
+    const clang::TemplateArgument& held = container->getTemplateArgs()[index];
+    return held.getKind() == clang::TemplateArgument::Type &&
+           is_filter(held.getAsType()->getAsCXXRecordDecl());
   }
 
   /// pub = advertise<M>(...), a library's own: what it returns is a publisher of the package.

@@ -21,6 +21,21 @@ llvm::ArrayRef<const clang::Expr*> arguments_of(const Call* call) {
   return {call->getArgs(), call->getNumArgs()};
 }
 
+/// What a new element is made from; as the value of a map: try_emplace(key, ...),
+/// emplace(std::piecewise_construct, key, std::forward_as_tuple(...)).
+llvm::ArrayRef<const clang::Expr*> emplaced_from(const clang::CXXMemberCallExpr* call, bool is_value) {
+  const std::string name = call->getMethodDecl()->getNameAsString();
+  const llvm::ArrayRef<const clang::Expr*> arguments = arguments_of(call);
+  if (name == "try_emplace")
+    return arguments.drop_front(is_value && !arguments.empty() ? 1 : arguments.size());
+  if (name.rfind("emplace", 0) != 0 || arguments.empty()) return {};
+  if (!is_value) return arguments;
+  const auto* tuple = llvm::dyn_cast<clang::CallExpr>(arguments.back()->IgnoreImplicit());
+  const clang::FunctionDecl* made_by = tuple ? tuple->getDirectCallee() : nullptr;
+  const bool is_tuple = made_by && qualified_name_of(made_by) == "std::forward_as_tuple";
+  return is_tuple ? arguments_of(tuple) : llvm::ArrayRef<const clang::Expr*>();
+}
+
 }  // namespace
 
 Subscribe FilterCollector::site_of(const Construction& construction, const EntityId& filter) const {
@@ -88,15 +103,17 @@ bool FilterCollector::is_filter(const clang::CXXRecordDecl* record) const {
 std::optional<Subscribe> FilterCollector::of_emplaced(const clang::CXXMemberCallExpr* call) {
   const auto* container =
       llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(call->getMethodDecl()->getParent());
-  if (call->getMethodDecl()->getNameAsString().rfind("emplace", 0) != 0 || call->getNumArgs() < 2) return {};
-  if (!container || container->getTemplateArgs().size() == 0) return {};
-  const clang::TemplateArgument& held = container->getTemplateArgs()[0];
-  if (held.getKind() != clang::TemplateArgument::Type) return {};
-  const clang::CXXRecordDecl* record = held.getAsType()->getAsCXXRecordDecl();
-  if (!is_filter(record)) return {};
-  const FlowSources sources = flow_.sources_of(call->getImplicitObjectArgument());
-  return site_of({call, record, arguments_of(call)},
-                 sources.entities.empty() ? EntityId() : sources.entities[0]);
+  if (!container) return {};
+  for (unsigned i = 0; i < 2 && i < container->getTemplateArgs().size(); ++i) {
+    const clang::TemplateArgument& held = container->getTemplateArgs()[i];
+    if (held.getKind() != clang::TemplateArgument::Type) continue;
+    const clang::CXXRecordDecl* record = held.getAsType()->getAsCXXRecordDecl();
+    const llvm::ArrayRef<const clang::Expr*> arguments = emplaced_from(call, i == 1);
+    if (!is_filter(record) || arguments.size() < 2) continue;
+    const FlowSources sources = flow_.sources_of(call->getImplicitObjectArgument());
+    return site_of({call, record, arguments}, sources.entities.empty() ? EntityId() : sources.entities[0]);
+  }
+  return {};
 }
 
 /// The entity that a constructed filter becomes.
