@@ -79,16 +79,18 @@ class QuietCheck {
 /// A variable or member itself, or a plain part of a message: not what a pointer points to.
 bool QuietCheck::is_quiet_target(const clang::Expr* target) {
   target = target->IgnoreParenImpCasts();
-  if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(target))
-    return !reference->getDecl()->getType()->isReferenceType() ||
-           is_message_pointer(context_, reference->getDecl()->getType());
+  if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(target)) {
+    const clang::QualType type = reference->getDecl()->getType();
+    return llvm::isa<clang::VarDecl>(reference->getDecl()) &&  // a structured binding may name a reference
+           (!type->isReferenceType() || is_message_pointer(context_, type));
+  }
   if (llvm::isa<clang::CXXThisExpr>(target)) return true;
   if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(target)) {
     const bool follows = op->getOperator() == clang::OO_Arrow || op->getOperator() == clang::OO_Star;
     return follows && is_message_pointer(context_, op->getArg(0)->getType());
   }
   const auto* member = llvm::dyn_cast<clang::MemberExpr>(target);
-  if (!member || member->getType()->isReferenceType()) return false;
+  if (!member || member->getMemberDecl()->getType()->isReferenceType()) return false;
   const clang::Expr* base = member->getBase()->IgnoreParenImpCasts();
   if (member->isArrow() && !llvm::isa<clang::CXXThisExpr>(base))
     return is_message_pointer(context_, base->getType()) && is_quiet_target(base);
@@ -146,6 +148,7 @@ bool QuietCheck::is_quiet(const clang::Stmt* stmt) {
     return is_quiet_declaration(declaration);
   if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt))
     return !context_.unit.declares(made->getConstructor()) && ends(made->getType());
+  if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(stmt)) return ends(bound->getType());
   if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(stmt))
     return !op->isAssignmentOp() || is_quiet_target(op->getLHS());
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(stmt)) {
@@ -161,10 +164,10 @@ bool QuietCheck::is_quiet(const clang::Stmt* stmt) {
     return llvm::isa<clang::DeclRefExpr, clang::CXXThisExpr, clang::IntegerLiteral, clang::FloatingLiteral,
                      clang::StringLiteral, clang::CharacterLiteral, clang::CXXBoolLiteralExpr,
                      clang::CXXNullPtrLiteralExpr, clang::GNUNullExpr, clang::CastExpr, clang::ParenExpr,
-                     clang::FullExpr, clang::MaterializeTemporaryExpr, clang::CXXBindTemporaryExpr,
-                     clang::ConditionalOperator, clang::CXXDefaultArgExpr, clang::UnaryExprOrTypeTraitExpr,
-                     clang::CXXTemporaryObjectExpr, clang::InitListExpr, clang::PredefinedExpr,
-                     clang::SubstNonTypeTemplateParmExpr, clang::CXXScalarValueInitExpr>(stmt);
+                     clang::FullExpr, clang::MaterializeTemporaryExpr, clang::ConditionalOperator,
+                     clang::CXXDefaultArgExpr, clang::UnaryExprOrTypeTraitExpr, clang::CXXTemporaryObjectExpr,
+                     clang::InitListExpr, clang::PredefinedExpr, clang::SubstNonTypeTemplateParmExpr,
+                     clang::CXXScalarValueInitExpr>(stmt);
   return llvm::isa<clang::CompoundStmt, clang::IfStmt, clang::ForStmt, clang::WhileStmt, clang::DoStmt,
                    clang::SwitchStmt, clang::SwitchCase, clang::ReturnStmt, clang::BreakStmt,
                    clang::ContinueStmt, clang::NullStmt, clang::AttributedStmt>(stmt);
