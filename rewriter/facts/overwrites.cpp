@@ -50,6 +50,15 @@ bool is_stable(const clang::Expr* size) {
   return variable && variable->getType().isConstQualified();
 }
 
+/// Calls may leave the function, or read the array by another name.
+bool calls_anything(const clang::Stmt* stmt) {
+  if (!stmt) return false;
+  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(stmt);
+  const bool follows = op && (op->getOperator() == clang::OO_Arrow || op->getOperator() == clang::OO_Star);
+  return (llvm::isa<clang::CallExpr, clang::CXXThrowExpr, clang::CXXNewExpr>(stmt) && !follows) ||
+         llvm::any_of(stmt->children(), calls_anything);
+}
+
 bool overwrites(const Unit& unit, const clang::Stmt* statement, const std::string& array,
                 const std::string& size, bool bytes, bool stable) {
   if (const auto* full = llvm::dyn_cast<clang::ExprWithCleanups>(statement)) statement = full->getSubExpr();
@@ -61,15 +70,15 @@ bool overwrites(const Unit& unit, const clang::Stmt* statement, const std::strin
     return is_begin_of(unit, call->getArg(0), array) &&
            is_all_bytes(unit, call->getArg(2), array, stable ? size : "\n", bytes);
   return name == "std::fill" && squeezed(text_of(unit, call->getArg(0))) == array + ".begin()" &&
-         squeezed(text_of(unit, call->getArg(1))) == array + ".end()";
+         squeezed(text_of(unit, call->getArg(1))) == array + ".end()" && !calls_anything(call->getArg(2));
 }
 
-/// A simple statement that does not leave the function and does not touch the array.
+/// A simple statement that does not leave the function, touch the array, or make its name another array's.
 bool is_harmless(const Unit& unit, const clang::Stmt* statement, const std::string& array) {
-  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(statement))
-    return op->isAssignmentOp() &&
-           squeezed(unit.source.text(op->getSourceRange())).find(array) == std::string::npos;
-  return false;
+  const auto* op = llvm::dyn_cast<clang::BinaryOperator>(statement);
+  if (!op || !op->isAssignmentOp() || calls_anything(op)) return false;
+  return array.find(squeezed(unit.source.text(op->getLHS()->getSourceRange()))) == std::string::npos &&
+         squeezed(unit.source.text(op->getSourceRange())).find(array) == std::string::npos;
 }
 
 }  // namespace
