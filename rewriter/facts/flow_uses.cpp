@@ -144,6 +144,8 @@ bool UseFollower::into_method(const clang::MemberExpr* member) {
   const std::string method = member->getMemberDecl()->getNameAsString();
   for (const clang::Expr* argument : call->arguments())
     if (carried_by(argument->getType(), unit_.rules)) check_source(argument);
+  if (entities_.is_message(id_) && (method == "use_count" || method == "unique"))
+    return refuse(codes::TZC1001, "the program asks who else holds it");
   if (method == "reset" && call->getNumArgs() > 0) check_source(call->getArg(0));
   return go_on(call);
 }

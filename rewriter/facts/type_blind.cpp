@@ -14,6 +14,21 @@ bool is_of_parameter(const clang::NestedNameSpecifier* qualifier) {
   return type && llvm::isa<clang::TemplateTypeParmType>(type);
 }
 
+/// Whether the program has its own version of a class template for some types.
+bool is_specialised(const clang::TemplateDecl* name) {
+  const auto* pattern = llvm::dyn_cast_or_null<clang::ClassTemplateDecl>(name);
+  if (!pattern) return false;
+  const clang::SourceManager& manager = pattern->getASTContext().getSourceManager();
+  const auto is_own = [&](const clang::ClassTemplateSpecializationDecl* made) {
+    return !manager.isInSystemHeader(made->getLocation());
+  };
+  llvm::SmallVector<clang::ClassTemplatePartialSpecializationDecl*, 4> partial;
+  const_cast<clang::ClassTemplateDecl*>(pattern)->getPartialSpecializations(partial);
+  return llvm::any_of(partial, is_own) || llvm::any_of(pattern->specializations(), [&](const auto* made) {
+           return made->isExplicitSpecialization() && is_own(made);
+         });
+}
+
 class TypeQuestions : public AstVisitor {
  public:
   bool found = false;
@@ -23,7 +38,12 @@ class TypeQuestions : public AstVisitor {
   bool VisitTypeTraitExpr(clang::TypeTraitExpr*) override { return note(true); }
   bool VisitCXXTypeidExpr(clang::CXXTypeidExpr*) override { return note(true); }
   bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc) override { return note(true); }
-  bool VisitVarDecl(clang::VarDecl* variable) override { return note(variable->isStaticLocal()); }
+  bool VisitVarDecl(clang::VarDecl* variable) override {
+    const auto* made = variable->getType()->getAs<clang::TemplateSpecializationType>();
+    const bool is_choice =
+        made && made->isDependentType() && is_specialised(made->getTemplateName().getAsTemplateDecl());
+    return note(variable->isStaticLocal() || is_choice);
+  }
   bool VisitDependentScopeDeclRefExpr(clang::DependentScopeDeclRefExpr* name) override {
     return note(!is_of_parameter(name->getQualifier()));
   }

@@ -20,6 +20,8 @@ class shared_ptr {
   T* operator->() const { return p_.get(); }
   typename std::add_lvalue_reference<T>::type operator*() const { return *p_; }
   T* get() const { return p_.get(); }
+  long use_count() const { return p_.use_count(); }
+  bool unique() const { return p_.use_count() == 1; }
   void reset() { p_.reset(); }
   template <class U>
   void reset(U* p) {
