@@ -38,7 +38,7 @@ Storage storage_of(const clang::ValueDecl* decl) {
   if (llvm::isa<clang::FieldDecl>(decl)) return Storage::member;
   const auto* variable = llvm::cast<clang::VarDecl>(decl);
   if (variable->isStaticDataMember()) return Storage::member;
-  return variable->isLocalVarDecl() ? Storage::local : Storage::global;
+  return variable->isLocalVarDecl() && !variable->hasExternalStorage() ? Storage::local : Storage::global;
 }
 
 void add(Entity& entity, const Obstacle& obstacle) {

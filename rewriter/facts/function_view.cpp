@@ -40,13 +40,15 @@ void FunctionView::walk(const clang::Stmt* stmt, const clang::Stmt* parent, cons
   const auto* closure = llvm::dyn_cast<clang::LambdaExpr>(stmt);
   if (const auto* in_class = llvm::dyn_cast<clang::CXXDefaultInitExpr>(stmt))
     walk(in_class->getExpr(), stmt, lambda);
+  if (const auto* region = llvm::dyn_cast<clang::CapturedStmt>(stmt))
+    walk(region->getCapturedStmt(), stmt, lambda);
   for (const clang::Stmt* child : stmt->children())
     walk(child, stmt, closure && child == closure->getBody() ? closure : lambda);
   nodes_[stmt].span.exit = clock_++;
 }
 
 void FunctionView::note(const clang::Stmt* stmt) {
-  jumps_ |= llvm::isa<clang::GotoStmt, clang::IndirectGotoStmt, clang::LabelStmt>(stmt);
+  jumps_ |= llvm::isa<clang::GotoStmt, clang::IndirectGotoStmt, clang::LabelStmt, clang::CapturedStmt>(stmt);
   if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt))
     uses_[reference->getDecl()].push_back(reference);
   if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt))

@@ -46,7 +46,7 @@ class FunctionView {
   /// The statement that declares the variable; null: it is a parameter or of another function.
   const clang::DeclStmt* declaration(const clang::VarDecl* variable) const;
   const std::vector<const clang::DeclRefExpr*>& uses(const clang::ValueDecl* decl) const;
-  /// Has goto or labels: the order of the source is not the order of execution.
+  /// Has goto, labels or parallel regions: the order of the source is not the order of execution.
   bool jumps() const { return jumps_; }
 
  private:

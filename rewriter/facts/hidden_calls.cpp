@@ -105,6 +105,18 @@ bool may_release(const Unit& unit, const HiddenCode& hidden, clang::QualType typ
   return found;
 }
 
+bool may_call_back(clang::QualType type) {
+  static const std::set<std::string> keepers = {"std::function", "boost::function", "boost::signals2::signal",
+                                                "boost::signal"};
+  bool found = false;
+  walk_type(type, [&](const clang::CXXRecordDecl* record) {
+    const std::string name = qualified_name_of(record);
+    found = found || keepers.count(name) != 0;
+    return !found && name.rfind("ros::", 0) != 0;
+  });
+  return found;
+}
+
 bool may_dispatch(const Unit& unit, const HiddenCode& hidden, clang::QualType type) {
   if (hidden.overridden.empty()) return false;
   bool found = false;

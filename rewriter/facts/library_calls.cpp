@@ -25,12 +25,20 @@ bool makes_package_object(const Unit& unit, const clang::FunctionDecl* function)
          });
 }
 
+/// pthread_create(&thread, nullptr, work, this)
+bool gives_function(llvm::ArrayRef<const clang::Expr*> arguments) {
+  return llvm::any_of(arguments, [](const clang::Expr* argument) {
+    const clang::QualType type = argument->IgnoreParenImpCasts()->getType();
+    return type->isFunctionType() || type->isFunctionPointerType();
+  });
+}
+
 }  // namespace
 
 bool calls_no_package_code(const Unit& unit, const clang::FunctionDecl* function,
                            llvm::ArrayRef<const clang::Expr*> arguments) {
   if (unit.declares(function)) return false;
-  if (function->getBuiltinID() != 0 && function->isExternC()) return true;
+  if (function->getBuiltinID() != 0 && function->isExternC()) return !gives_function(arguments);
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
   if (method && message_of(method->getParent())) return true;
   if (!calls_nothing(qualified_name_of(function)) || makes_package_object(unit, function)) return false;

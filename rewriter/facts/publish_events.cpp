@@ -45,7 +45,8 @@ class EventFinder {
   void look_at_construction(const clang::CXXConstructExpr* construct);
   void look_at_end(const clang::DeclStmt* declaration);
   void look_at_parts();
-  void look_at_unwritten(const clang::Expr* use, const clang::Expr* value);
+  void look_at_unwritten(const clang::Stmt* use, const clang::Expr* value);
+  void look_at_initializers(const clang::Stmt* use, const clang::CXXMethodDecl* constructor);
   void end_of(const clang::Stmt* at, unsigned when, clang::QualType type);
   void look_at_exchange(const clang::MemberExpr* array);
   bool is_own_lambda(const clang::FunctionDecl* function) const;
@@ -125,15 +126,19 @@ void EventFinder::add_call(const clang::Stmt* at, const clang::FunctionDecl* fun
   if (function && is_own_lambda(function)) return;
   if (function && calls_no_package_code(context_.unit, function, arguments)) {
     const bool releases = !llvm::isa<clang::CXXConstructorDecl>(function) && !(method && method->isConst());
-    for (const clang::Expr* argument : arguments)
+    for (const clang::Expr* argument : arguments) {
       add_hidden(at, view_.span(at), argument->getType(), releases);
+      if (releases && may_call_back(argument->getType())) add({}, at, view_.span(at));
+    }
     return;
   }
   if (method && method->isTrivial()) return;
   if (method && method->isDefaulted() && !method->isUserProvided() &&
-      !parts_involve_package(context_.unit, method->getParent()))
+      !parts_involve_package(context_.unit, method->getParent())) {
+    look_at_initializers(at, method);
     return add_hidden(at, view_.span(at), method->getThisType()->getPointeeType(),
                       !llvm::isa<clang::CXXConstructorDecl>(method));
+  }
   event.kind = seen ? PublishEvent::Kind::call : PublishEvent::Kind::unknown;
   if (seen) event.callee = usr_of(pattern_of(function));
   event.messages = messages_in(arguments);
@@ -198,7 +203,7 @@ void EventFinder::look_at_parts() {
 }
 
 /// Default arguments and initializers are evaluated where they are used, once for each use.
-void EventFinder::look_at_unwritten(const clang::Expr* use, const clang::Expr* value) {
+void EventFinder::look_at_unwritten(const clang::Stmt* use, const clang::Expr* value) {
   std::vector<const clang::Stmt*> open{value};
   while (!open.empty()) {
     const clang::Stmt* stmt = open.back();
@@ -210,6 +215,14 @@ void EventFinder::look_at_unwritten(const clang::Expr* use, const clang::Expr* v
     if (made) add_call(use, made->getConstructor(), {made->getArgs(), made->getNumArgs()});
     open.insert(open.end(), stmt->child_begin(), stmt->child_end());
   }
+}
+
+/// A constructor that the compiler writes evaluates the members' default initializers.
+void EventFinder::look_at_initializers(const clang::Stmt* use, const clang::CXXMethodDecl* constructor) {
+  const auto* made = llvm::dyn_cast<clang::CXXConstructorDecl>(constructor);
+  if (!made || made->isCopyOrMoveConstructor()) return;
+  for (const clang::FieldDecl* field : made->getParent()->fields())
+    if (field->hasInClassInitializer()) look_at_unwritten(use, field->getInClassInitializer());
 }
 
 void EventFinder::look_at(const clang::Stmt* stmt) {
