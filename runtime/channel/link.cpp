@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "channel/publisher_address.h"
 #include "channel/wire.h"
 #include "posix/fork_epoch.h"
 #include "posix/packet.h"
@@ -43,7 +44,9 @@ Service* notice_service(const SubscriberOptions& options) {
 }  // namespace
 
 Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options, RingPlace place) {
-  auto socket = posix::connect_to(options.address, options.handshake_timeout);
+  const auto address = parse_publisher_address(options.address);
+  if (!address) return address.error();
+  auto socket = posix::connect_to(address->socket, options.handshake_timeout);
   if (!socket) return socket.error();
   const auto peer = posix::peer_credentials(socket->get());
   if (!peer) return peer.error();
@@ -52,7 +55,7 @@ Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options, 
   auto link = std::make_shared<Link>(std::move(*socket), *peer, std::move(place));
   link->writes_ = view_writes(options);
   link->notice_ = WriteNotice::create(notice_service(options), options.on_write);
-  const Status welcome = link->shake_hands(options);
+  const Status welcome = link->shake_hands(options, address->publication);
   if (!welcome) return welcome.error();
   return link;
 }
@@ -69,8 +72,8 @@ Link::~Link() {
   if (watch_ && !forked()) watch_->stop();
 }
 
-Status Link::shake_hands(const SubscriberOptions& options) {
-  const Status greeted = say_hello(options);
+Status Link::shake_hands(const SubscriberOptions& options, std::uint64_t publication) {
+  const Status greeted = say_hello(options, publication);
   return greeted ? await_welcome(options) : greeted;
 }
 
@@ -78,10 +81,11 @@ bool Link::forked() const {
   return posix::forked_since(epoch_);
 }
 
-Status Link::say_hello(const SubscriberOptions& options) const {
+Status Link::say_hello(const SubscriberOptions& options, std::uint64_t publication) const {
   if (options.hello.size() > max_hello_bytes)
     return failed("subscribe with a hello over 32 KB", options.address);
   Hello hello{PacketKind::hello, wire_magic, wire_version, static_cast<std::uint32_t>(options.hello.size())};
+  hello.publication = publication;
   if (place_.service != nullptr) hello.features |= reads_ring;
   int doorbell = -1;
   if (place_.service != nullptr && place_.number) {

@@ -30,8 +30,8 @@ class Link final : public HangUpListener {
   static Expected<std::shared_ptr<Link>> connect(const SubscriberOptions& options, RingPlace place);
   Link(posix::FileDescriptor socket, const Credentials& peer, RingPlace place);
   ~Link() override;
-  /// On a connected socket.
-  Status shake_hands(const SubscriberOptions& options);
+  /// On a connected socket; with the publisher of that number behind it.
+  Status shake_hands(const SubscriberOptions& options, std::uint64_t publication);
 
   int fd() const { return socket_.get(); }
   const Credentials& peer() const { return peer_; }
@@ -54,7 +54,7 @@ class Link final : public HangUpListener {
   void unsubscribe();
 
  private:
-  Status say_hello(const SubscriberOptions& options) const;
+  Status say_hello(const SubscriberOptions& options, std::uint64_t publication) const;
   Status await_welcome(const SubscriberOptions& options);
   Status use_ring();
   Status accept_welcome(const std::uint8_t* data, std::size_t size, posix::FileDescriptor page);

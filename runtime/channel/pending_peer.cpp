@@ -73,6 +73,7 @@ bool parse_hello(const std::uint8_t* data, std::size_t size, Peer& peer, std::st
   peer.has_doorbell = peer.reads_ring && (packet.features & has_doorbell) != 0;
   peer.doorbell_bytes = packet.doorbell_bytes;
   peer.doorbell_number = packet.doorbell_number;
+  peer.publication = packet.publication;
   peer.hello.assign(reinterpret_cast<const char*>(data) + sizeof packet, packet.hello_bytes);
   return true;
 }

@@ -13,12 +13,16 @@
 namespace tzc {
 namespace channel {
 
-/// Decides about peers that sent Hello (service thread).
+/// Decides about peers: a publisher, or several behind one socket (entrance.h). Called on the service thread.
 class PeerAdmission {
  public:
   virtual ~PeerAdmission() = default;
+  /// False: it admits no process of that user, whatever it says.
+  virtual bool considers(const Credentials& peer) const = 0;
+  /// The peer sent Hello.
   virtual void admit(posix::FileDescriptor socket, Peer peer) = 0;
   virtual void count_refused_peer() = 0;
+  virtual void count_accept_failure() = 0;
 };
 
 /// A peer that connected and has not sent Hello yet. It has a few seconds to do so.

@@ -5,21 +5,11 @@
 
 #include <algorithm>
 
-#include "posix/address.h"
 #include "trace/trace.h"
 
 namespace tzc {
 namespace channel {
 namespace {
-
-constexpr int accepts_per_event = 16;
-constexpr std::chrono::milliseconds pause_when_exhausted{100};
-
-Expected<posix::Listener> listen_on(const std::string& address) {
-  if (!address.empty()) return posix::Listener::listen(address);
-  posix::remove_dead_sockets();
-  return posix::Listener::listen(posix::generate_address());
-}
 
 Expected<std::shared_ptr<SegmentMemory>> default_memory(std::size_t queue_size) {
   MemoryOptions options;
@@ -49,22 +39,19 @@ Expected<std::shared_ptr<PublisherImpl>> PublisherImpl::create(PublisherOptions 
     if (!memory) return memory.error();
     options.memory = *memory;
   }
-  auto listener = listen_on(options.address);
-  if (!listener) return listener.error();
-  auto publisher = std::make_shared<PublisherImpl>(std::move(options), std::move(*listener), **service);
-  const Status started = publisher->start();
-  if (!started) return started.error();
+  auto entrance = options.address.empty() ? Entrance::of_process() : Entrance::at(options.address);
+  if (!entrance) return entrance.error();
+  auto publisher = std::make_shared<PublisherImpl>(std::move(options), std::move(*entrance), **service);
+  publisher->enter();
   return publisher;
 }
 
-PublisherImpl::PublisherImpl(PublisherOptions options, posix::Listener listener, Service& service)
-    : options_(std::move(options)), listener_(std::move(listener)), service_(service) {}
+PublisherImpl::PublisherImpl(PublisherOptions options, std::shared_ptr<Entrance> entrance, Service& service)
+    : options_(std::move(options)), entrance_(std::move(entrance)), service_(service) {}
 
-Status PublisherImpl::start() {
-  const auto key = service_.add(listener_.fd(), true, false, shared_from_this());
-  if (!key) return key.error();
-  key_ = *key;
-  return Success{};
+void PublisherImpl::enter() {
+  number_ = entrance_->enter(weak_from_this());
+  address_ = entrance_->address_of(number_);
 }
 
 std::size_t PublisherImpl::publish(const RecordPtr& record) {
@@ -97,48 +84,19 @@ PublisherStats PublisherImpl::stats() const {
 
 void PublisherImpl::shutdown() {
   closed_ = true;
-  service_.remove(listener_.fd(), key_);
+  entrance_->leave(number_);
+  service_.synchronize();
   std::vector<std::shared_ptr<ConnectionImpl>> connections;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     connections.swap(connections_);
   }
   for (const auto& connection : connections) connection->close();
-  listener_ = posix::Listener();
+  entrance_.reset();
 }
 
-// Without descriptors the listener would report the same peer at once again: stop watching for a moment.
-void PublisherImpl::on_event(const posix::Poller::Event&) {
-  for (int i = 0; i < accepts_per_event; ++i) {
-    posix::FileDescriptor socket;
-    switch (posix::accept_connection(listener_.fd(), socket)) {
-      case posix::AcceptResult::accepted:
-        greet(std::move(socket));
-        break;
-      case posix::AcceptResult::nothing:
-        return;
-      case posix::AcceptResult::exhausted:
-        ++accept_failures_;
-        service_.change(listener_.fd(), key_, false, false);
-        service_.set_deadline(key_, Service::Clock::now() + pause_when_exhausted);
-        return;
-    }
-  }
-}
-
-void PublisherImpl::on_deadline() {
-  service_.change(listener_.fd(), key_, true, false);
-}
-
-void PublisherImpl::greet(posix::FileDescriptor socket) {
-  const auto credentials = posix::peer_credentials(socket.get());
-  const bool foreign_uid = !options_.authorize && credentials && credentials->uid != ::geteuid();
-  if (!credentials || foreign_uid) {
-    ++refused_peers_;
-    refuse(socket.get(), "only processes of the publisher's user may subscribe");
-    return;
-  }
-  if (!PendingPeer::start(service_, std::move(socket), *credentials, weak_from_this())) ++accept_failures_;
+bool PublisherImpl::considers(const Credentials& peer) const {
+  return options_.authorize || peer.uid == ::geteuid();
 }
 
 bool PublisherImpl::authorized(const Peer& peer) const {

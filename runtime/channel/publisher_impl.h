@@ -2,31 +2,33 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "channel/connection.h"
+#include "channel/entrance.h"
 #include "channel/pending_peer.h"
 #include "channel/service.h"
+#include "posix/file_descriptor.h"
 #include "posix/hot.h"
-#include "posix/socket.h"
 #include "tzc/channel.h"
 
 namespace tzc {
 namespace channel {
 
-/// The listening socket and the connections of a Publisher. The service keeps it while it listens, so the
-/// user may destroy the handle (publisher.cpp) at any time, also inside a callback.
-class PublisherImpl final : public Watcher,
-                            public PeerAdmission,
+/// The connections of a Publisher, and its place behind an entrance. Who calls it keeps it, so the user may destroy the
+/// handle (publisher.cpp) at any time, also inside a callback.
+class PublisherImpl final : public PeerAdmission,
                             public ConnectionOwner,
                             public std::enable_shared_from_this<PublisherImpl> {
  public:
   static Expected<std::shared_ptr<PublisherImpl>> create(PublisherOptions options);
-  PublisherImpl(PublisherOptions options, posix::Listener listener, Service& service);
+  PublisherImpl(PublisherOptions options, std::shared_ptr<Entrance> entrance, Service& service);
 
-  const std::string& address() const { return listener_.address(); }
+  const std::string& address() const { return address_; }
   const std::shared_ptr<SegmentMemory>& memory() const { return options_.memory; }
   TZC_HOT std::size_t publish(const RecordPtr& record);
   std::vector<ConnectionPtr> connections() const;
@@ -34,25 +36,23 @@ class PublisherImpl final : public Watcher,
   /// Afterwards no callback runs, except one that calls this.
   void shutdown();
 
-  /// A peer introduced itself (service thread).
+  bool considers(const Credentials& peer) const override;
   void admit(posix::FileDescriptor socket, Peer peer) override;
   /// A subscriber left (service thread).
   void disconnected(const std::shared_ptr<ConnectionImpl>& connection) override;
   void count_refused_peer() override { ++refused_peers_; }
-
-  void on_event(const posix::Poller::Event& event) override;
-  void on_deadline() override;
+  void count_accept_failure() override { ++accept_failures_; }
 
  private:
-  Status start();
-  void greet(posix::FileDescriptor socket);
+  void enter();
   bool authorized(const Peer& peer) const;
   std::shared_ptr<ConnectionImpl> connect(posix::FileDescriptor& socket, Peer peer, Error& failure);
 
   PublisherOptions options_;
-  posix::Listener listener_;
+  std::shared_ptr<Entrance> entrance_;  // until shutdown
   Service& service_;
-  std::uint64_t key_ = 0;
+  std::uint64_t number_ = 0;  // behind the entrance
+  std::string address_;
   std::atomic<bool> closed_{false};
   std::atomic<std::uint64_t> refused_peers_{0};
   std::atomic<std::uint64_t> accept_failures_{0};

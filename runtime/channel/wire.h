@@ -22,7 +22,7 @@
 namespace tzc {
 namespace channel {
 
-constexpr std::uint32_t wire_version = 4;
+constexpr std::uint32_t wire_version = 5;
 constexpr std::uint32_t wire_magic = 0x315a4354;  // "TCZ1"
 constexpr std::size_t fragment_bytes = 64 << 10;  // most bytes of a body in one packet
 constexpr std::size_t max_hello_bytes = 32 << 10;
@@ -57,6 +57,8 @@ struct Hello {
   std::uint32_t features = 0;
   std::uint32_t doorbell_bytes = 0;   // of its file
   std::uint32_t doorbell_number = 0;  // of this connection's bit there
+  std::uint32_t reserved = 0;
+  std::uint64_t publication = 0;  // which publisher behind the socket; 0: the only one
 };
 
 struct Welcome {

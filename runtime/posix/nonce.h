@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace tzc {
@@ -8,6 +9,9 @@ namespace posix {
 
 /// 128 random bits as 32 hexadecimal digits: a name that cannot be guessed and does not collide.
 std::string nonce();
+
+/// 64 random bits.
+std::uint64_t random_number();
 
 }  // namespace posix
 }  // namespace tzc

@@ -171,7 +171,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   Service* service = greeting % 2 == 0 ? *Service::instance() : nullptr;
   auto link = std::make_shared<Link>(std::move(sockets.theirs), Credentials(), RingPlace{service});
-  if (!link->shake_hands(options)) return 0;
+  if (!link->shake_hands(options, 0)) return 0;
   Reader reader(link, options);
   std::vector<MessagePtr> held;
   std::uint32_t sequence = 0;

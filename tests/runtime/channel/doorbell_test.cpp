@@ -287,8 +287,9 @@ TEST_F(HostileRinger, bits_and_bells_of_others_change_nothing_but_time) {
 }
 
 /// The refusal of a publisher to a hello that names a doorbell.
-std::string refusal_of(const Hello& hello, const std::vector<int>& descriptors) {
+std::string refusal_of(Hello hello, const std::vector<int>& descriptors) {
   const auto out = publisher();
+  hello.publication = parse_publisher_address(out->address())->publication;
   RawPeer peer = RawPeer::connect(out->address());
   peer.send(hello, descriptors);
   EXPECT_EQ(peer.receive(), posix::ReceiveResult::packet);

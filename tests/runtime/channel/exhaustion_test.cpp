@@ -48,7 +48,10 @@ int publisher_without_descriptors() {
   limit(RLIMIT_NOFILE, 0);  // what is open stays open
   const auto refused = Subscriber::create(late);
   EXPECT_IN_CHILD(!refused && mentions(refused.error().text(), "too many open files"));
-  EXPECT_IN_CHILD(!Publisher::create({}));
+  PublisherOptions elsewhere;
+  elsewhere.address = "@tzc-exhaustion-elsewhere-" + std::to_string(::getpid());
+  EXPECT_IN_CHILD(!Publisher::create(elsewhere));
+  EXPECT_IN_CHILD(Publisher::create({}));  // its socket is there
   EXPECT_IN_CHILD(!SegmentMemory::create(MemoryOptions{mb}));
   EXPECT_IN_CHILD(out->publish(text_record("no memory needed")) == 1);
   // The subscriber cannot be offered a segment now: the caller learns it and may send the message without

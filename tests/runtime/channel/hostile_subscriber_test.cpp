@@ -10,8 +10,6 @@ namespace channel {
 namespace test {
 namespace {
 
-constexpr Hello good_hello{PacketKind::hello, wire_magic, wire_version, 0, 0};
-
 void expect_going_on(Publisher& out) {
   Inbox in(out.address());
   ASSERT_TRUE(in.subscriber) << in.error;
@@ -57,7 +55,7 @@ TEST(HostileSubscriber, silent_peers_hold_nobody_up) {
 TEST(HostileSubscriber, one_that_talks_is_cut_off) {
   const auto out = publisher();
   RawPeer peer = RawPeer::connect(out->address());
-  peer.send(good_hello);
+  peer.send(hello_to(out->address()));
   ASSERT_EQ(peer.receive(), posix::ReceiveResult::packet);
   EXPECT_EQ(peer.kind(), PacketKind::welcome);
   ASSERT_TRUE(eventually([&] { return out->connections().size() == 1; }));
@@ -70,7 +68,7 @@ TEST(HostileSubscriber, scribbling_over_acknowledgements_hurts_only_itself) {
   const auto out = publisher(4, 4 * mb, Policy::best_effort());
   {
     RawPeer peer = RawPeer::connect(out->address());
-    peer.send(good_hello);
+    peer.send(hello_to(out->address()));
     ASSERT_EQ(peer.receive(), posix::ReceiveResult::packet);
     auto page = posix::Mapping::map(peer.packet.descriptors[0].get(), 4096, posix::Access::read_write);
     ASSERT_TRUE(page);
@@ -99,7 +97,7 @@ TEST(HostileSubscriber, forged_hints_hide_nothing) {
     const auto out = publisher(blocks, mb);
     {
       RawPeer peer = RawPeer::connect(out->address());
-      peer.send(good_hello);
+      peer.send(hello_to(out->address()));
       ASSERT_EQ(peer.receive(), posix::ReceiveResult::packet);
       ASSERT_TRUE(eventually([&] { return out->connections().size() == 1; }));
       for (int i = 0; i < blocks; ++i) out->publish(text_record("x", {filled(*out->memory(), mb / 32, 1)}));
@@ -124,7 +122,7 @@ TEST(HostileSubscriber, forged_hints_hide_no_revocation) {
        {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{0xf0f0}, ~std::uint64_t{0}}) {
     const auto out = publisher(blocks, mb);
     RawPeer peer = RawPeer::connect(out->address());
-    peer.send(good_hello);
+    peer.send(hello_to(out->address()));
     ASSERT_EQ(peer.receive(), posix::ReceiveResult::packet);
     ASSERT_TRUE(eventually([&] { return out->connections().size() == 1; }));
     for (int i = 0; i < blocks; ++i) out->publish(text_record("x", {filled(*out->memory(), mb / 32, 1)}));

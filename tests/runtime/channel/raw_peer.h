@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "channel/publisher_address.h"
 #include "channel/wire.h"
 #include "posix/packet.h"
 #include "posix/socket.h"
@@ -12,12 +13,19 @@ namespace test {
 
 using std::chrono::milliseconds;
 
+/// With which the publisher at this address is greeted.
+inline Hello hello_to(const std::string& address, std::uint32_t features = 0) {
+  Hello hello{PacketKind::hello, wire_magic, wire_version, 0, features};
+  hello.publication = parse_publisher_address(address)->publication;
+  return hello;
+}
+
 /// One end of a connection, whose packets the test writes and reads itself.
 class RawPeer {
  public:
   explicit RawPeer(posix::FileDescriptor socket) : socket_(std::move(socket)), memory_(max_packet_bytes) {}
   static RawPeer connect(const std::string& address) {
-    return RawPeer(*posix::connect_to(address, milliseconds(1000)));
+    return RawPeer(*posix::connect_to(parse_publisher_address(address)->socket, milliseconds(1000)));
   }
 
   void send(const void* data, std::size_t size, std::vector<int> descriptors = {}) const {

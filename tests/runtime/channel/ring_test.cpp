@@ -172,7 +172,7 @@ TEST(TwoWays, records_of_all_sizes_keep_their_order) {
 class ByHand : public ::testing::Test {
  protected:
   void SetUp() override {
-    peer_.send(Hello{PacketKind::hello, wire_magic, wire_version, 0, reads_ring});
+    peer_.send(hello_to(out_->address(), reads_ring));
     ASSERT_EQ(peer_.receive(), posix::ReceiveResult::packet);
     mapping_ =
         std::move(*posix::Mapping::map(peer_.packet.descriptors[0].get(), 4096, posix::Access::read_write));

@@ -14,9 +14,9 @@ namespace {
 
 using Word = std::atomic<std::uint64_t>;
 
-TEST(Wire, version_four) {
-  EXPECT_EQ(wire_version, 4u);
-  EXPECT_EQ(sizeof(Hello), 28u);
+TEST(Wire, version_five) {
+  EXPECT_EQ(wire_version, 5u);
+  EXPECT_EQ(sizeof(Hello), 40u);
   EXPECT_EQ(sizeof(Welcome), 20u);
   EXPECT_EQ(sizeof(Refusal), 8u);
   EXPECT_EQ(sizeof(SegmentPacket), 40u);

@@ -89,9 +89,9 @@ using ConnectionPtr = std::shared_ptr<Connection>;
 
 /// How a publisher is reached, and what it does about each subscriber; fixed when it is created.
 struct PublisherOptions {
-  /// Empty: an abstract name with a 128-bit nonce (a pathname in the portable build). "@name": that abstract
-  /// name. Otherwise a pathname, at most 107 bytes; replaces a leftover socket file that no process listens
-  /// on.
+  /// Empty: an abstract name with a 128-bit nonce (a pathname in the portable build), whose socket all such publishers
+  /// of the process share. "@name": that abstract name. Otherwise a pathname, at most 107 bytes; replaces a leftover
+  /// socket file that no process listens on. Neither contains '#'.
   std::string address{};
   /// Most records that may be in flight for each subscriber; 0: as many as the protocol can count (65535).
   std::size_t queue_size = 10;
@@ -112,11 +112,13 @@ struct PublisherOptions {
 
 /// What a publisher has done since it was created: a snapshot.
 struct PublisherStats {
-  std::uint64_t published = 0;        ///< publish() calls
-  std::uint64_t not_records = 0;      ///< of those, calls with a null record: sent to no subscriber
-  std::uint64_t sent = 0;             ///< records accepted for some subscriber, summed
-  std::uint64_t dropped = 0;          ///< records revoked before their subscriber took them, summed
-  std::uint64_t refused_peers = 0;    ///< not authorized, or not speaking this protocol
+  std::uint64_t published = 0;    ///< publish() calls
+  std::uint64_t not_records = 0;  ///< of those, calls with a null record: sent to no subscriber
+  std::uint64_t sent = 0;         ///< records accepted for some subscriber, summed
+  std::uint64_t dropped = 0;      ///< records revoked before their subscriber took them, summed
+  /// Not authorized, or not speaking this protocol. One that did not say which publisher it wants counts for each that
+  /// shares the socket, here and below.
+  std::uint64_t refused_peers = 0;
   std::uint64_t accept_failures = 0;  ///< connections that failed here, e.g. too many open files
   std::size_t subscribers = 0;        ///< connections alive now
 };
@@ -127,7 +129,7 @@ struct PublisherStats {
 class Publisher {
  public:
   virtual ~Publisher() = default;
-  /// Errors: the address is taken or too long, no descriptors left.
+  /// Errors: the address is taken, too long or contains '#', no descriptors left.
   static Expected<std::shared_ptr<Publisher>> create(PublisherOptions options);
   /// The address for SubscriberOptions::address.
   virtual const std::string& address() const = 0;
