@@ -13,6 +13,8 @@ const Command commands[] = {
 #ifdef TZC_BENCH_ROSCPP
     {"roscpp", "one-way latency between ROS nodes: TCPROS, TZC, intraprocess, next to a bare socket",
      tzc::bench::run_roscpp},
+    {"scale", "many topics between few processes: threads, descriptors, memory, time until all are shared",
+     tzc::bench::run_scale},
 #endif
 #ifdef TZC_BENCH_PAPER
     {"paper", "the evaluation of the TZC paper: latency, reliability, copies; tables, plots, a page",

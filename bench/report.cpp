@@ -10,6 +10,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <utility>
 
 namespace tzc {
 namespace bench {
@@ -68,8 +69,13 @@ void print_table(const std::vector<Row>& rows) {
 }
 
 bool write_json(const std::string& path, const std::vector<Row>& rows) {
-  nlohmann::json document{{"machine", machine()}, {"rows", nlohmann::json::array()}};
-  for (const Row& row : rows) document["rows"].push_back(to_json(row));
+  auto as_json = nlohmann::json::array();
+  for (const Row& row : rows) as_json.push_back(to_json(row));
+  return write_rows(path, std::move(as_json));
+}
+
+bool write_rows(const std::string& path, nlohmann::json rows) {
+  const nlohmann::json document{{"machine", machine()}, {"rows", std::move(rows)}};
   std::ofstream file(path);
   file << document.dump(2) << "\n";
   if (file) return true;

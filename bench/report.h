@@ -27,6 +27,7 @@ nlohmann::json machine();
 /// by the row's; both at the same size and number of subscribers, where those were measured.
 void print_table(const std::vector<Row>& rows);
 /// {"machine": {...}, "rows": [...]}; false when the file cannot be written.
+bool write_rows(const std::string& path, nlohmann::json rows);
 bool write_json(const std::string& path, const std::vector<Row>& rows);
 
 }  // namespace bench

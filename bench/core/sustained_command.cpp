@@ -3,29 +3,16 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <string>
 
 #include "commands.h"
 #include "contenders.h"
 #include "options.h"
+#include "process_needs.h"
 #include "tzc/channel.h"
 
 namespace tzc {
 namespace bench {
 namespace {
-
-// "RssAnon": the process's own memory; "RssShmem": pages of its segments.
-std::size_t status_kb(const std::string& field) {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.compare(0, field.size(), field) == 0)
-      return std::strtoul(line.c_str() + field.size() + 1, nullptr, 10);
-  }
-  return 0;
-}
 
 /// The ordinary tzc contender, watched: prints the publisher's memory early and late.
 class Watched final : public Contender {
@@ -39,7 +26,8 @@ class Watched final : public Contender {
       inner(index);
       if (index == setup.count / 10 || index + 1 == setup.count)
         std::printf("publisher after %llu messages: %zu KB private, %zu KB of segments\n",
-                    static_cast<unsigned long long>(index), status_kb("RssAnon"), status_kb("RssShmem"));
+                    static_cast<unsigned long long>(index), status_kb(::getpid(), "RssAnon"),
+                    status_kb(::getpid(), "RssShmem"));
       std::fflush(stdout);
     };
   }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""usage: test_bench.py TZC_BENCH core|roscpp|sustained|inside
+"""usage: test_bench.py TZC_BENCH core|roscpp|scale|sustained|inside
 
 A short run of the command delivers messages, writes the JSON file that is promised, and mistakes are told."""
 import json
@@ -70,8 +70,33 @@ def check_inside(bench):
     assert run(bench, "--help").returncode == 0 and run(bench).returncode == 2 and run(bench, "fast").returncode == 2
 
 
+def check_scale(bench):
+    """Whatever a crowd costs, each message arrives, and each connection that can be is on shared memory."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "figures.json")
+        done = run(bench, "scale", "--topics", "6", "--subscribers", "2", "--memory", "1m", "--json", path)
+        assert done.returncode == 0, done.stderr
+        with open(path) as file:
+            rows = json.load(file)["rows"]
+    assert [row["transport"] for row in rows] == ["tcpros", "tzc"], rows
+    assert [row["upgraded"] for row in rows] == [0, 12], rows
+    for row in rows:
+        assert (row["topics"], row["subscribers"], row["connected"], row["delivered"]) == (6, 2, 12, 12), row
+        assert all(row[role][need] > 0 for role in ("publisher", "subscriber")
+                   for need in ("threads", "descriptors", "private_kb")), row
+        assert row["connected_s"] > 0 and row["upgraded_s"] >= 0 and f"{row['transport']} " in done.stdout, row
+    listening = rows[1]["publisher"]["descriptors"] - rows[0]["publisher"]["descriptors"]
+    assert listening < 12 + 6 + 6, "a socket a connection, a file a publisher, and few for all of them together"
+    for mistake in (["--topics", "0"], ["--memory", "much"], ["--size", "4k"]):
+        told = run(bench, "scale", *mistake)
+        assert told.returncode == 2 and mistake[0] in told.stderr, (mistake, told)
+    assert "Examples:" in run(bench, "scale", "--help").stdout
+
+
 def main():
     bench, command = sys.argv[1:]
+    if command == "scale":
+        return check_scale(bench)
     if command == "inside":
         return check_inside(bench)
     table, figures = short_run(bench, command)
