@@ -2,6 +2,7 @@
 #include "segment/ack_file.h"
 
 #include <new>
+#include <utility>
 
 #include "posix/shared_memory.h"
 #include "segment/ack_word.h"
@@ -17,15 +18,20 @@ std::size_t round_to_pages(std::size_t bytes) {
 
 }  // namespace
 
-AckFile::AckFile(std::uint32_t slots) : reader_(slots), sent_(new std::atomic<std::uint32_t>[slots]()) {}
+AckFile::AckFile(std::uint32_t slots, posix::ZeroedMemory sent)
+    : reader_(slots),
+      sent_memory_(std::move(sent)),
+      sent_(reinterpret_cast<std::atomic<std::uint32_t>*>(sent_memory_.data())) {}
 
 Expected<std::shared_ptr<AckFile>> AckFile::create(std::uint32_t slots) {
   const std::size_t size = round_to_pages(ack_file_bytes(slots));
   // All of it is committed: a word must never fault on a full tmpfs.
   auto memory = posix::create_shared_memory("tzc-acknowledgements", size, size, posix::Sharing::peers_write);
   if (!memory) return memory.error();
+  auto sent = posix::ZeroedMemory::create(slots * sizeof(std::atomic<std::uint32_t>));
+  if (!sent) return sent.error();
 
-  auto ack_file = std::make_shared<AckFile>(slots);
+  auto ack_file = std::make_shared<AckFile>(slots, std::move(*sent));
   ack_file->file_ = std::move(memory->file);
   ack_file->mapping_ = std::move(memory->mapping);
   ack_file->acks_ = AckView(ack_file->mapping_.data(), slots);

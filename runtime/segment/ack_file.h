@@ -9,6 +9,7 @@
 #include "posix/hot.h"
 #include "posix/mapping.h"
 #include "posix/memory_file.h"
+#include "posix/zeroed_memory.h"
 #include "segment/ack_view.h"
 #include "segment/layout.h"
 #include "segment/release_hints.h"
@@ -23,7 +24,7 @@ namespace segment {
 /// (the publisher remembers that privately), so a hostile peer can at most keep what it was given.
 class AckFile {
  public:
-  explicit AckFile(std::uint32_t slots);
+  AckFile(std::uint32_t slots, posix::ZeroedMemory sent);
   static Expected<std::shared_ptr<AckFile>> create(std::uint32_t slots);
 
   /// The block goes out to this subscriber once more. False: counted to its limit, or the peer corrupts the
@@ -66,7 +67,9 @@ class AckFile {
   posix::Mapping mapping_;
   AckView acks_;
   HintReader reader_;
-  std::unique_ptr<std::atomic<std::uint32_t>[]> sent_;  // per slot: the last generation that was marked
+  // Blocks mostly lie in the first slots, so mostly few pages of this are used.
+  const posix::ZeroedMemory sent_memory_;
+  std::atomic<std::uint32_t>* const sent_;  // per slot: the last generation that was marked
 };
 
 }  // namespace segment
