@@ -212,9 +212,11 @@ std::optional<EarlyName> Hoisting::looked_up_at(const PublisherMention& publishe
   if (!lookup) return {};
   const NameParts parts = parts_of(unit_, {lookup->container, lookup->key});
   if (parts.has_effects || !means_the_same(unit_, publisher, parts, at)) return {};
-  // Other threads may change a container while it is not locked.
+  // Allocated from another publisher, the message would be copied. Other threads may change a container while it is not locked.
   const clang::Stmt* body = body_around(publisher);
-  if (body && MustExecute(unit_, parts, body).locks_between(at, publisher.begin)) return {};
+  const MustExecute between(unit_, parts, body);
+  const unsigned mentioned = unit_.offset(publisher.object->getBeginLoc());
+  if (body && (between.changes_between(at, mentioned) || between.locks_between(at, mentioned))) return {};
   if (!are_taken(publisher, parts, at)) return {};
   const std::string container = unit_.text(lookup->container);
   std::string key = lookup->is_last ? container + ".size() - 1" : "0";

@@ -10,7 +10,7 @@ namespace {
 
 struct Table {
   std::set<std::string> keeps_nothing, makes_new, views, owners;
-  std::vector<std::string> calls_nothing, may_wait, quiet;
+  std::vector<std::string> calls_nothing, may_wait, returns, may_throw, quiet;
 };
 
 const Table& table() {
@@ -22,6 +22,8 @@ const Table& table() {
 #define OWNER(name) t.owners.insert(name);
 #define CALLS_NOTHING(name) t.calls_nothing.push_back(name);
 #define MAY_WAIT(name) t.may_wait.push_back(name);
+#define RETURNS(name) t.returns.push_back(name);
+#define MAY_THROW(name) t.may_throw.push_back(name);
 #define QUIET(name) t.quiet.push_back(name);
 #include "facts/known_functions.def"
 #undef KEEPS_NOTHING
@@ -30,6 +32,8 @@ const Table& table() {
 #undef OWNER
 #undef CALLS_NOTHING
 #undef MAY_WAIT
+#undef RETURNS
+#undef MAY_THROW
 #undef QUIET
     return t;
   }();
@@ -64,6 +68,10 @@ bool is_owner_class(const std::string& name) {
 
 bool calls_nothing(const std::string& function) {
   return any_matches(table().calls_nothing, function) && !any_matches(table().may_wait, function);
+}
+
+bool always_returns(const std::string& function) {
+  return any_matches(table().returns, function) && !any_matches(table().may_throw, function);
 }
 
 bool is_quiet_function(const std::string& function) {

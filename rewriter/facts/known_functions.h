@@ -12,6 +12,8 @@ Keeping keeping_of(const std::string& function);
 bool is_view_class(const std::string& name);
 bool is_owner_class(const std::string& name);
 bool calls_nothing(const std::string& function);
+/// Each call comes back: it throws nothing but for want of memory.
+bool always_returns(const std::string& function);
 bool is_quiet_function(const std::string& function);
 
 }  // namespace tzc::rewriter

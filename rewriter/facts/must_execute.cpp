@@ -2,7 +2,10 @@
 #include "facts/must_execute.h"
 
 #include "facts/ast_walk.h"
+#include "facts/calls.h"
+#include "facts/known_functions.h"
 #include "facts/library_calls.h"
+#include "facts/message_type.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -14,6 +17,7 @@ unsigned begin_of(const Unit& unit, const clang::Stmt* stmt) {
 
 /// A mention of a pointer or container that leaves it as it is.
 bool only_looks(const Unit& unit, const clang::Expr* mention) {
+  if (mention->getType().isConstQualified()) return true;
   const auto* around = parent_as<clang::Expr>(unit.ast(), *mention);
   if (!around) return false;
   if (llvm::isa<clang::ParenExpr>(around)) return only_looks(unit, around);
@@ -69,13 +73,26 @@ bool is_exposed(const Unit& unit, const NameParts& parts, const clang::Stmt* bod
   return visitor.exposed;
 }
 
-/// Whether a call, or what it calls in turn, may change what a name depends on.
+/// Whether each call of a function of a library comes back, whatever it is given.
+bool comes_back(const clang::FunctionDecl* callee) {
+  if (callee->isNoReturn()) return false;
+  const auto* type = callee->getType()->getAs<clang::FunctionProtoType>();
+  const clang::ExceptionSpecificationType spec = type ? type->getExceptionSpecType() : clang::EST_None;
+  if (spec == clang::EST_BasicNoexcept || spec == clang::EST_NoexceptTrue || spec == clang::EST_NoThrow ||
+      spec == clang::EST_DynamicNone)
+    return true;
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
+  return (method && (method->isTrivial() || message_of(method->getParent()))) ||
+         (callee->getBuiltinID() != 0 && callee->isExternC()) || always_returns(qualified_name_of(callee));
+}
+
+/// Whether a call, or what it calls in turn, may change what a name depends on, or not come back.
 class Reach : public AstVisitor {
  public:
   /// exposed: code that is not seen can change it.
   Reach(const Unit& unit, const std::vector<const clang::ValueDecl*>& decls, bool exposed)
       : unit_(unit), decls_(decls), exposed_(exposed) {}
-  bool found = false;
+  bool found = false, leaves = false;
 
   void call(const clang::FunctionDecl* callee, llvm::ArrayRef<const clang::Expr*> arguments) {
     for (const clang::Expr* argument : arguments) {
@@ -85,26 +102,37 @@ class Reach : public AstVisitor {
     if (!callee || unit_.declares(callee))
       follow(callee);
     else
-      found = found || (exposed_ && !calls_no_package_code(unit_, callee, arguments));
+      call_library(callee, arguments);
+  }
+  bool VisitStmt(clang::Stmt* stmt) override {
+    leaves |= llvm::isa<clang::CXXThrowExpr>(stmt);
+    return true;
   }
   bool VisitCallExpr(clang::CallExpr* expr) override {
     call(expr->getDirectCallee(), {expr->getArgs(), expr->getNumArgs()});
     return !found;
   }
-  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override { return note(reference->getDecl()); }
-  bool VisitMemberExpr(clang::MemberExpr* member) override { return note(member->getMemberDecl()); }
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
+    return note(reference, reference->getDecl());
+  }
+  bool VisitMemberExpr(clang::MemberExpr* member) override { return note(member, member->getMemberDecl()); }
 
  private:
+  void call_library(const clang::FunctionDecl* callee, llvm::ArrayRef<const clang::Expr*> arguments) {
+    const bool may_call_back = !calls_no_package_code(unit_, callee, arguments);
+    found = found || (exposed_ && may_call_back);
+    leaves = leaves || !comes_back(callee);
+  }
   void follow(const clang::FunctionDecl* callee) {
     const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(callee);
     const clang::FunctionDecl* definition = nullptr;
     if (!callee || !callee->isDefined(definition) || (method && method->isVirtual()))
-      found = found || exposed_;  // a function pointer, another file, another class
+      found = found || exposed_, leaves = true;  // a function pointer, another file, another class
     else if (seen_.insert(definition).second)
       TraverseStmt(definition->getBody());
   }
-  bool note(const clang::ValueDecl* decl) {
-    found = found || llvm::is_contained(decls_, decl);
+  bool note(const clang::Expr* mention, const clang::ValueDecl* decl) {
+    found = found || (llvm::is_contained(decls_, decl) && !only_looks(unit_, mention));
     return !found;
   }
   const Unit& unit_;
@@ -113,8 +141,10 @@ class Reach : public AstVisitor {
   std::set<const clang::FunctionDecl*> seen_;
 };
 
-/// scoped_lock, MutexLocker, mutex_.lock(), pthread_mutex_lock()
+/// scoped_lock, MutexLocker, mutex_.lock(), pthread_mutex_lock(), thread_.join(), ready_.wait(): what happens in another
+/// thread is seen from there on. So it is where a volatile is read.
 bool names_lock(llvm::StringRef name) {
+  if (name.ends_with("join") || name.starts_with("wait")) return true;
   return name.contains_insensitive("lock") && !name.contains_insensitive("clock") &&
          !name.contains_insensitive("block") && !name.contains_insensitive("unlock");
 }
@@ -143,7 +173,10 @@ class Between : public AstVisitor {
       reach_.call(made->getConstructor(), {made->getArgs(), made->getNumArgs()});
       locks |= names_lock(made->getConstructor()->getParent()->getName());
     }
-    changes |= reach_.found || locks;
+    const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
+    locks |= expr && expr->getType().isVolatileQualified();
+    changes |= reach_.found;
+    leaves |= reach_.leaves;
     return true;
   }
 
@@ -214,7 +247,7 @@ class StepFinder : public AstVisitor {
     const unsigned here = begin_of(unit_, stmt);
     Between between(unit_, parts_, exposed_, {std::min(here, at_), std::max(here, at_)});
     between.TraverseStmt(const_cast<clang::Stmt*>(body_));
-    return !between.changes && (here < at_ || !between.leaves);
+    return !between.changes && !between.locks && (here < at_ || !between.leaves);
   }
   const Unit& unit_;
   const NameParts& parts_;
@@ -249,6 +282,12 @@ bool MustExecute::locks_between(unsigned from, unsigned to) const {
   Between between(unit_, parts_, false, {from, to});
   between.TraverseStmt(const_cast<clang::Stmt*>(body_));
   return between.locks;
+}
+
+bool MustExecute::changes_between(unsigned from, unsigned to) const {
+  Between between(unit_, parts_, false, {from, to});
+  between.TraverseStmt(const_cast<clang::Stmt*>(body_));
+  return between.changes;
 }
 
 bool MustExecute::takes(const std::string& step, unsigned at) const {

@@ -34,7 +34,9 @@ class MustExecute {
 
   /// Whether every path through the offset takes the step: behind it, or before it with no change since.
   bool takes(const std::string& step, unsigned at) const;
-  /// Whether a lock is taken between two offsets.
+  /// Whether code that is seen may give the name another meaning between two offsets.
+  bool changes_between(unsigned from, unsigned to) const;
+  /// Whether a lock is taken, or another thread waited for, between two offsets.
   bool locks_between(unsigned from, unsigned to) const;
 
  private:
