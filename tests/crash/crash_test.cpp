@@ -210,6 +210,12 @@ void open_board() {
   std::snprintf(board->address, sizeof board->address, "@tzc-crash-%d", static_cast<int>(::getpid()));
 }
 
+/// In milliseconds. Of fewer values a p95 would be the worst of all, or the one before: one late wake-up of a busy machine.
+bool is_quick(std::size_t count, double p95, double worst) {
+  constexpr std::size_t least_for_p95 = 50;
+  return worst <= 1000 && (count < least_for_p95 || p95 <= 100);
+}
+
 int report(Tally& tally, bool survived, bool left_files) {
   std::sort(tally.until_free.begin(), tally.until_free.end());
   const std::size_t count = tally.until_free.size();
@@ -220,7 +226,7 @@ int report(Tally& tally, bool survived, bool left_files) {
       "(p95), "
       "%.1f ms (worst)%s\n",
       tally.kills, tally.aimed, board->errors.load(), p95, worst, left_files ? "; FILES LEFT BEHIND" : "");
-  return survived && board->errors == 0 && !left_files && p95 <= 100 && worst <= 1000 ? 0 : 1;
+  return survived && board->errors == 0 && !left_files && is_quick(count, p95, worst) ? 0 : 1;
 }
 
 int run(int kills, unsigned seed) {
