@@ -55,6 +55,22 @@ bool may_write(const FunctionView& view, const clang::MemberExpr* array) {
   return !method || !method->isConst();
 }
 
+/// What was got through const access may lie in memory that subscribers share: the array leaves it behind when it is
+/// written to.
+std::vector<SeenEvent> array_writes(EscapeContext& context, const FunctionView& view) {
+  std::vector<SeenEvent> writes;
+  for (const clang::Stmt* stmt : view.statements()) {
+    const auto* array = llvm::dyn_cast<clang::MemberExpr>(stmt);
+    if (!array || !is_data_array(array->getType()) || !may_write(view, array)) continue;
+    const std::vector<EntityId> sources = context.sources_of(array->getBase());
+    SeenEvent write{{}, array, view.span(array), view.lambda_around(array)};
+    write.event.kind = PublishEvent::Kind::write;
+    write.event.messages = {sources.begin(), sources.end()};
+    writes.push_back(std::move(write));
+  }
+  return writes;
+}
+
 /// In a constructor's initializers: members that are declared later do not exist yet.
 bool is_before_body(const FunctionView& view, const clang::Stmt* stmt) {
   while (const clang::Stmt* around = view.parent(stmt)) stmt = around;
@@ -88,6 +104,7 @@ const EscapeAnalysis::Analysed& EscapeAnalysis::analysed(const clang::FunctionDe
   if (is_new) {
     known->second.view = std::make_unique<FunctionView>(definition);
     known->second.events = publish_events(context_, *known->second.view);
+    known->second.writes = array_writes(context_, *known->second.view);
   }
   return known->second;
 }
@@ -101,6 +118,7 @@ const FunctionView& EscapeAnalysis::analyse(const clang::FunctionDecl* definitio
     if (event.event.kind != PublishEvent::Kind::exchange) effects.push_back(event.event);
     if (!event.event.messages.empty()) note_tail(context_, *here.view, event);
   }
+  for (const SeenEvent& write : here.writes) effects.push_back(write.event);
   for (const clang::Stmt* stmt : here.view->statements()) {
     note_lasting(stmt);
     start(*here.view, stmt);
@@ -183,14 +201,18 @@ bool EscapeAnalysis::follow(const clang::FunctionDecl* function, unsigned argume
   return true;
 }
 
-void EscapeAnalysis::add_hold(const std::vector<EntityId>& messages, const PublishEvent& event,
-                              const std::string& name, clang::SourceLocation where) {
-  const std::string reason =
-      (name.empty() ? "a pointer into its data" : "'" + name + "' points into its data and") +
-      " is used after the message may have been published";
-  for (const EntityId& key : messages)
-    context_.found.holds.push_back(
-        {key, event, {codes::TZC1003, reason, location_of(context_.unit.source.where(where))}});
+void EscapeAnalysis::add_hold(const Holder& holder, const PublishEvent& event, clang::SourceLocation where) {
+  const std::string who = holder.variable
+                              ? "'" + holder.variable->getNameAsString() + "' points into its data and"
+                              : "a pointer into its data";
+  const bool is_write = event.kind == PublishEvent::Kind::write;
+  const std::string what = is_write ? "its data was written to" : "the message may have been published";
+  const bool may_be_write = holder.read_only && event.kind == PublishEvent::Kind::call;
+  const Obstacle obstacle{codes::TZC1003,
+                          who + " is used after " + what + (may_be_write ? " or written to" : ""),
+                          location_of(context_.unit.source.where(where))};
+  for (const EntityId& key : holder.messages)
+    context_.found.holds.push_back({key, event, obstacle, holder.read_only});
 }
 
 /// A pointer without a name lives as long as the expression around it; what it is computed from comes before it.
@@ -202,37 +224,24 @@ void EscapeAnalysis::check_expression(const FunctionView& view, const clang::Exp
   for (const SeenEvent& event : analysed(view.function()).events)
     if (whole.contains(event.span) && !event.span.contains(here) && !here.contains(event.span) &&
         !(ordered && is_assigned_after(view, born, event)))
-      add_hold(messages, event.event, "", born->getBeginLoc());
+      add_hold({nullptr, Reference::elements, false, messages}, event.event, born->getBeginLoc());
 }
 
 void EscapeAnalysis::check_holder(const FunctionView& view, const Holder& holder) {
-  const unsigned declared = declared_at(view, holder.variable);
-  for (const SeenEvent& event : analysed(view.function()).events)
-    for (const clang::DeclRefExpr* use : view.uses(holder.variable))
-      if (comes_after(view, event, use, declared)) {
-        add_hold(holder.messages, event.event, holder.variable->getNameAsString(), use->getLocation());
-        break;
-      }
-  if (holder.read_only) check_writes(view, holder);
+  const Analysed& here = analysed(view.function());
+  check_events(view, holder, here.events);
+  if (holder.read_only) check_events(view, holder, here.writes);
 }
 
-/// What was got through const access may lie in memory that subscribers share: the array leaves it behind when it
-/// is written to.
-void EscapeAnalysis::check_writes(const FunctionView& view, const Holder& holder) {
+void EscapeAnalysis::check_events(const FunctionView& view, const Holder& holder,
+                                  const std::vector<SeenEvent>& events) {
   const unsigned declared = declared_at(view, holder.variable);
-  for (const clang::Stmt* stmt : view.statements()) {
-    const auto* array = llvm::dyn_cast<clang::MemberExpr>(stmt);
-    if (!array || !is_data_array(array->getType()) || !may_write(view, array)) continue;
-    const std::vector<EntityId> sources = context_.sources_of(array->getBase());
-    SeenEvent write{{}, array, view.span(array), view.lambda_around(array)};
-    write.event.kind = PublishEvent::Kind::publish;
-    write.event.messages = {sources.begin(), sources.end()};
+  for (const SeenEvent& event : events)
     for (const clang::DeclRefExpr* use : view.uses(holder.variable))
-      if (comes_after(view, write, use, declared)) {
-        add_hold(holder.messages, write.event, holder.variable->getNameAsString(), use->getLocation());
+      if (comes_after(view, event, use, declared)) {
+        add_hold(holder, event.event, use->getLocation());
         break;
       }
-  }
 }
 
 }  // namespace tzc::rewriter

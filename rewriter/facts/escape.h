@@ -30,7 +30,7 @@ struct Referring {
 
 /// A variable that refers to data.
 struct Holder {
-  const clang::VarDecl* variable;
+  const clang::VarDecl* variable;  ///< null: a value without a name
   Reference how;
   bool read_only;
   std::vector<EntityId> messages;
@@ -63,6 +63,7 @@ class EscapeAnalysis {
   struct Analysed {
     std::unique_ptr<FunctionView> view;
     std::vector<SeenEvent> events;
+    std::vector<SeenEvent> writes;  ///< to arrays of messages
   };
   const Analysed& analysed(const clang::FunctionDecl* definition);
   void note_lasting(const clang::Stmt* stmt);
@@ -71,9 +72,8 @@ class EscapeAnalysis {
   void check_expression(const FunctionView& view, const clang::Expr* born,
                         const std::vector<EntityId>& messages);
   void check_holder(const FunctionView& view, const Holder& holder);
-  void check_writes(const FunctionView& view, const Holder& holder);
-  void add_hold(const std::vector<EntityId>& messages, const PublishEvent& event, const std::string& name,
-                clang::SourceLocation where);
+  void check_events(const FunctionView& view, const Holder& holder, const std::vector<SeenEvent>& events);
+  void add_hold(const Holder& holder, const PublishEvent& event, clang::SourceLocation where);
 
   EscapeContext& context_;
   std::map<const clang::FunctionDecl*, Analysed> functions_;

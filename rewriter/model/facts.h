@@ -217,10 +217,10 @@ struct EntityFacts {
 
 /// Something that may publish a message: what a pointer into its data must not live across.
 struct PublishEvent {
-  /// unknown: code that is not seen here runs; exchange: the elements become another object's
-  enum class Kind { publish, call, unknown, exchange };
+  /// unknown: code that is not seen here runs; exchange: the elements become another object's; write: an array is written to
+  enum class Kind { publish, call, unknown, exchange, write };
   Kind kind = Kind::unknown;
-  std::set<EntityId> messages;  ///< that are published, or passed to the callee
+  std::set<EntityId> messages;  ///< that are published or written to, or passed to the callee
   std::string callee;           ///< USR of a function of the package
 };
 
@@ -236,6 +236,7 @@ struct DataHold {
   EntityId message;
   PublishEvent event;
   Obstacle obstacle;
+  bool read_only = false;  ///< got through const access, so that a write, too, may leave it behind
 };
 
 /// An event after which statements follow, before the message's end, that may write through a pointer.

@@ -23,31 +23,36 @@ bool Soundness::outlives_scope(const Component& component) const {
 }
 
 /// Functions that publish a message of the component, or call one that does.
-void Soundness::find_publishing() {
-  publishing_.emplace();
-  for (std::size_t known = ~std::size_t{0}; known != publishing_->size();) {
-    known = publishing_->size();
+const std::set<std::string>& Soundness::reaching(Reach reach) {
+  std::optional<std::set<std::string>>& functions = reach == Reach::writes ? writing_ : publishing_;
+  if (functions) return *functions;
+  functions.emplace();
+  for (std::size_t known = ~std::size_t{0}; known != functions->size();) {
+    known = functions->size();
     for (const auto& [usr, events] : facts_.effects)
-      if (publishing_->count(usr) == 0 &&
-          std::any_of(events.begin(), events.end(), [&](const PublishEvent& e) { return concerns(e); }))
-        publishing_->insert(usr);
+      if (functions->count(usr) == 0 && std::any_of(events.begin(), events.end(), [&](const PublishEvent& e) {
+            return concerns(e, reach);
+          }))
+        functions->insert(usr);
   }
+  return *functions;
 }
 
-/// What has no body in the package may.
-bool Soundness::may_publish(const std::string& function) {
-  if (!publishing_) find_publishing();
-  return publishing_->count(function) != 0 || facts_.effects.count(function) == 0;
+/// What has no body in the package may do anything.
+bool Soundness::may_reach(const std::string& function, Reach reach) {
+  return reaching(reach).count(function) != 0 || facts_.effects.count(function) == 0;
 }
 
-bool Soundness::concerns(const PublishEvent& event) {
+bool Soundness::concerns(const PublishEvent& event, Reach reach) {
   const bool reaches = lasting_ || any_in(event.messages);
   switch (event.kind) {
     case PublishEvent::Kind::publish:
     case PublishEvent::Kind::exchange:
       return any_in(event.messages);
+    case PublishEvent::Kind::write:
+      return reach == Reach::writes && any_in(event.messages);
     case PublishEvent::Kind::call:
-      return reaches && may_publish(event.callee);
+      return reaches && may_reach(event.callee, reach);
     case PublishEvent::Kind::unknown:
       return reaches;
   }
@@ -57,7 +62,7 @@ bool Soundness::concerns(const PublishEvent& event) {
 bool Soundness::ends_loudly() {
   return lasting_ ||
          std::any_of(facts_.loud_tails.begin(), facts_.loud_tails.end(), [&](const LoudTail& tail) {
-           return any_in(tail.event.messages) && concerns(tail.event);
+           return any_in(tail.event.messages) && concerns(tail.event, Reach::publishes);
          });
 }
 
@@ -65,8 +70,10 @@ std::optional<Soundness::Danger> Soundness::danger(const Component& component) {
   component_ = &component;
   lasting_ = outlives_scope(component);
   publishing_.reset();
+  writing_.reset();
   for (const DataHold& hold : facts_.holds)
-    if (is_in(hold.message) && concerns(hold.event)) return Danger{hold.obstacle, hold.message};
+    if (is_in(hold.message) && concerns(hold.event, hold.read_only ? Reach::writes : Reach::publishes))
+      return Danger{hold.obstacle, hold.message};
   for (const DataEscape& escape : facts_.escapes)
     if (is_in(escape.message) && (!escape.ends_with_scope || ends_loudly()))
       return Danger{escape.obstacle, escape.message};

@@ -26,16 +26,18 @@ class Soundness {
   bool is_in(const EntityId& key) const;
   bool any_in(const std::set<EntityId>& keys) const;
   bool outlives_scope(const Component& component) const;
-  bool concerns(const PublishEvent& event);
-  bool may_publish(const std::string& function);
-  void find_publishing();
+  /// What a function may do to a message of the component; writes: publish or write.
+  enum class Reach { publishes, writes };
+  bool concerns(const PublishEvent& event, Reach reach);
+  bool may_reach(const std::string& function, Reach reach);
+  const std::set<std::string>& reaching(Reach reach);
   bool ends_loudly();
 
   const Facts& facts_;
   const Components& components_;
   const Component* component_ = nullptr;
   bool lasting_ = false;
-  std::optional<std::set<std::string>> publishing_;  // functions, for component_
+  std::optional<std::set<std::string>> publishing_, writing_;  // functions, for component_
 };
 
 }  // namespace tzc::rewriter
