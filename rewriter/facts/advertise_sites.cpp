@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/advertise_sites.h"
 
+#include "facts/argument_order.h"
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/library_advertise.h"
@@ -95,6 +96,9 @@ void AdvertiseCollector::change(Advertise& site, const clang::CXXMemberCallExpr*
         {codes::TZC1006, "the advertise call comes from a macro", location_of(site.where)});
     return;
   }
+  if (order_matters(unit_, call))
+    site.obstacles.push_back({codes::TZC1023, "evaluating the node handle may change what the arguments read",
+                              location_of(site.where)});
   const clang::QualType type = advertised_type(unit_, call);
   if (!type.isNull() && is_pcl_cloud(type)) site.changes[0].headers.push_back("tzc/pcl.h");
   if (rule.role == MethodCall::Role::advertise) add_memory(site, call, rule);

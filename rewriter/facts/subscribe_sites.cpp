@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/subscribe_sites.h"
 
+#include "facts/argument_order.h"
 #include "facts/ast_walk.h"
 #include "facts/callback_functions.h"
 #include "facts/callback_parameter.h"
@@ -56,6 +57,9 @@ Subscribe SubscribeCollector::of_call(const clang::CXXMemberCallExpr* call, cons
   const std::string to = rule.to + (written.empty() ? "" : "<" + written + ">");
   site.changes = receiver_first(unit_, call, {to, rule.rule, rule.header});
   if (site.converts && !site.changes.empty()) site.changes[0].headers.push_back("tzc/pcl.h");
+  if (order_matters(unit_, call))
+    site.obstacles.push_back(
+        {codes::TZC2011, "evaluating the node handle may change what the arguments read", here});
   if (site.changes.empty())
     site.obstacles.push_back({codes::TZC2003, "the subscribe call comes from a macro", here});
   return site;
