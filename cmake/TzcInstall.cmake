@@ -75,9 +75,14 @@ set(_tzc_include_dirs \"${TZC_PUBLIC_INCLUDE_DIRS};\${tzc_PREFIX}/include\")
 set(_tzc_cmake_dir \"${PROJECT_SOURCE_DIR}/cmake\")
 set(TZC_MSGGEN_EXECUTABLE \"${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/tzc-msggen\")
 set(TZC_REWRITE_EXECUTABLE \"${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/tzc-rewrite\")")
-configure_file(cmake/tzcConfig.cmake.in ${TZC_DEVEL_PREFIX}/share/tzc/cmake/tzcConfig.cmake @ONLY)
+# By way of another folder: configure_file() writes a temporary file beside its output, and tzc-rewrite --check, which may
+# run meanwhile, keeps no result when a folder that CMake reads from changes.
+configure_file(cmake/tzcConfig.cmake.in ${PROJECT_BINARY_DIR}/develspace/tzcConfig.cmake @ONLY)
+configure_file(${PROJECT_BINARY_DIR}/develspace/tzcConfig.cmake ${TZC_DEVEL_PREFIX}/share/tzc/cmake/tzcConfig.cmake COPYONLY)
 list(JOIN TZC_PUBLIC_INCLUDE_DIRS "\n" folders)
-file(WRITE ${TZC_DEVEL_PREFIX}/share/tzc/include_folders "${folders}\n${TZC_DEVEL_PREFIX}/include\n")  # for tzc-rewrite
+# Read by tzc-rewrite; not written anew when the text is the same.
+file(GENERATE OUTPUT ${TZC_DEVEL_PREFIX}/share/tzc/include_folders
+  CONTENT "${folders}\n${TZC_DEVEL_PREFIX}/include\n")
 set(TZC_LOCATIONS "get_filename_component(tzc_PREFIX \"\${CMAKE_CURRENT_LIST_DIR}\" REALPATH)  # /lib may be a link
 get_filename_component(tzc_PREFIX \"\${tzc_PREFIX}/${to_prefix}\" ABSOLUTE)
 set(_tzc_lib_dir \"\${tzc_PREFIX}/${TZC_INSTALL_LIBDIR}\")
