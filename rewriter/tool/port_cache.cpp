@@ -56,9 +56,7 @@ std::optional<std::vector<PackagePort>> PortCache::find() const {
 
 /// Folders that this run has made; what is in them follows from the rest.
 bool PortCache::is_own_scratch(const std::string& path) const {
-  std::error_code failed;
-  const std::string parent = std::filesystem::canonical(std::filesystem::temp_directory_path(failed), failed);
-  return !failed && path.rfind(parent + "/tzc-rewrite-", 0) == 0;
+  return path.rfind(scratch_prefix_, 0) == 0;
 }
 
 PortCache::States PortCache::states(const std::set<FileAccesses::Entry>& places) const {
