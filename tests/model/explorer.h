@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -16,8 +18,9 @@
 // A thread is a function of what it has seen: it is run from the start of its current round, is fed the
 // results that it already got, and stops (by an exception) at the first operation whose result it does not
 // have yet. So a state is the shared words, plus each thread's local data at the start of its round and what
-// it saw since; no stacks have to be saved, states compare by value, and every state is visited once. At any
-// point a thread may die instead.
+// it saw since; no stacks have to be saved, states compare by value, and every state is visited once. What a
+// thread does next follows from its part of the state alone, and is found out once for all states that have
+// this part. At any point a thread may die instead.
 
 namespace tzc {
 namespace model {
@@ -162,30 +165,57 @@ class Explorer {
     bool violated = false;
   };
 
-  // Advances thread i by one operation, and through the end of its round if that follows.
+  /// What a thread does next: an operation, or nothing any more in this round, which leaves `local`.
+  struct Outcome {
+    Operation operation{};
+    bool ends_round = false;
+    bool finished = false;
+    Local local{};
+    std::string violation;
+  };
+
+  // Advances thread i by one operation, or through the end of its round.
   Step try_step(const State& state, std::size_t i) {
     Step step{state, false, false};
     Thread& thread = step.next.thread[i];
-    try {
-      step.moved = finish_round(thread, i);
-    } catch (const Pending& pending) {
-      Word result = 0;
-      step.moved = apply(pending.operation, step.next, result);
-      if (step.moved) thread.seen.push_back(result);
-    } catch (const Violation& found) {
-      violation_ = "thread " + std::to_string(i) + ": " + found.what;
+    const Outcome& outcome = outcome_of(thread, i);
+    if (!outcome.violation.empty()) {
+      violation_ = "thread " + std::to_string(i) + ": " + outcome.violation;
       step.violated = true;
+    } else if (outcome.ends_round) {
+      thread.finished = outcome.finished;
+      thread.local = outcome.local;
+      thread.seen.clear();
+      step.moved = true;
+    } else {
+      Word result = 0;
+      step.moved = apply(outcome.operation, step.next, result);
+      if (step.moved) thread.seen.push_back(result);
     }
     return step;
   }
 
-  bool finish_round(Thread& thread, std::size_t i) {
-    Local local = thread.local;
-    Context context(thread.seen);
-    thread.finished = !programs[i](context, local, i);
-    thread.local = local;
-    thread.seen.clear();
-    return true;
+  const Outcome& outcome_of(const Thread& thread, std::size_t i) {
+    Key of_thread{i, 3};
+    mix(of_thread, thread);
+    const auto known = outcomes_.find(of_thread);
+    return known != outcomes_.end() ? known->second
+                                    : outcomes_.emplace(of_thread, run(thread, i)).first->second;
+  }
+
+  Outcome run(const Thread& thread, std::size_t i) {
+    Outcome outcome;
+    outcome.local = thread.local;
+    try {
+      Context context(thread.seen);
+      outcome.finished = !programs[i](context, outcome.local, i);
+      outcome.ends_round = true;
+    } catch (const Pending& pending) {
+      outcome.operation = pending.operation;
+    } catch (const Violation& found) {
+      outcome.violation = found.what;
+    }
+    return outcome;
   }
 
   // False: the operation has to wait.
@@ -280,19 +310,26 @@ class Explorer {
     key.second ^= key.second >> 29;
   }
 
+  static void mix(Key& key, const Thread& thread) {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(&thread.local);
+    for (std::size_t i = 0; i < sizeof thread.local; i += sizeof(Word)) {
+      Word word = 0;
+      std::memcpy(&word, bytes + i, std::min(sizeof word, sizeof thread.local - i));
+      mix(key, word);
+    }
+    for (const Word word : thread.seen) mix(key, word);
+    mix(key, thread.seen.size() * 4 + (thread.finished ? 1 : thread.dead ? 2 : 0));
+  }
+
   static Key key(const State& state) {
     Key key{1, 2};
     for (const Word word : state.shared) mix(key, word);
-    for (const Thread& thread : state.thread) {
-      const auto* bytes = reinterpret_cast<const unsigned char*>(&thread.local);
-      for (std::size_t i = 0; i < sizeof thread.local; ++i) mix(key, bytes[i]);
-      for (const Word word : thread.seen) mix(key, word);
-      mix(key, thread.seen.size() * 4 + (thread.finished ? 1 : thread.dead ? 2 : 0));
-    }
+    for (const Thread& thread : state.thread) mix(key, thread);
     return key;
   }
 
   std::unordered_set<Key, KeyHash> visited_;
+  std::unordered_map<Key, Outcome, KeyHash> outcomes_;
   std::string violation_;
   std::string trace_;
 
