@@ -13,7 +13,7 @@ def environment(scratch, **more):
 
 
 def run(bench, scratch, *options, output="out", **more):
-    return subprocess.run([bench, "paper", "--output", os.path.join(scratch, output), *options], text=True, timeout=120,
+    return subprocess.run([bench, "paper", "--output", os.path.join(scratch, output), *options], text=True, timeout=600,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment(scratch, **more))
 
 

@@ -16,7 +16,7 @@ CONTENDERS = {"core": {"seqpacket", "tzc", "tzc-own-loop"},
 
 
 def run(*command):
-    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100)
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600)
 
 
 def short_run(bench, command):

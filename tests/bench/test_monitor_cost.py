@@ -12,7 +12,7 @@ SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "b
 
 
 def main():
-    done = subprocess.run([sys.executable, SCRIPT, *sys.argv[1:], "--pairs", "1", "--count", "45"], text=True, timeout=200,
+    done = subprocess.run([sys.executable, SCRIPT, *sys.argv[1:], "--pairs", "1", "--count", "45"], text=True, timeout=600,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     assert done.returncode == 0, done
     for name in ("alone", "watched"):

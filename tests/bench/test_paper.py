@@ -165,7 +165,7 @@ def processes_of_session(session):
     return found
 
 
-def wait_until(condition, what, seconds=20):
+def wait_until(condition, what, seconds=120):
     end = time.monotonic() + seconds
     while not condition():
         assert time.monotonic() < end, f"no {what} after {seconds} s"
@@ -187,7 +187,7 @@ def start_and_send(bench, scratch, sig, moment, options, **more):
         wait_until(lambda: moment(process.pid, said_so_far()) or process.poll() is not None, "moment to end the run", 60)
         assert process.poll() is None, (process.poll(), said_so_far())
         process.send_signal(sig)
-        status = process.wait(20)
+        status = process.wait(120)
         wait_until(lambda: not processes_of_session(process.pid), f"end of {processes_of_session(process.pid)}")
     finally:
         process.kill()

@@ -15,6 +15,10 @@ import subprocess
 import time
 import xmlrpc.client
 
+# Limits are for what hangs. What does come takes long on a machine that is busy with others, and is waited for then: each
+# limit, which says how long a thing takes at most on an idle machine, is multiplied by this.
+PATIENCE = 6
+
 
 def free_port():
     """Below the ports that the system gives to outgoing connections, which could take it before roscore does."""
@@ -48,16 +52,16 @@ class Process:
     def wait(self, timeout):
         """Exit status; raises with the end of the log when the time is up."""
         try:
-            return self.popen.wait(timeout)
+            return self.popen.wait(PATIENCE * timeout)
         except subprocess.TimeoutExpired:
-            raise RuntimeError(f"{self.name} still runs after {timeout} s; its log ends:\n{self.tail()}") from None
+            raise RuntimeError(f"{self.name} still runs after {PATIENCE * timeout} s; its log ends:\n{self.tail()}") from None
 
     def stop(self, sig=signal.SIGINT, timeout=8):
         """Asks it to end, then makes it end. Harmless when it has ended."""
         if self.alive():
             self.popen.send_signal(sig)
             try:
-                self.popen.wait(timeout)
+                self.popen.wait(PATIENCE * timeout)
             except subprocess.TimeoutExpired:
                 self.popen.kill()
         status = self.popen.wait()
@@ -132,7 +136,7 @@ class RosSession:
 
     def run(self, command, timeout=30, env=None):
         """Runs to the end; returns (status, output)."""
-        done = subprocess.run(command, env=dict(self.env, **(env or {})), timeout=timeout, stdin=subprocess.DEVNULL,
+        done = subprocess.run(command, env=dict(self.env, **(env or {})), timeout=PATIENCE * timeout, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
         return done.returncode, done.stdout.decode(errors="replace")
 
@@ -154,9 +158,9 @@ class RosSession:
 
     @staticmethod
     def wait_until(condition, timeout, what):
-        deadline = time.monotonic() + timeout
+        deadline = time.monotonic() + PATIENCE * timeout
         while time.monotonic() < deadline:
             if condition():
                 return
             time.sleep(0.05)
-        raise RuntimeError(f"waited {timeout} s in vain for {what}")
+        raise RuntimeError(f"waited {PATIENCE * timeout} s in vain for {what}")

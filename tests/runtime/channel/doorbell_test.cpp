@@ -217,7 +217,7 @@ class HostileRinger : public ::testing::Test {
   }
 
   void welcome() {
-    posix::wait_readable(listener_.fd(), milliseconds(5000));
+    posix::wait_readable(listener_.fd(), milliseconds(60000));
     posix::FileDescriptor socket;
     posix::accept_connection(listener_.fd(), socket);
     peer_ = std::make_unique<RawPeer>(std::move(socket));

@@ -19,7 +19,7 @@ class HostilePublisher : public ::testing::Test {
   void SetUp() override { listener_ = std::move(*posix::Listener::listen(posix::generate_address())); }
 
   void accept() {
-    posix::wait_readable(listener_.fd(), milliseconds(5000));
+    posix::wait_readable(listener_.fd(), milliseconds(60000));
     posix::FileDescriptor socket;
     posix::accept_connection(listener_.fd(), socket);
     peer_ = std::make_unique<RawPeer>(std::move(socket));

@@ -25,7 +25,7 @@ class RawPeer {
  public:
   explicit RawPeer(posix::FileDescriptor socket) : socket_(std::move(socket)), memory_(max_packet_bytes) {}
   static RawPeer connect(const std::string& address) {
-    return RawPeer(*posix::connect_to(parse_publisher_address(address)->socket, milliseconds(1000)));
+    return RawPeer(*posix::connect_to(parse_publisher_address(address)->socket, milliseconds(60000)));
   }
 
   void send(const void* data, std::size_t size, std::vector<int> descriptors = {}) const {
@@ -39,7 +39,7 @@ class RawPeer {
 
   posix::ReceiveResult receive() {
     packet = posix::ReceivedPacket();
-    posix::wait_readable(socket_.get(), milliseconds(5000));
+    posix::wait_readable(socket_.get(), milliseconds(60000));
     return posix::receive_packet(socket_.get(), memory_.data(), memory_.size(),
                                  posix::Waiting::return_at_once, true, packet);
   }

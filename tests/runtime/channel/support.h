@@ -26,7 +26,7 @@ namespace test {
 
 constexpr std::size_t mb = 1 << 20;
 
-inline bool eventually(const std::function<bool()>& condition, int milliseconds = 5000) {
+inline bool eventually(const std::function<bool()>& condition, int milliseconds = 60000) {
   for (int i = 0; i < milliseconds; ++i) {
     if (condition()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -99,11 +99,11 @@ class Inbox {
 
   bool wait_for(std::size_t count) {
     std::unique_lock<std::mutex> lock(mutex_);
-    return changed_.wait_for(lock, std::chrono::seconds(10), [&] { return messages_.size() >= count; });
+    return changed_.wait_for(lock, std::chrono::seconds(60), [&] { return messages_.size() >= count; });
   }
   bool wait_for_end() {
     std::unique_lock<std::mutex> lock(mutex_);
-    return changed_.wait_for(lock, std::chrono::seconds(10), [&] { return !reason_.empty(); });
+    return changed_.wait_for(lock, std::chrono::seconds(60), [&] { return !reason_.empty(); });
   }
   std::vector<MessagePtr> messages() {
     const std::lock_guard<std::mutex> lock(mutex_);

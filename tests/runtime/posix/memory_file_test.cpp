@@ -109,7 +109,7 @@ TEST(MemoryFile, a_reserve_is_not_kept_from_its_end_by_signals) {
     ::_exit(reserve(file, 0, large) ? 0 : 1);
   }
   int status = -1;
-  for (int i = 0; i < 1000 && ::waitpid(child, &status, WNOHANG) == 0; ++i) ::usleep(10'000);
+  for (int i = 0; i < 12'000 && ::waitpid(child, &status, WNOHANG) == 0; ++i) ::usleep(10'000);
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
   EXPECT_EQ(status, 0);

@@ -10,7 +10,7 @@ class Descriptors(TopicCase):
         return self.node("crowd", "crowd", parameters, runner=["prlimit", "--nofile=1024:1024"])
 
     def event(self, node, event, timeout=60):
-        self.ros.wait_until(lambda: f'"event": "{event}"' in node.log() or not node.alive(), timeout * self.slowness(),
+        self.ros.wait_until(lambda: f'"event": "{event}"' in node.log() or not node.alive(), timeout,
                             event)
         found = [line for line in Listener(node).lines() if line.get("event") == event]
         self.assertTrue(found, node.tail())
@@ -31,7 +31,7 @@ class Descriptors(TopicCase):
         self.assertGreater(shared, 20)
         self.assertLess(shared, count)
         heard = Listener(listener)
-        self.wait_for(heard, 20 * count, 30 * self.slowness())
+        self.wait_for(heard, 20 * count, 30)
         for i in range(count):
             self.assertEqual(heard.numbers(f"image{i}"), list(range(20)))
         self.assertTrue(all(m["right"] for m in heard.messages()))
@@ -54,10 +54,10 @@ class Threads(TopicCase):
     def readers_of(self, count, **parameters):
         listener = self.node("listener", "listener", dict({"topics": " ".join(f"image{i}" for i in range(count))}, **parameters))
         crowd = self.node("crowd", "crowd", {"topics": count, "subscribers": count})
-        self.ros.wait_until(lambda: '"all published"' in crowd.log() or not crowd.alive(), 60 * self.slowness(), "all published")
+        self.ros.wait_until(lambda: '"all published"' in crowd.log() or not crowd.alive(), 60, "all published")
         self.assertIn(f'"shared": {count}', crowd.log())
         heard = Listener(listener)
-        self.wait_for(heard, 20 * count, 30 * self.slowness())
+        self.wait_for(heard, 20 * count, 30)
         for i in range(count):
             self.assertEqual(heard.numbers(f"image{i}"), list(range(20)))
         return reading_threads(listener.pid)

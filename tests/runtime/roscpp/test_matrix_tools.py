@@ -147,7 +147,7 @@ class ToolCase(TopicCase):
         return screen.__enter__()
 
     def assert_shows(self, screen, rows):
-        self.ros.wait_until(lambda: screen.shows(rows), 20 * self.slowness(), "the last image on the screen")
+        self.ros.wait_until(lambda: screen.shows(rows), 20, "the last image on the screen")
 
 
 class PortedToTools(ToolCase):

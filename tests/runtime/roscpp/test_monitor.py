@@ -33,7 +33,7 @@ class MonitorCase(TopicCase):
 
     def monitor(self, *arguments):
         """Runs it to its end; (status, standard output, standard error)."""
-        done = subprocess.run([MONITOR, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=20,
+        done = subprocess.run([MONITOR, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120,
                               stdin=subprocess.DEVNULL, check=False)
         return done.returncode, done.stdout.decode(), done.stderr.decode()
 
@@ -56,7 +56,7 @@ class MonitorCase(TopicCase):
         def holds():
             looks.append(self.subscription(node))
             return looks[-1] is not None and condition(looks[-1])
-        self.ros.wait_until(holds, 20 * self.slowness(), what)
+        self.ros.wait_until(holds, 20, what)
         return looks[-1]
 
     def wait_until_seen(self, condition, what):
@@ -66,7 +66,7 @@ class MonitorCase(TopicCase):
         def holds():
             looks.append(self.seen())
             return looks[-1] is not None and condition(looks[-1])
-        self.ros.wait_until(holds, 20 * self.slowness(), what)
+        self.ros.wait_until(holds, 20, what)
         return looks[-1]
 
     def connection(self, look, node):
@@ -76,15 +76,16 @@ class MonitorCase(TopicCase):
         """The topic's MSG/S; "-" when its node was too slow to update its page between two looks."""
         return re.search(rf"^  {self.name('image')} +(\S+)", table, re.M).group(1)
 
-    def table_with_rate(self):
+    def table_with_rate(self, most):
+        """One in which the topic's MSG/S is there, and at most so much: after a stall, a talker catches up."""
         tables = []
 
         def has_rate():
             status, table, _ = self.monitor("--once", "--topic", self.name("image"))
             self.assertEqual(status, 0)
             tables.append(table)
-            return self.rate_in(table) != "-"
-        self.ros.wait_until(has_rate, 20 * self.slowness(), "a rate")
+            return self.rate_in(table) != "-" and 0 < float(self.rate_in(table)) <= most
+        self.ros.wait_until(has_rate, 20, "a rate")
         return tables[-1]
 
     def wait_until_shared(self, node):
@@ -116,10 +117,9 @@ class Monitor(MonitorCase):
             self.assertEqual(self.connection(look, plain)["transport"], "TCPROS")
             self.assertGreater(self.connection(look, plain)["messages"], 0)
 
-        table = self.table_with_rate()
+        table = self.table_with_rate(most=75)
         self.assertRegex(table, rf"-> {self.name('viewer')} +shared ")
         self.assertRegex(table, rf"-> {self.name('plain')} +TCPROS .*has not attached {self.name('image')}")
-        self.assertTrue(0 < float(self.rate_in(table)) < 75, table)
         self.assertNotIn("\x1b", table)
 
         status, why, _ = self.monitor("--why", self.name("viewer"), self.name("image"))
@@ -244,7 +244,7 @@ class Diagnostics(MonitorCase):
             said = [bytes.fromhex(line) for line in echo.log().split("\n")[:-1] if set(line) <= set("0123456789abcdef")]
             return any(error in one and f"process {viewer.process.pid}".encode() in one for one in said) and \
                 any(ok in one or b"\x01" + ok[1:] in one for one in said)
-        self.ros.wait_until(is_there, 20 * self.slowness(), "the talker's status and the stopped viewer's")
+        self.ros.wait_until(is_there, 20, "the talker's status and the stopped viewer's")
         viewer.process.popen.send_signal(signal.SIGCONT)
         self.finish(talker)
 
@@ -259,7 +259,7 @@ class Observed(MonitorCase):
         self.assertEqual(len(pages_of(talker.pid)), 1)
         monitors = [Terminal() for _ in range(10)]
         for monitor in monitors:
-            self.ros.wait_until(lambda: self.name("image") in monitor.screen(), 20 * self.slowness(), "a monitor")
+            self.ros.wait_until(lambda: self.name("image") in monitor.screen(), 20, "a monitor")
         for monitor in monitors:
             monitor.process.kill()
             monitor.close()
@@ -299,7 +299,7 @@ class CommandLine(MonitorCase):
             terminal = Terminal()
             self.ros.wait_until(lambda: "TOPIC" in terminal.screen(), 20, "the first screen")
             terminal.process.send_signal(end)
-            self.assertEqual(terminal.process.wait(10), 0)
+            self.assertEqual(terminal.process.wait(60), 0)
             screen = terminal.screen()
             self.assertTrue(screen.startswith("\x1b[?1049h\x1b[?25l"), screen[:40])
             self.assertTrue(screen.endswith("\x1b[?25h\x1b[?1049l"), screen[-40:])

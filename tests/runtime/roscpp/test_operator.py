@@ -38,7 +38,7 @@ class Operator(MonitorCase):
         self.pair("unported", mode="plain", shared=0)
         self.pair("hoarding", mode="keep", memory=4 * (BYTES + 5000))
         stopped = self.pair("frozen").process
-        self.ros.wait_until(lambda: self.is_shared("frozen"), 20 * self.slowness(), "the viewer that will stop")
+        self.ros.wait_until(lambda: self.is_shared("frozen"), 20, "the viewer that will stop")
         stopped.popen.send_signal(signal.SIGSTOP)
         looks = []
 
@@ -47,7 +47,7 @@ class Operator(MonitorCase):
             texts, lines, _ = looks[-1]
             return set(texts) == {"stopped", "memory", "TCPROS"} and lines == 3  # on a busy machine others are late at times
         try:
-            self.ros.wait_until(all_are_named, 60 * self.slowness(), "these three problems alone")
+            self.ros.wait_until(all_are_named, 60, "these three problems alone")
         except RuntimeError as late:
             self.fail(f"{late}; the last look: {looks[-1]}")
         finally:

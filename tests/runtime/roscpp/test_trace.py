@@ -77,7 +77,7 @@ class Traces(TopicCase):
     def test_a_publisher_that_is_not_ported_and_subscribers_by_tzc_run(self):
         listener = self.listen("plain", env=self.env, name="viewer", runner=TZC_RUN)
         talker = self.start_talker("plain", count=0, rate=100, env=self.env, runner=TZC_RUN)
-        self.ros.wait_until(lambda: len(self.trace().complete(*SHARED)) >= 10, 20 * self.slowness(), "ten messages")
+        self.ros.wait_until(lambda: len(self.trace().complete(*SHARED)) >= 10, 20, "ten messages")
         self.finish(talker)
         self.end(listener)
         trace = self.trace()
@@ -95,7 +95,7 @@ class Traces(TopicCase):
     def test_a_killed_node_leaves_a_readable_file(self):
         listener = self.listen(env=self.env)
         talker = self.start_talker(count=0, rate=100, env=self.env)
-        self.ros.wait_until(lambda: len(self.trace().complete(*SHARED)) >= 5, 20 * self.slowness(), "five messages")
+        self.ros.wait_until(lambda: len(self.trace().complete(*SHARED)) >= 5, 20, "five messages")
         talker.popen.send_signal(signal.SIGKILL)
         listener.process.popen.send_signal(signal.SIGKILL)
         for process in (talker, listener.process):
@@ -108,7 +108,7 @@ class Traces(TopicCase):
     def test_traces_are_joined(self):
         listener = self.listen(env=self.env)
         talker = self.start_talker(count=0, rate=100, env=self.env)
-        self.ros.wait_until(lambda: len(self.trace().complete(*SHARED)) >= 5, 20 * self.slowness(), "five messages")
+        self.ros.wait_until(lambda: len(self.trace().complete(*SHARED)) >= 5, 20, "five messages")
         self.finish(talker)
         self.end(listener)
         files = [f"{self.file}.{process.pid}" for process in (talker, listener.process)]

@@ -24,7 +24,7 @@ class Gate {
   }
   /// False: none of them happened in time.
   bool wait_for(const std::set<std::string>& events,
-                std::chrono::milliseconds time = std::chrono::seconds(20)) {
+                std::chrono::milliseconds time = std::chrono::seconds(120)) {
     std::unique_lock<std::mutex> lock(mutex_);
     return changed_.wait_for(lock, time, [&] {
       for (const std::string& event : events)

@@ -75,7 +75,7 @@ void let_go_and_end() {
 
 template <class Condition>
 bool eventually(Condition holds) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(20);
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(120);
   while (ros::ok() && !holds() && ros::WallTime::now() < end) ros::WallDuration(0.001).sleep();
   return holds();
 }
