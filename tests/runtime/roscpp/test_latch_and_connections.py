@@ -9,7 +9,7 @@ from topic_case import Listener, TopicCase, main
 
 class Latch(TopicCase):
     def test_late_subscribers_get_the_last_message(self):
-        talker = self.start_talker(latch=True, count=5, rate=50, subscribers=0, settle=0, linger=60)
+        talker = self.start_talker(latch=True, count=5, rate=50, subscribers=0, settle=0, linger=300)
         self.assertEqual(self.last_published(talker), 4)
         shared, plain = self.listen(), self.listen("plain")
         self.assert_got(plain, [4], shared=False)
@@ -25,7 +25,7 @@ class Latch(TopicCase):
         That first one may come twice with plain roscpp, too: Publication::addSubscriberLink adds the link, which what
         is published then finds, and only afterwards sends it the last message."""
         early = self.listen()
-        talker = self.start_talker(latch=True, count=0, rate=100, linger=60)
+        talker = self.start_talker(latch=True, count=0, rate=100, linger=300)
         self.wait_for(early, 50)
         late, plain = self.listen(), self.listen("plain")
         self.ros.wait_until(lambda: any(m["shared"] for m in late.messages()), 60, "the move")
@@ -46,7 +46,7 @@ class Latch(TopicCase):
     def test_a_callback_that_joins_a_process_later(self):
         process = self.node("several", "several", {"callbacks": "pointer late_shape_shifter"})
         self.wait_for_subscribers(self.name("image"), 1)
-        talker = self.start_talker(latch=True, count=1, settle=0, linger=60)
+        talker = self.start_talker(latch=True, count=1, settle=0, linger=300)
         listener = Listener(process)
         self.assert_got(listener, [0], callback="pointer")
         self.assert_got(listener, [0], callback="shape_shifter")

@@ -166,7 +166,7 @@ class Monitor(MonitorCase):
 
     def test_what_a_subscriber_keeps_is_shown_as_held(self):
         self.listen("keep", name="keeper")
-        self.start_talker(count=5, rate=50, linger=30)
+        self.start_talker(count=5, rate=50, linger=300)
         look = self.wait_until_seen(lambda look: (self.connection(look, "keeper") or {}).get("held") == 5,
                                     "five blocks to be held")
         self.assertEqual(look["memory"]["blocks"], 5)
@@ -178,7 +178,7 @@ class Monitor(MonitorCase):
 
     def test_a_subscriber_shows_what_it_got_and_how_long_that_took(self):
         self.listen("keep", name="keeper")
-        talker = self.start_talker(count=7, rate=20, linger=30)
+        talker = self.start_talker(count=7, rate=20, linger=300)
         look = self.wait_until_received("keeper", lambda look: look["messages"] == 7, "seven messages")
         self.assertEqual((look["publisher"], look["transport"], look["pid"], look["lost"], look["stopped"]),
                          (self.name("talker"), "shared", talker.pid, 0, False))

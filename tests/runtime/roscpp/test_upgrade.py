@@ -39,7 +39,7 @@ class Upgrade(TopicCase):
         self.assertEqual(counters["shared"], 50)
 
     def test_attached_latched(self):
-        self.start_talker("attached", count=1, latch=True, subscribers=0, linger=30)
+        self.start_talker("attached", count=1, latch=True, subscribers=0, linger=300)
         listener = self.listen()
         self.assert_got(listener, range(1))
 

@@ -196,7 +196,7 @@ int main(int argc, char** argv) {
   }
   std::printf("{\"event\": \"all published\", \"last\": %d}\n", number - 1);
   std::fflush(stdout);
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(options.param("linger", 0.5));
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(options.param("linger", 1.0));
   while (ros::ok() && ros::WallTime::now() < end) ros::WallDuration(0.01).sleep();
   for (const Talker& talker : talkers) talker.report(number - 1);
 }
