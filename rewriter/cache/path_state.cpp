@@ -46,15 +46,6 @@ bool is_version_control(const std::string& name) {
   return names.count(name) != 0;
 }
 
-bool is_changed(const std::string& path, const timespec& moment) {
-  struct stat state{};
-  if (::stat(path.c_str(), &state) != 0) return false;
-  const bool whole_seconds =
-      state.st_ctim.tv_nsec == 0;  // such file systems round down, by up to two seconds
-  const long long last = state.st_ctim.tv_sec + (whole_seconds ? 2 : 0);
-  return last > moment.tv_sec || (last == moment.tv_sec && state.st_ctim.tv_nsec >= moment.tv_nsec);
-}
-
 std::string nearest_folder(const std::string& path) {
   fs::path folder = fs::path(path).parent_path();
   std::error_code ignored;
@@ -129,15 +120,32 @@ std::string PathStates::tree(const std::string& folder) const {
   return digest_(all);
 }
 
-bool is_changed_since(const std::string& path, Access access, const timespec& moment) {
+bool ChangesSince::is_changed(const std::string& path) const {
   struct stat state{};
-  if (::stat(path.c_str(), &state) != 0) return is_changed(nearest_folder(path), moment);
+  if (::stat(path.c_str(), &state) != 0) return false;
+  const bool whole_seconds =
+      state.st_ctim.tv_nsec == 0;  // such file systems round down, by up to two seconds
+  const long long last = state.st_ctim.tv_sec + (whole_seconds ? 2 : 0);
+  return last > moment_.tv_sec || (last == moment_.tv_sec && state.st_ctim.tv_nsec >= moment_.tv_nsec);
+}
+
+/// Compilers look for each header in many folders: most of what they ask for is in none of a few.
+bool ChangesSince::concern_absent(const std::string& path) {
+  const std::string folder = fs::path(path).parent_path();
+  const auto known = without_.find(folder);
+  if (known != without_.end()) return known->second;
+  return without_[folder] = is_changed(nearest_folder(path));
+}
+
+bool ChangesSince::concern(const std::string& path, Access access) {
+  struct stat state{};
+  if (::stat(path.c_str(), &state) != 0) return concern_absent(path);
   const bool is_folder = S_ISDIR(state.st_mode);
-  if (access == Access::content) return !is_folder && is_changed(path, moment);
-  if (is_changed(path, moment)) return true;
+  if (access == Access::content) return !is_folder && is_changed(path);
+  if (is_changed(path)) return true;
   if (!is_folder || access == Access::names) return false;
   for (const fs::path& entry : sorted_entries(path))
-    if (is_changed_since(entry, access == Access::names2 ? Access::names : access, moment)) return true;
+    if (concern(entry, access == Access::names2 ? Access::names : access)) return true;
   return false;
 }
 

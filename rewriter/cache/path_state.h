@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -36,10 +37,24 @@ class PathStates {
   std::set<std::string> omitted_;
 };
 
-/// Whether what an access depends on was changed at or after a moment of the system's coarse clock: the file, what is
-/// in the folder, or, where nothing is, the folder that it would be in. The change times of inodes tell; nothing but
-/// the clock itself can set them back.
-bool is_changed_since(const std::string& path, Access access, const timespec& moment);
+/// What was changed at or after a moment of the system's coarse clock. The change times of inodes tell; nothing but the clock
+/// itself can set them back.
+class ChangesSince {
+ public:
+  explicit ChangesSince(const timespec& moment) : moment_(moment) {}
+
+  /// Whether they concern what an access depends on: the file, what is in the folder, or, where nothing is, the folder that it
+  /// would be in.
+  bool concern(const std::string& path, Access access);
+
+ private:
+  bool is_changed(const std::string& path) const;
+  bool concern_absent(const std::string& path);
+
+  timespec moment_;
+  std::map<std::string, bool>
+      without_;  ///< a folder in which something is not -> whether that may have been otherwise
+};
 
 /// Larger files of trees count by size, times and identity instead of by content: they are data (recordings, models).
 constexpr std::size_t largest_read = 8u << 20;

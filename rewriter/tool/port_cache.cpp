@@ -73,8 +73,9 @@ PortCache::States PortCache::states(const std::set<FileAccesses::Entry>& places)
 }
 
 bool PortCache::is_any_changed(const std::set<FileAccesses::Entry>& places) const {
-  return std::any_of(places.begin(), places.end(), [this](const FileAccesses::Entry& place) {
-    return !is_own_scratch(place.first) && is_changed_since(place.first, place.second, start_);
+  ChangesSince changes(start_);
+  return std::any_of(places.begin(), places.end(), [&](const FileAccesses::Entry& place) {
+    return !is_own_scratch(place.first) && changes.concern(place.first, place.second);
   });
 }
 
