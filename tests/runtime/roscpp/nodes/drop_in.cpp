@@ -47,6 +47,7 @@ struct Plain {
   static Publisher advertise_by(ros::NodeHandle& node, ros::AdvertiseOptions& options) {
     return node.advertise(options);
   }
+  static bool has_all_it_needs(const Publisher& publisher) { return publisher != nullptr; }
 };
 
 struct Ours {
@@ -58,6 +59,7 @@ struct Ours {
   static Publisher advertise_by(ros::NodeHandle& node, ros::AdvertiseOptions& options) {
     return tzc::advertise<sensor_msgs::Image>(node, options);
   }
+  static bool has_all_it_needs(const Publisher& publisher) { return publisher.memory() != nullptr; }
 };
 
 template <class Kind>
@@ -66,6 +68,7 @@ class Trial {
   void run() {
     an_empty_one();
     copies();
+    moved();
     several();
     the_last_copy();
     a_node_handle_that_shuts_down();
@@ -110,6 +113,18 @@ class Trial {
     first.publish(boost::make_shared<Image>());
 #endif
     first.shutdown();
+  }
+
+  /// ros::Publisher copies where it could move.
+  void moved() {
+    Publisher first = Kind::template advertise<Image>(node_, "moved");
+    Publisher second(static_cast<Publisher&&>(first)), third;
+    third = static_cast<Publisher&&>(second);
+    describe("one that was moved from", first);
+    say("each is whole",
+        Kind::has_all_it_needs(first) && Kind::has_all_it_needs(second) && Kind::has_all_it_needs(third));
+    third.shutdown();
+    describe("one whose copy was shut down", first);
   }
 
   void several() {

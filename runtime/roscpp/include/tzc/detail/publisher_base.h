@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <typeinfo>
 #include <utility>
 
@@ -28,6 +29,16 @@ class PublisherBase {
   /// `attachment` null: a plain publisher.
   PublisherBase(const Stock& publisher, std::shared_ptr<Attachment> attachment)
       : publisher_(publisher), attachment_(std::move(attachment)) {}
+  PublisherBase(const PublisherBase&) = default;
+  PublisherBase& operator=(const PublisherBase&) = default;
+  /// What was moved from is as the stock publisher is then: a ros::Publisher is what it was, image_transport's are empty.
+  PublisherBase(PublisherBase&& other) noexcept(std::is_nothrow_move_constructible<Stock>::value)
+      : publisher_(std::move(other.publisher_)), attachment_(handed_over(other)) {}
+  PublisherBase& operator=(PublisherBase&& other) noexcept(std::is_nothrow_move_assignable<Stock>::value) {
+    publisher_ = std::move(other.publisher_);
+    attachment_ = handed_over(other);
+    return *this;
+  }
 
   /// Binds the message's arrays to this publisher's shared memory, now or as they grow. May be called before
   /// or after the sizes are set. False: no memory left (or TZC is off); the message stays usable and
@@ -95,6 +106,12 @@ class PublisherBase {
 
   Stock publisher_;
   std::shared_ptr<Attachment> attachment_;
+
+ private:
+  /// The attachment of one whose stock publisher was moved from.
+  static std::shared_ptr<Attachment> handed_over(PublisherBase& from) {
+    return from.publisher_ ? from.attachment_ : std::move(from.attachment_);
+  }
 };
 
 }  // namespace detail
