@@ -128,15 +128,15 @@ class Prover {
         unseen.erase(file);
         if (const auto lack = lacks_for_tzc(command)) return about(command, file, *lack);
         if (const CmakeTarget* target = linked_without_tzc(targets, command.target))
-          return about(command, file, "the target " + target->name + " does not link TZC's libraries");
+          return about(command, file, {"the target " + target->name + " does not link TZC's libraries", ""});
       }
     if (unseen.empty()) return {};
     return Error{"no target of the configured copy compiles it", *unseen.begin(), ""};
   }
 
-  static Error about(const CompileCommand& command, const std::string& file, const std::string& lack) {
+  static Error about(const CompileCommand& command, const std::string& file, const Lack& lack) {
     const std::string target = command.target.empty() ? "" : " for the target " + command.target;
-    return {"configured with the edited build files" + target + ", " + lack, file, ""};
+    return {"configured with the edited build files" + target + ", " + lack.what, file, lack.hint};
   }
 
   void build(const Configuration& configuration) {

@@ -56,12 +56,18 @@ std::string standard_of(const CompileCommand& command) {
 
 }  // namespace
 
-std::optional<std::string> lacks_for_tzc(const CompileCommand& command) {
-  if (!sees_tzc(command)) return "TZC's headers are in none of its include folders";
+std::optional<Lack> lacks_for_tzc(const CompileCommand& command) {
+  static const char* const raise_it =
+      "raise the standard there to C++14 or later, as in set(CMAKE_CXX_STANDARD 14), and run tzc-rewrite "
+      "again";
+  if (!sees_tzc(command)) return Lack{"TZC's headers are in none of its include folders", ""};
   const std::string standard = standard_of(command);
-  if (is_old_standard(standard)) return "it is compiled with " + standard + ", TZC's headers need C++14";
+  if (is_old_standard(standard))
+    return Lack{"it is compiled with " + standard + ", TZC's headers need C++14", raise_it};
   if (standard.empty() && !compiler_defaults_to_cxx14(command))
-    return "it is compiled as the compiler's default, which is older than the C++14 that TZC's headers need";
+    return Lack{
+        "it is compiled as the compiler's default, which is older than the C++14 that TZC's headers need",
+        raise_it};
   return {};
 }
 

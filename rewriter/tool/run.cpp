@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -64,6 +65,9 @@ class Run {
         if (std::find(packages_.begin(), packages_.end(), package) == packages_.end())
           packages_.push_back(package);
     }
+    std::error_code ignored;
+    if (!options_.build_dir.empty() && !std::filesystem::exists(options_.build_dir, ignored))
+      return Error{"is no folder", options_.build_dir, "name the folder of compile_commands.json after -p"};
     for (const std::string& bag : options_.bags) {
       const auto sizes = measure_bag(bag);
       if (!sizes) return sizes.error();
@@ -139,7 +143,9 @@ class Run {
     return ports;
   }
 
+  /// Packages that could not be analysed may have sites that match.
   void warn_about_filters() const {
+    if (ports_.size() < packages_.size()) return;
     for (const std::string& filter : options_.only) {
       const bool matches = std::any_of(ports_.begin(), ports_.end(), [&](const PackagePort& port) {
         const SiteFilter wanted = make_filter({filter}, {}, port.package_dir);

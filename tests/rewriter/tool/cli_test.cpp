@@ -77,6 +77,7 @@ TEST_F(Cli, mistakes_on_the_command_line) {
                               {{"--level", "best"}, "--level"},
                               {{"--apply", "--check"}, ""},
                               {{"/nonexistent"}, "is no folder"},
+                              {{"-p", "/nonexistent"}, "/nonexistent: is no folder"},
                               {{"--bag", "/nonexistent.bag"}, "cannot be read"}};
   for (const Mistake& mistake : mistakes) {
     const auto result = ws.rewrite(mistake.words);
@@ -118,6 +119,9 @@ TEST_F(Cli, a_filter_that_matches_nothing_is_warned_about) {
   EXPECT_THAT(ws.rewrite({"--only=topic=imgae"}).errors,
               HasSubstr("warning: --only topic=imgae matches no site"));
   EXPECT_THAT(ws.rewrite({"--only=topic=image"}).errors, Not(HasSubstr("matches no site")));
+  ws.plan()["error"] = "does not compile";
+  EXPECT_THAT(ws.rewrite({"--only=topic=imgae"}).errors, Not(HasSubstr("matches no site")))
+      << "not looked at";
 }
 
 TEST_F(Cli, a_report_that_cannot_be_written_is_known_before_the_analysis) {
