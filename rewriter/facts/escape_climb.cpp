@@ -154,6 +154,8 @@ bool Climber::into_implicit_cast(const clang::ImplicitCastExpr* cast) {
 
 bool Climber::into_explicit_cast(const clang::ExplicitCastExpr* cast) {
   const clang::QualType type = cast->getType();
+  if (cast->getCastKind() == clang::CK_PointerToIntegral)
+    analysis_.cast_const_away(at_);  // a number has none
   if (removes_const(cast)) {
     analysis_.cast_const_away(at_);
     // Const access may have given an address in memory that subscribers share.

@@ -51,4 +51,16 @@ bool calls_no_package_code(const Unit& unit, const clang::FunctionDecl* function
   });
 }
 
+bool comes_back(const clang::FunctionDecl* callee) {
+  if (callee->isNoReturn()) return false;
+  const auto* type = callee->getType()->getAs<clang::FunctionProtoType>();
+  const clang::ExceptionSpecificationType spec = type ? type->getExceptionSpecType() : clang::EST_None;
+  if (spec == clang::EST_BasicNoexcept || spec == clang::EST_NoexceptTrue || spec == clang::EST_NoThrow ||
+      spec == clang::EST_DynamicNone)
+    return true;
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
+  return (method && (method->isTrivial() || message_of(method->getParent()))) ||
+         (callee->getBuiltinID() != 0 && callee->isExternC()) || always_returns(qualified_name_of(callee));
+}
+
 }  // namespace tzc::rewriter

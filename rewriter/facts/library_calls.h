@@ -12,4 +12,7 @@ namespace tzc::rewriter {
 bool calls_no_package_code(const Unit& unit, const clang::FunctionDecl* function,
                            llvm::ArrayRef<const clang::Expr*> arguments);
 
+/// Whether each call of a function of a library comes back, whatever it is given.
+bool comes_back(const clang::FunctionDecl* callee);
+
 }  // namespace tzc::rewriter

@@ -3,9 +3,7 @@
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
-#include "facts/known_functions.h"
 #include "facts/library_calls.h"
-#include "facts/message_type.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -71,19 +69,6 @@ bool is_exposed(const Unit& unit, const NameParts& parts, const clang::Stmt* bod
   Exposure visitor(unit, parts);
   visitor.TraverseStmt(const_cast<clang::Stmt*>(body));
   return visitor.exposed;
-}
-
-/// Whether each call of a function of a library comes back, whatever it is given.
-bool comes_back(const clang::FunctionDecl* callee) {
-  if (callee->isNoReturn()) return false;
-  const auto* type = callee->getType()->getAs<clang::FunctionProtoType>();
-  const clang::ExceptionSpecificationType spec = type ? type->getExceptionSpecType() : clang::EST_None;
-  if (spec == clang::EST_BasicNoexcept || spec == clang::EST_NoexceptTrue || spec == clang::EST_NoThrow ||
-      spec == clang::EST_DynamicNone)
-    return true;
-  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
-  return (method && (method->isTrivial() || message_of(method->getParent()))) ||
-         (callee->getBuiltinID() != 0 && callee->isExternC()) || always_returns(qualified_name_of(callee));
 }
 
 /// Whether a call, or what it calls in turn, may change what a name depends on, or not come back.

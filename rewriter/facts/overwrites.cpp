@@ -8,6 +8,7 @@
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
+#include "facts/library_calls.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -50,13 +51,45 @@ bool is_stable(const clang::Expr* size) {
   return variable && variable->getType().isConstQualified();
 }
 
-/// Calls may leave the function, or read the array by another name.
-bool calls_anything(const clang::Stmt* stmt) {
-  if (!stmt) return false;
-  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(stmt);
-  const bool follows = op && (op->getOperator() == clang::OO_Arrow || op->getOperator() == clang::OO_Star);
-  return (llvm::isa<clang::CallExpr, clang::CXXThrowExpr, clang::CXXNewExpr>(stmt) && !follows) ||
-         llvm::any_of(stmt->children(), calls_anything);
+bool changes_something(const clang::Stmt* stmt) {
+  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(stmt)) return op->isAssignmentOp();
+  const auto* op = llvm::dyn_cast<clang::UnaryOperator>(stmt);
+  return (op && op->isIncrementDecrementOp()) || llvm::isa<clang::CXXNewExpr, clang::CXXDeleteExpr>(stmt);
+}
+
+/// Whether evaluating it twice gives the same, cannot leave the function before the array is written, which would show what
+/// was not written, and runs no code that may read the array by another name.
+bool is_plain_value(const Unit& unit, const clang::Stmt* stmt) {
+  if (!stmt) return true;
+  if (changes_something(stmt) || llvm::isa<clang::CXXThrowExpr, clang::LambdaExpr>(stmt)) return false;
+  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) {
+    const clang::FunctionDecl* callee = call->getDirectCallee();
+    if (!callee || !comes_back(callee) ||
+        !calls_no_package_code(unit, callee, {call->getArgs(), call->getNumArgs()}))
+      return false;
+  }
+  const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt);
+  if (made && !made->getConstructor()->isTrivial()) return false;
+  return llvm::all_of(stmt->children(),
+                      [&](const clang::Stmt* child) { return is_plain_value(unit, child); });
+}
+
+/// Elements that are not the array's by its own name; by another, memcpy would be given memory that overlaps.
+bool are_others(const Unit& unit, const clang::Expr* elements, const std::string& array) {
+  return is_plain_value(unit, elements) &&
+         squeezed(unit.source.text(elements->getSourceRange())).find(array) == std::string::npos;
+}
+
+/// What no pointer or reference leads to, and so is no element of the array.
+bool is_number(const clang::Stmt* stmt) {
+  if (!stmt) return true;
+  const auto* follows = llvm::dyn_cast<clang::UnaryOperator>(stmt);
+  const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(stmt);
+  if ((follows && follows->getOpcode() == clang::UO_Deref) ||
+      (named && named->getDecl()->getType()->isReferenceType()) || changes_something(stmt) ||
+      llvm::isa<clang::CallExpr, clang::CXXConstructExpr, clang::ArraySubscriptExpr, clang::LambdaExpr>(stmt))
+    return false;
+  return llvm::all_of(stmt->children(), is_number);
 }
 
 bool overwrites(const Unit& unit, const clang::Stmt* statement, const std::string& array,
@@ -68,15 +101,18 @@ bool overwrites(const Unit& unit, const clang::Stmt* statement, const std::strin
   const std::string name = qualified_name_of(function);
   if (name == "memcpy" || name == "std::memcpy" || name == "memset" || name == "std::memset")
     return is_begin_of(unit, call->getArg(0), array) &&
-           is_all_bytes(unit, call->getArg(2), array, stable ? size : "\n", bytes);
+           is_all_bytes(unit, call->getArg(2), array, stable ? size : "\n", bytes) &&
+           are_others(unit, call->getArg(1), array);
   return name == "std::fill" && squeezed(text_of(unit, call->getArg(0))) == array + ".begin()" &&
-         squeezed(text_of(unit, call->getArg(1))) == array + ".end()" && !calls_anything(call->getArg(2));
+         squeezed(text_of(unit, call->getArg(1))) == array + ".end()" && is_number(call->getArg(2));
 }
 
 /// A simple statement that does not leave the function, touch the array, or make its name another array's.
 bool is_harmless(const Unit& unit, const clang::Stmt* statement, const std::string& array) {
   const auto* op = llvm::dyn_cast<clang::BinaryOperator>(statement);
-  if (!op || !op->isAssignmentOp() || calls_anything(op)) return false;
+  if (!op || !op->isAssignmentOp() || !is_plain_value(unit, op->getLHS()) ||
+      !is_plain_value(unit, op->getRHS()))
+    return false;
   return array.find(squeezed(unit.source.text(op->getLHS()->getSourceRange()))) == std::string::npos &&
          squeezed(unit.source.text(op->getSourceRange())).find(array) == std::string::npos;
 }
@@ -88,6 +124,7 @@ std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMember
   const auto behind = unit.source.place(resize->getArg(0)->getSourceRange());
   if (!block || !behind || written_arguments(resize) != 1) return {};
   const clang::Expr* object = resize->getImplicitObjectArgument();
+  if (!is_plain_value(unit, object)) return {};
   const std::string array = squeezed(unit.source.text(object->getSourceRange()));
   const std::string size = squeezed(text_of(unit, resize->getArg(0)));
   const auto* vector = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(

@@ -229,6 +229,9 @@ SharedClimb::Next SharedClimb::into_expression(const clang::Expr* parent) {
   if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(parent)) return into_capture(lambda);
   if (const auto* choice = llvm::dyn_cast<clang::AbstractConditionalOperator>(parent))
     return choice->getCond() == at_ ? done() : go_on(choice);
+  const auto* cast = llvm::dyn_cast<clang::CastExpr>(parent);
+  if (cast && cast->getCastKind() == clang::CK_PointerToIntegral)
+    return write(at_);  // numbers are not followed
   const bool wraps =
       llvm::isa<clang::CastExpr, clang::ParenExpr, clang::FullExpr, clang::MaterializeTemporaryExpr,
                 clang::CXXBindTemporaryExpr, clang::ArraySubscriptExpr, clang::CXXNewExpr,

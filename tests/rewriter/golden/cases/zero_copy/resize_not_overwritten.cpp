@@ -23,12 +23,18 @@ void run(ros::NodeHandle& nh, const uint8_t* pixels, unsigned n) {
   chosen = &image;
   memcpy(&chosen->data[0], pixels, 100);
   pub.publish(other);
+  image.data.clear();
+  image.data.resize(n);
+  const auto& same = image.data;
+  std::fill(image.data.begin(), image.data.end(), same[0]);
+  pub.publish(image);
 }
 //--- expected
 // advertise src/node.cpp:10 sensor_msgs/Image zero_copy 'image'
 // publish src/node.cpp:15 sensor_msgs/Image zero_copy 'image'
 // publish src/node.cpp:19 sensor_msgs/Image zero_copy 'image'
 // publish src/node.cpp:25 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:30 sensor_msgs/Image zero_copy 'image'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
