@@ -85,7 +85,7 @@ TEST(HostileSubscriber, scribbling_over_acknowledgements_hurts_only_itself) {
       if (buffer) out->publish(text_record("x", {buffer}));
     }
   }
-  EXPECT_TRUE(eventually([&] { return static_cast<bool>(out->memory()->allocate(4 * mb)); }));
+  EXPECT_TRUE(eventually([&] { return static_cast<bool>(out->memory()->allocate(4 * mb)); }, 1000));
   expect_going_on(*out);
 }
 

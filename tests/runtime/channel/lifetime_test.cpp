@@ -142,7 +142,7 @@ TEST(Lifetime, a_killed_subscriber_frees_its_blocks_at_once) {
   ASSERT_EQ(::read(ready[0], &byte, 1), 1);
   EXPECT_FALSE(has_room(*out, mb));
   ::kill(child, SIGKILL);
-  EXPECT_TRUE(eventually([&] { return has_room(*out, mb); }));
+  EXPECT_TRUE(eventually([&] { return has_room(*out, mb); }, 100));
   EXPECT_EQ(exit_status(child), -1);
   ::close(ready[0]);
 }

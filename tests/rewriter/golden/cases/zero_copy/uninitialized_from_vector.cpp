@@ -4,34 +4,24 @@
 #include <cstring>
 #include <vector>
 
-class Node {
- public:
-  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
-  void publish() {
-    image_.data.resize(100);
-    memcpy(&image_.data[0], frames_[0].data(), 100);
-    pub_.publish(image_);
-  }
-
- private:
-  ros::NodeHandle nh_;
-  ros::Publisher pub_;
-  sensor_msgs::Image image_;
-  std::vector<std::vector<uint8_t>> frames_;
-};
+void run(ros::NodeHandle& nh, const std::vector<std::vector<uint8_t>>& frames) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  memcpy(&image.data[0], frames[0].data(), 100);
+  pub.publish(image);
+}
 //--- expected
-// advertise src/node.cpp:9 sensor_msgs/Image zero_copy 'image'
-// publish src/node.cpp:13 sensor_msgs/Image zero_copy 'image'
+// advertise src/node.cpp:8 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:12 sensor_msgs/Image zero_copy 'image'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
-// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
-// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
-// -    image_.data.resize(100);
-// +    pub_.allocate(image_);
-// +    image_.data.resize(100, tzc::uninitialized);
-// -  ros::Publisher pub_;
-// -  sensor_msgs::Image image_;
-// +  tzc::Publisher pub_;
-// +  tzc::sensor_msgs::Image image_;
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// -  sensor_msgs::Image image;
+// -  image.data.resize(100);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);
+// +  image.data.resize(100, tzc::uninitialized);
