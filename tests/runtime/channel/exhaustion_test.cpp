@@ -2,6 +2,7 @@
 // When the system has no more to give: an error that says so, nothing lost silently, and recovery afterwards.
 // Each test runs in a child process of its own, whose limits it may ruin.
 #include <fcntl.h>
+#include <malloc.h>
 #include <sched.h>
 #include <signal.h>
 #include <sys/mount.h>
@@ -125,7 +126,17 @@ int too_many_descriptors_in_flight() {
   return 0;
 }
 
+// The heap of all threads has room from now on without a further mapping. A thread's own arena would be one, and
+// without it malloc() has nothing for that thread.
+void give_heap_room() {
+  ::mallopt(M_ARENA_MAX, 1);
+  ::mallopt(M_TRIM_THRESHOLD, 8 * mb);
+  ::mallopt(M_TOP_PAD, 4 * mb);
+  while (::mallinfo2().keepcost < mb) (void)!std::malloc(100'000);
+}
+
 int subscriber_that_cannot_map() {
+  give_heap_room();
   const auto out = publisher(10, 64 * mb);
   Inbox in(out->address());
   limit(RLIMIT_AS, 1);  // no new mapping succeeds
