@@ -15,7 +15,7 @@ namespace {
 constexpr std::chrono::seconds linger{1};
 
 ConnectionImpl::Options countable(ConnectionImpl::Options options) {
-  std::size_t& size = options.queue_size;
+  std::size_t& size = options.limit.records;
   if (size == 0 || size > segment::max_ack_count) size = segment::max_ack_count;
   return options;
 }
@@ -33,9 +33,9 @@ ConnectionImpl::ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPa
       owner_(std::move(owner)),
       epoch_(posix::fork_epoch()),
       page_(std::move(page)),
-      window_(page_, segments_, options.keeps_undelivered),
+      window_(page_, segments_, options_.limit, options.keeps_undelivered),
       sender_(std::move(socket), RingWriter(peer_.reads_ring ? &page_.ring() : nullptr, options.bell),
-              options_.queue_size + 2 * max_segments) {}
+              options_.limit.most() + 2 * max_segments) {}
 
 Status ConnectionImpl::start(Service& service) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -78,8 +78,7 @@ bool ConnectionImpl::send_now(const RecordPtr& record) {
     if (!announced) failure_ = announced.error();
     if (!announced || !accepts_records(state_)) return false;
   }
-  if (window_.size() >= options_.queue_size)
-    heed_revocation(window_.revoke_oldest_down_to(options_.queue_size - 1));
+  if (window_.size() >= options_.limit.of_any_size()) heed_revocation(window_.make_room());
   if (!accepts_records(state_)) return false;
   sync_point("publish: before mark");
   window_.push(record);
@@ -115,6 +114,11 @@ void ConnectionImpl::uncork() {
 void ConnectionImpl::revoke(const segment::BlockName& block) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (state_ != ConnectionState::gone) heed_revocation(window_.revoke_block(block));
+}
+
+void ConnectionImpl::revoke_buffered() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (state_ != ConnectionState::gone) heed_revocation(window_.revoke_buffered());
 }
 
 void ConnectionImpl::close() {

@@ -47,7 +47,7 @@ class ConnectionImpl final : public Connection,
                              public std::enable_shared_from_this<ConnectionImpl> {
  public:
   struct Options {
-    std::size_t queue_size;
+    InFlightLimit limit;
     bool keeps_undelivered;
     BellPull bell;          // at which the subscriber's reader is called
     const char* traced_as;  ///< lives as long as the process
@@ -77,6 +77,7 @@ class ConnectionImpl final : public Connection,
   void on_event(const posix::Poller::Event& event) override;
   void on_deadline() override;
   void revoke(const segment::BlockName& block) override;
+  void revoke_buffered() override;
 
  private:
   std::vector<HeldBlock> held_blocks() const;

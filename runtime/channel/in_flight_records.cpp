@@ -41,8 +41,7 @@ void InFlightRecords::drop_oldest() {
 
 const InFlightRecords::Entry* InFlightRecords::find_last(const segment::BlockName& block) const {
   for (std::size_t i = size_; i > 0; --i) {
-    const Entry& entry = ring_[(first_ + i - 1) & (ring_.size() - 1)];
-    if (refers_to(entry, block)) return &entry;
+    if (refers_to(at(i - 1), block)) return &at(i - 1);
   }
   return nullptr;
 }

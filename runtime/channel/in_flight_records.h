@@ -19,6 +19,7 @@ class InFlightRecords {
  public:
   struct Entry {
     std::uint32_t sequence = 0;
+    std::size_t bytes = 0;                     // what it counts for against the limit
     SmallVector<segment::BlockName, 2> marks;  // the blocks that are marked for it
     std::vector<std::uint8_t> body;            // its body, if kept; names its blocks without keeping them
     RecordPtr record;  // instead of the body of a record without blocks, which may be large
@@ -26,7 +27,9 @@ class InFlightRecords {
 
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
-  const Entry& oldest() const { return ring_[first_]; }
+  const Entry& oldest() const { return at(0); }
+  /// By age, 0 is the oldest.
+  const Entry& at(std::size_t index) const { return ring_[(first_ + index) & (ring_.size() - 1)]; }
   /// A new youngest entry without marks.
   Entry& push(std::uint32_t sequence) {
     if (size_ == ring_.size()) grow();

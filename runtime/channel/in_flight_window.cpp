@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/in_flight_window.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "channel/body.h"
 #include "channel/delivery_cursors.h"
+#include "segment/ack_word.h"
 #include "segment/segment.h"
 #include "sync_point/sync_point.h"
 
 namespace tzc {
 namespace channel {
 namespace {
+
+// What the publisher keeps for each record in flight, about.
+constexpr std::size_t record_overhead = 256;
+
+std::size_t bytes_of(const Record& record) {
+  std::size_t bytes = record_overhead + record.size();
+  for (const BufferPtr& buffer : record.buffers()) bytes += buffer->size();
+  return bytes;
+}
 
 // A record with blocks is retained as bytes: a RecordPtr would keep handles of its blocks.
 void retain(const RecordPtr& record, InFlightRecords::Entry& entry) {
@@ -22,15 +33,24 @@ void retain(const RecordPtr& record, InFlightRecords::Entry& entry) {
 
 }  // namespace
 
-InFlightWindow::InFlightWindow(const SharedPage& page, AnnouncedSegments& segments, bool retains)
+std::size_t InFlightLimit::most() const {
+  return std::min<std::size_t>(of_any_size() + buffered_bytes / record_overhead, segment::max_ack_count);
+}
+
+InFlightWindow::InFlightWindow(const SharedPage& page, AnnouncedSegments& segments, InFlightLimit limit,
+                               bool retains)
     : page_(page),
       segments_(segments),
+      limit_(limit),
       retains_(retains),
       last_sequence_(first_sequence),
       revoked_through_(first_sequence) {}
 
 void InFlightWindow::push(const RecordPtr& record) {
   InFlightRecords::Entry& entry = records_.push(++last_sequence_);
+  entry.bytes = bytes_of(*record);
+  if (const std::size_t buffered = beyond(limit_.of_any_size() - 1))
+    buffered_bytes_ += records_.at(buffered - 1).bytes;
   if (retains_) retain(record, entry);
   for (const BufferPtr& buffer : record->buffers()) {
     const segment::BlockName block = segment::Segment::name_of(*buffer);
@@ -48,11 +68,26 @@ bool InFlightWindow::retire_taken() {
   return true;
 }
 
-bool InFlightWindow::revoke_oldest_down_to(std::size_t most) {
-  if (size() <= most) return true;
+// With one more record, those that are counted in buffered_bytes_ are beyond what may be in flight in any size.
+bool InFlightWindow::is_full() const {
+  return size() >= limit_.of_any_size() &&
+         (buffered_bytes_ > limit_.buffered_bytes || size() >= limit_.most());
+}
+
+bool InFlightWindow::make_room() {
+  if (size() < limit_.of_any_size()) return true;
   if (!retire_taken()) return false;
-  while (size() > most) {
+  while (is_full()) {
     if (!revoke_through(records_.oldest().sequence, drops_.queue)) return false;
+  }
+  return true;
+}
+
+bool InFlightWindow::revoke_buffered() {
+  if (size() <= limit_.records) return true;
+  if (!retire_taken()) return false;
+  while (size() > limit_.records) {
+    if (!revoke_through(records_.oldest().sequence, drops_.memory)) return false;
   }
   return true;
 }
@@ -105,6 +140,7 @@ bool InFlightWindow::rebuild(const InFlightRecords::Entry& entry) {
 }
 
 void InFlightWindow::drop_oldest() {
+  if (beyond(limit_.of_any_size() - 1) > 0) buffered_bytes_ -= records_.oldest().bytes;
   records_.drop_oldest();
 }
 

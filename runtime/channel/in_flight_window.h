@@ -14,12 +14,23 @@
 namespace tzc {
 namespace channel {
 
+/// How many records may be in flight to one subscriber.
+struct InFlightLimit {
+  std::size_t records;         ///< at least 1
+  std::size_t buffered_bytes;  ///< PublisherOptions::buffered_bytes
+
+  /// Records that may be in flight whatever their size.
+  std::size_t of_any_size() const { return records + (buffered_bytes > 0 ? 1 : 0); }
+  /// However small they are.
+  std::size_t most() const;
+};
+
 /// The records in flight to one subscriber: their marks in its ack files, and who gets them
 /// (delivery_cursors.h). Not thread-safe; the page and the segments outlive it.
 class InFlightWindow {
  public:
   /// `retains`: take_undelivered returns the records that are in flight at the end.
-  InFlightWindow(const SharedPage& page, AnnouncedSegments& segments, bool retains);
+  InFlightWindow(const SharedPage& page, AnnouncedSegments& segments, InFlightLimit limit, bool retains);
 
   std::size_t size() const { return records_.size(); }
   std::uint32_t last_sequence() const { return last_sequence_; }
@@ -41,8 +52,10 @@ class InFlightWindow {
   TZC_HOT void push(const RecordPtr& record);
   /// Drops the records that the subscriber took. False: it claims to have taken one that was never sent.
   TZC_HOT bool retire_taken();
-  /// Revokes the oldest records until at most `most` are left. False: the subscriber does not keep to the protocol.
-  bool revoke_oldest_down_to(std::size_t most);
+  /// Revokes the oldest records until the limit allows one more. False: the subscriber does not keep to the protocol.
+  TZC_HOT bool make_room();
+  /// Revokes what is in flight by the grace of buffered_bytes. False: as above.
+  bool revoke_buffered();
   /// Revokes each record that refers to the block, and those before it. False: as above.
   bool revoke_block(const segment::BlockName& block);
   /// Revokes everything that the subscriber did not take: it takes nothing more. False: as above.
@@ -50,6 +63,8 @@ class InFlightWindow {
   std::vector<RecordPtr> take_undelivered() { return std::move(undelivered_); }
 
  private:
+  bool is_full() const;
+  std::size_t beyond(std::size_t most) const { return size() > most ? size() - most : 0; }
   bool revoke_through(std::uint32_t sequence, std::uint64_t& drops);
   void drop_oldest();
   void revoke_oldest(std::uint64_t& drops);
@@ -57,12 +72,15 @@ class InFlightWindow {
 
   const SharedPage& page_;
   AnnouncedSegments& segments_;
+  const InFlightLimit limit_;
   const bool retains_;
   std::uint32_t last_sequence_;
   std::uint32_t revoked_through_;
   Drops drops_;
   std::uint64_t shared_bytes_ = 0;
   InFlightRecords records_;
+  std::size_t buffered_bytes_ =
+      0;  // of the records before the youngest that the limit allows in any size, but one
   std::vector<RecordPtr> undelivered_;
 };
 

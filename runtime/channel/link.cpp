@@ -86,6 +86,7 @@ Status Link::say_hello(const SubscriberOptions& options, std::uint64_t publicati
     return failed("subscribe with a hello over 32 KB", options.address);
   Hello hello{PacketKind::hello, wire_magic, wire_version, static_cast<std::uint32_t>(options.hello.size())};
   hello.publication = publication;
+  if (options.own_thread && options.shared_thread) hello.features |= takes_promptly;
   if (place_.service != nullptr) hello.features |= reads_ring;
   int doorbell = -1;
   if (place_.service != nullptr && place_.number) {

@@ -15,6 +15,7 @@ struct Peer {
   Credentials credentials;
   std::string hello{};
   std::uint64_t publication = 0;  ///< which publisher behind the socket it wants
+  bool takes_promptly = false;
   bool reads_ring = false;
   bool has_doorbell = false;
   std::uint32_t doorbell_bytes = 0;

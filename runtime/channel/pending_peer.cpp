@@ -69,6 +69,7 @@ bool parse_hello(const std::uint8_t* data, std::size_t size, Peer& peer, std::st
   if (size < sizeof packet || packet.hello_bytes > max_hello_bytes ||
       packet.hello_bytes != size - sizeof packet)
     return false;
+  peer.takes_promptly = (packet.features & takes_promptly) != 0;
   peer.reads_ring = (packet.features & reads_ring) != 0 && posix::has_shared_futex();
   peer.has_doorbell = peer.reads_ring && (packet.features & has_doorbell) != 0;
   peer.doorbell_bytes = packet.doorbell_bytes;

@@ -138,8 +138,8 @@ std::shared_ptr<ConnectionImpl> PublisherImpl::connect(posix::FileDescriptor& so
     return nullptr;
   }
   const char* const name = trace::active ? trace::keep(trace::name_of_channel(address()).topic) : "";
-  const ConnectionImpl::Options options{options_.queue_size, options_.keeps_undelivered, std::move(*bell),
-                                        name};
+  const InFlightLimit limit{options_.queue_size, peer.takes_promptly ? options_.buffered_bytes : 0};
+  const ConnectionImpl::Options options{limit, options_.keeps_undelivered, std::move(*bell), name};
   auto connection = std::make_shared<ConnectionImpl>(std::move(socket), std::move(peer), std::move(*page),
                                                      options, weak_from_this());
   const Status started = connection->start(service_);

@@ -47,6 +47,8 @@ enum Features : std::uint32_t {
   reads_ring = 1,  // usual records come through the ring (channel/ring.h)
   has_doorbell =
       2,  // the ring's reader sleeps at a doorbell (channel/doorbell.h), whose file comes with the hello
+  takes_promptly =
+      4,  // nothing runs between two messages: PublisherOptions::buffered_bytes is for such subscribers
 };
 
 struct Hello {

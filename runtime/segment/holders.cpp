@@ -32,16 +32,22 @@ bool Holders::have_taken(const BlockName& block) const {
   });
 }
 
-// Copied first: a connection locks itself, and one that sends takes mutex_ while it is locked.
 void Holders::revoke(const BlockName& block) const {
-  std::vector<std::weak_ptr<Revoker>> revokers;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    for (const Holder& holder : holders_) revokers.push_back(holder.revoker);
+  for (const auto& revoker : revokers()) revoker->revoke(block);
+}
+
+void Holders::revoke_buffered() const {
+  for (const auto& revoker : revokers()) revoker->revoke_buffered();
+}
+
+// Copied: a connection locks itself to revoke, and one that sends takes mutex_ while it is locked.
+std::vector<std::shared_ptr<Revoker>> Holders::revokers() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<std::shared_ptr<Revoker>> alive;
+  for (const Holder& holder : holders_) {
+    if (auto revoker = holder.revoker.lock()) alive.push_back(std::move(revoker));
   }
-  for (const auto& weak : revokers) {
-    if (const auto revoker = weak.lock()) revoker->revoke(block);
-  }
+  return alive;
 }
 
 std::uint32_t Holders::next_released() {

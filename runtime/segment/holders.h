@@ -19,6 +19,8 @@ class Revoker {
   virtual ~Revoker() = default;
   /// Revokes each record that refers to the block and was not taken yet, and those sent before it.
   virtual void revoke(const BlockName& block) = 0;
+  /// Revokes what is in flight by the grace of PublisherOptions::buffered_bytes.
+  virtual void revoke_buffered() = 0;
 };
 
 /// The subscribers that know a segment, and what they hold of it. Thread-safe.
@@ -33,11 +35,14 @@ class Holders {
   bool have_taken(const BlockName& block) const;
   /// Asks every connection that may have the block in flight to revoke it.
   void revoke(const BlockName& block) const;
+  void revoke_buffered() const;
   /// A slot that some subscriber says it released something of; no_slot: no more now. For the allocator alone.
   std::uint32_t next_released();
   std::size_t count() const;
 
  private:
+  std::vector<std::shared_ptr<Revoker>> revokers() const;
+
   struct Holder {
     std::shared_ptr<AckFile> ack_file;
     std::weak_ptr<Revoker> revoker;

@@ -77,10 +77,10 @@ Block* SegmentMemoryImpl::find_room(std::size_t bytes) {
   if (guard::active) {
     if (Block* block = allocate_in_quarantine(segments_, bytes, failure_)) return block;
   }
-  if (options_.policy.kind == PolicyKind::best_effort) return revoke_and_allocate(bytes);
-  if (!bounded) return nullptr;
+  for (const SegmentPtr& segment : segments_) segment->holders().revoke_buffered();
   reclaim(SIZE_MAX, SIZE_MAX);
-  return allocate_block(bytes, Segment::Where::anywhere);
+  if (Block* block = allocate_block(bytes, Segment::Where::anywhere)) return block;
+  return options_.policy.kind == PolicyKind::best_effort ? revoke_and_allocate(bytes) : nullptr;
 }
 
 Block* SegmentMemoryImpl::allocate_block(std::size_t bytes, Segment::Where where) {

@@ -16,7 +16,7 @@ namespace segment {
 /// no room.
 ///
 ///   allocate:  reclaim a few -> fit into touched memory -> reclaim all -> fit anywhere -> add a segment
-///              -> revoke
+///              -> revoke what is beyond the queues -> revoke what is in them
 ///
 /// To reclaim looks at the blocks of which something was released (release_hints.h); only worst_effort, which wants
 /// the oldest one first, walks the queue.

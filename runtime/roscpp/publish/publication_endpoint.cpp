@@ -12,6 +12,7 @@
 #include "roscpp/descriptor_budget.h"
 #include "roscpp/publish/local_writers.h"
 #include "roscpp/publish/publication_lock.h"
+#include "roscpp/publish/socket_buffers.h"
 #include "roscpp/publish/statistics_file.h"
 #include "roscpp/roscpp_access.h"
 #include "roscpp/throttled_warning.h"
@@ -116,6 +117,7 @@ bool PublicationEndpoint::listen(std::size_t queue_size) {
   const std::weak_ptr<LinkMigration> migration = migration_;
   channel::PublisherOptions options;
   options.queue_size = queue_size;
+  options.buffered_bytes = kSocketBuffers;
   options.memory = segments_;
   options.keeps_undelivered = true;
   options.authorize = [weak](const channel::Credentials& peer, const std::string& hello) {

@@ -7,6 +7,7 @@
 #include <deque>
 #include <vector>
 
+#include "roscpp/publish/socket_buffers.h"
 #include "roscpp/publish/to_stock_bytes.h"
 
 namespace tzc {
@@ -26,7 +27,7 @@ class WaitingRecords {
   void push(const channel::RecordPtr& record) {
     records_.push_back(record);
     bytes_ += size_of(record);
-    while (queue_size_ != 0 && records_.size() > queue_size_ && bytes_ > kBufferedBytes) pop();
+    while (queue_size_ != 0 && records_.size() > queue_size_ && bytes_ > kSocketBuffers) pop();
   }
 
   /// Puts older records before the others, and drops none.
@@ -41,9 +42,6 @@ class WaitingRecords {
   }
 
  private:
-  /// What the socket buffers of a TCPROS connection hold, in bytes.
-  static constexpr std::size_t kBufferedBytes = 4 << 20;
-
   const std::size_t queue_size_;
   std::deque<channel::RecordPtr> records_;
   std::size_t bytes_ = 0;

@@ -93,7 +93,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   auto page = SharedPage::create(first_sequence);
   peer.reads_ring = (input.take<std::uint8_t>() & 1) != 0;
   ConnectionImpl::Options options{};
-  options.queue_size = input.take<std::uint8_t>() % 8 + 1;
+  const auto limits = input.take<std::uint8_t>();
+  options.limit = {limits % 8u + 1, limits / 8u * 1024u};
   options.keeps_undelivered = (input.take<std::uint8_t>() & 1) != 0;
   auto connection = std::make_shared<ConnectionImpl>(
       std::move(sockets.ours), std::move(peer), std::move(*page), options, std::weak_ptr<ConnectionOwner>());

@@ -199,8 +199,7 @@ class PortedToTools(ToolCase):
                 transport = "TZC" if runner else "TCPROS"
                 self.ros.wait_until(lambda: self.transports(self.name("window"), "window/output") == {transport}, 20,
                                     "the window's listener")
-                # The window's queue has one image: the echo says that one listener has it, the pause is for the other.
-                counters = self.talk(count=30, rate=5, rows=rows, bytes=rows * line, encoding="bgr8", echo="window/output",
+                counters = self.talk(count=30, rows=rows, bytes=rows * line, encoding="bgr8", echo="window/output",
                                      shared=len(runner))
                 self.assertEqual((counters["shared"], counters["copied_bytes"]), (30 * len(runner), 0))
                 self.assert_got(shown, range(30))

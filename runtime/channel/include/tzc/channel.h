@@ -68,8 +68,8 @@ class Connection {
   virtual const std::string& hello() const = 0;
   /// False after the subscriber unsubscribed or died, or after close().
   virtual bool alive() const = 0;
-  /// Never blocks: writes directly, or queues when the socket is full. At most queue_size records are in
-  /// flight; beyond that the oldest is revoked and counted. False when the connection is not alive, or when
+  /// Never blocks: writes directly, or queues when the socket is full. At most queue_size records (see also
+  /// buffered_bytes) are in flight; beyond that the oldest is revoked and counted. False when the connection is not alive, or when
   /// the record's memory cannot be shared with this subscriber (alive() stays true, last_failure() says why:
   /// send the message without shared memory instead).
   virtual bool send(const RecordPtr& record) = 0;
@@ -95,6 +95,11 @@ struct PublisherOptions {
   std::string address{};
   /// Most records that may be in flight for each subscriber; 0: as many as the protocol can count (65535).
   std::size_t queue_size = 10;
+  /// Over 0: to a subscriber with SubscriberOptions::shared_thread one more record, and before it as many as have this many
+  /// bytes together (with their blocks, and 256 bytes for each). So a burst arrives as over a TCP connection, whose sockets
+  /// hold what the queue does not. When memory is exhausted, what is in flight beyond queue_size is revoked, whatever its
+  /// policy. Other subscribers may run callbacks between two messages: for them the newest queue_size are kept.
+  std::size_t buffered_bytes = 0;
   /// Several publishers may share it. Null: the publisher creates its own, with default options for this
   /// queue size.
   std::shared_ptr<SegmentMemory> memory{};
