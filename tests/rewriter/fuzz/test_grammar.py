@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The fuzzer's own promises: programs are reproducible, every pattern occurs, and what differs is noticed."""
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -30,7 +31,6 @@ class Programs(unittest.TestCase):
         missing = {way.__name__ for way in ways} | {"relay: " + way.__name__ for way in subscribers.RELAYS}
         self.assertEqual(missing - seen, set())
 
-
     def test_every_attack_occurs(self):
         seen = set()
         for index in range(1000):
@@ -45,6 +45,20 @@ class Programs(unittest.TestCase):
             for topic in package.make_program("1", index, adversarial=True).topics:
                 if late & set(topic.traits):
                     self.assertIn("transfer: unchanged", topic.traits, topic.name)
+
+    def test_a_pointer_that_is_made_once_never_becomes_null(self):
+        """The next step follows it."""
+        swapped = 0
+        for index in range(2000):
+            program = package.make_program("1", index, adversarial=True)
+            text = "\n".join("\n".join(part) for part in program.render())
+            made_once = set(re.findall(r"(\w+) = boost::make_shared", "\n".join(program.setup)))
+            for other, pointer in re.findall(r"(\w+)\.swap\((\w+)\);", text):
+                if pointer in made_once:
+                    swapped += 1
+                    filled = rf"Ptr {other} = boost::make_shared<.*\n *{other}\.swap\({pointer}\)"
+                    self.assertTrue(re.search(filled, text), f"{program.name}: {pointer}")
+        self.assertGreater(swapped, 0)
 
 
 class Comparison(unittest.TestCase):

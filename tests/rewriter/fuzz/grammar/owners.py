@@ -171,7 +171,9 @@ def by_second_pointer(message, owned):
 def by_swapped_pointer(message, owned):
     if not owned.pointer:
         return by_swap(message, owned)
-    return ([f"{message.cpp}Ptr next;", f"next.swap({owned.argument});"], Owned([], "next->", "next", True))
+    # An owner that is made once is there in the next step, too, and has to point to a message then.
+    made = "" if owned.lines else f" = boost::make_shared<{message.cpp}>()"
+    return ([f"{message.cpp}Ptr next{made};", f"next.swap({owned.argument});"], Owned([], "next->", "next", True))
 
 
 TRANSFERS = [by_move, by_move_assignment, by_swap, by_exchange, by_moved_array, by_swapped_array, by_copy,
