@@ -22,11 +22,21 @@ def execute(program, recorder, folder, topics, guard=False):
         talker = ros.start([program, "talker"], name="talker")
         status = talker.wait(400)
         if status != 0:
-            raise RuntimeError(f"{program} ends with {status}; its output ends:\n{talker.tail()}")
+            raise RuntimeError(f"{program} ends with {status}, {last_program(folder)}; its output ends:\n"
+                               f"{talker.tail()}")
         for process in (talker, listener):
             if "TZC guard: a" in process.log():
                 raise RuntimeError(f"{program} writes too late:\n{process.log()}")
     return {(name, topic): lines for name in LOGS for topic, lines in read_log(f"{folder}/{name}").items()}
+
+
+def last_program(folder):
+    """Which program's step was the talker's last. The logs do not know: what was queued is lost with the talker."""
+    try:
+        with open(f"{folder}/talker.running") as file:
+            return f"in {file.read().strip()}"
+    except FileNotFoundError:
+        return "before the first step"
 
 
 def read_log(path):

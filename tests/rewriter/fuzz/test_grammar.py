@@ -7,7 +7,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from execution import differences  # noqa: E402
+from execution import differences, last_program  # noqa: E402
 from grammar import attacks, builders, keepers, libraries, outputs, owners, package, pointers  # noqa: E402
 from grammar import publishers, subscribers, times  # noqa: E402
 from port import check_levels, check_sites  # noqa: E402
@@ -79,6 +79,19 @@ class Comparison(unittest.TestCase):
 
     def test_a_missing_topic_is_named(self):
         self.assertEqual(len(differences(self.BEFORE, {})), 2)
+
+
+class Talker(unittest.TestCase):
+    def test_the_program_that_ends_it_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(last_program(folder), "before the first step")
+            with open(f"{folder}/talker.running", "w") as file:
+                file.write("p184\n")
+            self.assertEqual(last_program(folder), "in p184")
+
+    def test_each_step_is_announced(self):
+        text = package.main_text([package.make_program("1", index) for index in range(2)])
+        self.assertRegex(text, r'fuzz::running\("p000"\);\n *p000::step\(k\);[^}]*running\("p001"\);\n *p001::step')
 
 
 class Sites(unittest.TestCase):

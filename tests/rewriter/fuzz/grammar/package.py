@@ -85,7 +85,7 @@ def main_text(programs):
     lines += [f"  {p.name}::start(nh);" for p in programs] + ["  fuzz::wait_for_all();",
               "  for (int k = 0; k < fuzz::rounds; ++k) {"]
     for program in programs:
-        lines += [f"    {program.name}::step(k);", "    fuzz::settle();"]
+        lines += [f'    fuzz::running("{program.name}");', f"    {program.name}::step(k);", "    fuzz::settle();"]
     return "\n".join(lines + ["    fuzz::round_done();", "  }", "  return fuzz::finish();", "}", ""])
 
 

@@ -134,6 +134,10 @@ int size(int k, int seed) {
   return 1 + static_cast<int>(x % 200);
 }
 
+void running(const std::string& program) {
+  std::ofstream(folder() + "/talker.running") << program << '\n';
+}
+
 void sent(const std::string& topic) {
   ++topics[topic].sent;
 }

@@ -66,6 +66,8 @@ void later(const std::function<void()>& function);
 
 /// \name The talker
 /// @{
+/// Leaves the program's name in a file, for when it ends the talker: the logs end earlier, since queued messages are lost.
+void running(const std::string& program);
 void sent(const std::string& topic);
 /// A relay in this process has passed a message of `topic` on.
 void handled(const std::string& topic);
