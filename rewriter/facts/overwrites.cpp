@@ -74,6 +74,26 @@ bool is_plain_value(const Unit& unit, const clang::Stmt* stmt) {
                       [&](const clang::Stmt* child) { return is_plain_value(unit, child); });
 }
 
+/// A call that only leads on: ->, [], a container's front().
+bool is_step_of_name(const clang::CallExpr* call) {
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call))
+    return op->getOperator() == clang::OO_Arrow || op->getOperator() == clang::OO_Star ||
+           op->getOperator() == clang::OO_Subscript;
+  const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
+  const clang::CXXMethodDecl* method = member ? member->getMethodDecl() : nullptr;
+  if (!method || !method->getIdentifier()) return false;
+  return method->isConst() || method->getName() == "front" || method->getName() == "back";
+}
+
+/// Whether what is written leads to the same object each time: frames_[rand() % 2] does not.
+bool is_steady_name(const Unit& unit, const clang::Stmt* stmt) {
+  if (!is_plain_value(unit, stmt)) return false;
+  const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(stmt);
+  if (call && !is_step_of_name(call)) return false;
+  return !stmt || llvm::all_of(stmt->children(),
+                               [&](const clang::Stmt* child) { return is_steady_name(unit, child); });
+}
+
 /// Elements that are not the array's by its own name; by another, memcpy would be given memory that overlaps.
 bool are_others(const Unit& unit, const clang::Expr* elements, const std::string& array) {
   return is_plain_value(unit, elements) &&
@@ -85,7 +105,10 @@ bool is_number(const clang::Stmt* stmt) {
   if (!stmt) return true;
   const auto* follows = llvm::dyn_cast<clang::UnaryOperator>(stmt);
   const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(stmt);
+  const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt);
   if ((follows && follows->getOpcode() == clang::UO_Deref) ||
+      (member && member->isArrow() &&
+       !llvm::isa<clang::CXXThisExpr>(member->getBase()->IgnoreParenImpCasts())) ||
       (named && named->getDecl()->getType()->isReferenceType()) || changes_something(stmt) ||
       llvm::isa<clang::CallExpr, clang::CXXConstructExpr, clang::ArraySubscriptExpr, clang::LambdaExpr>(stmt))
     return false;
@@ -124,7 +147,7 @@ std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMember
   const auto behind = unit.source.place(resize->getArg(0)->getSourceRange());
   if (!block || !behind || written_arguments(resize) != 1) return {};
   const clang::Expr* object = resize->getImplicitObjectArgument();
-  if (!is_plain_value(unit, object)) return {};
+  if (!is_steady_name(unit, object)) return {};
   const std::string array = squeezed(unit.source.text(object->getSourceRange()));
   const std::string size = squeezed(text_of(unit, resize->getArg(0)));
   const auto* vector = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
