@@ -3,11 +3,12 @@
 // elements:
 //   image.data.resize(n);
 //   memcpy(&image.data[0], pixels, n);      // or of image.data.size() bytes, or std::fill over begin() ...
-//   end()
+//                                           // end(), or a loop (element_loops.cpp)
 #include "facts/overwrites.h"
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
+#include "facts/element_loops.h"
 #include "facts/library_calls.h"
 
 namespace tzc::rewriter {
@@ -153,14 +154,16 @@ std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMember
   const auto* vector = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
       object->getType().getCanonicalType()->getAsCXXRecordDecl());
   const bool bytes = vector && unit.ast().getTypeSize(vector->getTemplateArgs()[0].getAsType()) == 8;
-  bool behind_it = false;
+  bool behind_it = false, is_next = false;
   for (const clang::Stmt* statement : block->body()) {
-    if (behind_it && overwrites(unit, statement, array, size, bytes, is_stable(resize->getArg(0)))) {
+    if (behind_it && (overwrites(unit, statement, array, size, bytes, is_stable(resize->getArg(0))) ||
+                      writes_each_element(unit, statement, {array, resize->getArg(0), is_next}))) {
       const Place at{behind->file, behind->end, behind->end, behind->line, behind->column};
       return Change{at, ", tzc::uninitialized", "uninitialized", {}};
     }
     if (behind_it && !is_harmless(unit, statement, array)) return {};
-    if (statement == resize) behind_it = true;
+    is_next = statement == resize;
+    behind_it |= is_next;
   }
   return {};
 }

@@ -21,7 +21,9 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -void fill(sensor_msgs::Image& image, unsigned size) {
+// -  image.data.resize(size);
 // +void fill(tzc::sensor_msgs::Image& image, unsigned size) {
+// +  image.data.resize(size, tzc::uninitialized);
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
 // -  sensor_msgs::Image image;
 // +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);

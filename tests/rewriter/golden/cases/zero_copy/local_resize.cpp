@@ -30,5 +30,7 @@ class Camera {
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    pub_.allocate(image);
+// -    image.data.resize(image.step * image.height);
+// +    image.data.resize(image.step * image.height, tzc::uninitialized);
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;

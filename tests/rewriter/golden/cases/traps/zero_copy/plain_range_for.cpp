@@ -18,6 +18,8 @@ void run(ros::NodeHandle& nh) {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
 // -  sensor_msgs::Image image;
+// -  image.data.resize(100);
 // +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
 // +  tzc::sensor_msgs::Image image;
 // +  pub.allocate(image);
+// +  image.data.resize(100, tzc::uninitialized);

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loops that write every element of an array that was just resized:
+//   for (int i = 0; i < n; ++i) scan.ranges[i] = values[i];
+//   for (float& range : scan.ranges) range = 0.1f;
+// What is written is a number that comes from variables and other arrays by their names: a pointer, or a reference to a number,
+// might lead to the array's own elements.
+#include "facts/element_loops.h"
+
+#include <clang/AST/ExprCXX.h>
+#include <clang/AST/StmtCXX.h>
+
+#include "facts/calls.h"
+#include "facts/library_calls.h"
+#include "facts/message_type.h"
+
+namespace tzc::rewriter {
+namespace {
+
+std::string text_of(const Unit& unit, const clang::Expr* expr) {
+  std::string result;
+  for (const char c : unit.source.text(expr->IgnoreParenImpCasts()->getSourceRange()))
+    if (c != ' ' && c != '\t' && c != '\n' && c != '\r') result += c;
+  return result;
+}
+
+/// Whether the name occurs as a word: the loop's variable would hide it.
+bool mentions(const std::string& text, llvm::StringRef name) {
+  const auto is_part = [&](std::size_t at) {
+    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) || text[at] == '_');
+  };
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))
+    if (!is_part(at + name.size()) && (at == 0 || !is_part(at - 1))) return true;
+  return false;
+}
+
+bool is_plain_number(clang::QualType type) {
+  return type->isArithmeticType() && !type.isVolatileQualified();
+}
+
+/// std::vector<float>&: the ported array is none. What is deduced, or named by a typedef, may become one.
+bool is_written_out(clang::QualType type) {
+  if (!type->isReferenceType()) return true;
+  type = type.getNonReferenceType();
+  if (const auto* elaborated = llvm::dyn_cast<clang::ElaboratedType>(type.getTypePtr()))
+    type = elaborated->getNamedType();
+  return llvm::isa<clang::TemplateSpecializationType>(type.getTypePtr());
+}
+
+/// Looks at an expression whose value is a number, or an array that it is taken from.
+class Value {
+ public:
+  Value(const Unit& unit, bool may_call) : unit_(unit), may_call_(may_call) {}
+
+  bool is_number(const clang::Expr* expr) const;
+  /// Another object than any element or array of a ported message.
+  bool is_other_array(const clang::Expr* expr) const;
+  /// Part of an object that a name, and no pointer, leads to.
+  bool is_object(const clang::Expr* expr) const;
+
+ private:
+  bool is_element(const clang::Expr* expr) const;
+  bool is_size(const clang::CXXMemberCallExpr* call) const;
+  bool is_known_call(const clang::CallExpr* call) const;
+
+  const Unit& unit_;
+  const bool may_call_;
+};
+
+bool Value::is_object(const clang::Expr* expr) const {
+  expr = expr->IgnoreParenImpCasts();
+  if (llvm::isa<clang::CXXThisExpr>(expr)) return true;
+  if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr))
+    return llvm::isa<clang::VarDecl>(reference->getDecl()) &&
+           !reference->getDecl()->getType()->isReferenceType();
+  const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr);
+  return member && llvm::isa<clang::FieldDecl>(member->getMemberDecl()) &&
+         !member->getMemberDecl()->getType()->isReferenceType() && is_object(member->getBase()) &&
+         (!member->isArrow() || llvm::isa<clang::CXXThisExpr>(member->getBase()->IgnoreParenImpCasts()));
+}
+
+bool Value::is_other_array(const clang::Expr* expr) const {
+  expr = expr->IgnoreParenImpCasts();
+  const clang::QualType type = expr->getType().getCanonicalType();
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  const std::string name = record ? qualified_name_of(record) : std::string();
+  if (!type->isConstantArrayType() && name != "std::vector" && name != "std::array") return false;
+  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr);
+  const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
+  if (variable) return name == "std::vector" ? is_written_out(variable->getType()) : is_object(expr);
+  const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr);
+  const auto* field = member ? llvm::dyn_cast<clang::FieldDecl>(member->getMemberDecl()) : nullptr;
+  const auto* owner = field ? llvm::dyn_cast<clang::CXXRecordDecl>(field->getParent()) : nullptr;
+  return owner && !message_of(owner) && is_object(expr);
+}
+
+/// values[i]
+bool Value::is_element(const clang::Expr* expr) const {
+  if (const auto* subscript = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr))
+    return is_other_array(subscript->getBase()) && is_number(subscript->getIdx());
+  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(expr);
+  return op && op->getOperator() == clang::OO_Subscript && is_other_array(op->getArg(0)) &&
+         is_number(op->getArg(1));
+}
+
+/// values.size()
+bool Value::is_size(const clang::CXXMemberCallExpr* call) const {
+  const clang::CXXMethodDecl* method = call->getMethodDecl();
+  return method && method->getIdentifier() && method->getName() == "size" && call->getNumArgs() == 0 &&
+         is_other_array(call->getImplicitObjectArgument());
+}
+
+/// std::exchange(i, n)
+bool may_change_arguments(const clang::FunctionDecl* function) {
+  return llvm::any_of(function->parameters(), [](const clang::ParmVarDecl* parameter) {
+    const clang::QualType type = parameter->getType();
+    return type->isReferenceType() && !type.getNonReferenceType().isConstQualified();
+  });
+}
+
+/// std::sin(angle): it comes back, and what it is given leads nowhere.
+bool Value::is_known_call(const clang::CallExpr* call) const {
+  if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) return is_size(member);
+  const clang::FunctionDecl* callee = call->getDirectCallee();
+  return may_call_ && callee && !llvm::isa<clang::CXXOperatorCallExpr>(call) && comes_back(callee) &&
+         !may_change_arguments(callee) &&
+         calls_no_package_code(unit_, callee, {call->getArgs(), call->getNumArgs()}) &&
+         llvm::all_of(call->arguments(), [&](const clang::Expr* argument) { return is_number(argument); });
+}
+
+bool Value::is_number(const clang::Expr* expr) const {
+  if (const auto* temporary = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr))
+    return is_number(temporary->getSubExpr());
+  if (!is_plain_number(expr->getType())) return false;
+  if (const auto* paren = llvm::dyn_cast<clang::ParenExpr>(expr)) return is_number(paren->getSubExpr());
+  if (const auto* cast = llvm::dyn_cast<clang::CastExpr>(expr)) return is_number(cast->getSubExpr());
+  if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr))
+    return op->isArithmeticOp() && !op->isIncrementDecrementOp() && is_number(op->getSubExpr());
+  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(expr))
+    return !op->isAssignmentOp() && is_number(op->getLHS()) && is_number(op->getRHS());
+  if (const auto* choice = llvm::dyn_cast<clang::ConditionalOperator>(expr))
+    return is_number(choice->getCond()) && is_number(choice->getTrueExpr()) &&
+           is_number(choice->getFalseExpr());
+  if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr))
+    return llvm::isa<clang::EnumConstantDecl>(reference->getDecl()) || is_object(expr);
+  if (llvm::isa<clang::MemberExpr>(expr)) return is_object(expr);
+  if (is_element(expr)) return true;
+  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(expr)) return is_known_call(call);
+  return llvm::isa<clang::IntegerLiteral, clang::FloatingLiteral, clang::CharacterLiteral,
+                   clang::CXXBoolLiteralExpr>(expr);
+}
+
+/// Names and literals, and sizes of other arrays; where nothing has run since it was evaluated, whatever is a number.
+bool has_kept_its_value(const Unit& unit, const ResizedArray& array) {
+  const clang::Expr* size = array.size->IgnoreParenImpCasts();
+  if (!size->getType()->isIntegerType() || !Value(unit, false).is_number(size)) return false;
+  if (array.is_fresh || llvm::isa<clang::IntegerLiteral>(size)) return true;
+  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(size);
+  return reference && reference->getType().isConstQualified();
+}
+
+/// The statement that a loop consists of, an assignment of numbers; null: another one.
+const clang::BinaryOperator* only_assignment(const clang::Stmt* body) {
+  if (const auto* block = llvm::dyn_cast_or_null<clang::CompoundStmt>(body))
+    body = block->size() == 1 ? block->body_front() : nullptr;
+  if (const auto* full = llvm::dyn_cast_or_null<clang::ExprWithCleanups>(body)) body = full->getSubExpr();
+  const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(body);
+  const bool assigns = op && op->getOpcode() == clang::BO_Assign;
+  return assigns && is_plain_number(op->getLHS()->getType()) ? op : nullptr;
+}
+
+bool is_zero(const clang::Expr* expr) {
+  const auto* literal = expr ? llvm::dyn_cast<clang::IntegerLiteral>(expr->IgnoreParenImpCasts()) : nullptr;
+  return literal && literal->getValue() == 0;
+}
+
+bool is_use_of(const clang::Expr* expr, const clang::VarDecl* variable) {
+  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr->IgnoreParenImpCasts());
+  return reference && reference->getDecl() == variable;
+}
+
+/// for (int i = 0; ...; ++i); null: another form
+const clang::VarDecl* counter_of(const clang::ForStmt* loop) {
+  const auto* declaration = llvm::dyn_cast_or_null<clang::DeclStmt>(loop->getInit());
+  const auto* step = llvm::dyn_cast_or_null<clang::UnaryOperator>(loop->getInc());
+  if (!declaration || !declaration->isSingleDecl() || !step || !step->isIncrementOp()) return nullptr;
+  const auto* counter = llvm::dyn_cast<clang::VarDecl>(declaration->getSingleDecl());
+  const bool counts = counter && counter->getType()->isIntegerType() &&
+                      !counter->getType()->isBooleanType() && !counter->getType()->isReferenceType() &&
+                      is_zero(counter->getInit());
+  return counts && is_use_of(step->getSubExpr(), counter) ? counter : nullptr;
+}
+
+/// i < n, i != array.size()
+bool reaches_the_end(const Unit& unit, const clang::Expr* condition, const clang::VarDecl* counter,
+                     const ResizedArray& array) {
+  const auto* op =
+      condition ? llvm::dyn_cast<clang::BinaryOperator>(condition->IgnoreParenImpCasts()) : nullptr;
+  if (!op || (op->getOpcode() != clang::BO_LT && op->getOpcode() != clang::BO_NE) ||
+      !is_use_of(op->getLHS(), counter))
+    return false;
+  const std::string end = text_of(unit, op->getRHS());
+  return end == array.name + ".size()" ||
+         (end == text_of(unit, array.size) && has_kept_its_value(unit, array));
+}
+
+bool counts_through(const Unit& unit, const clang::ForStmt* loop, const ResizedArray& array) {
+  const clang::VarDecl* counter = counter_of(loop);
+  const clang::BinaryOperator* write = only_assignment(loop->getBody());
+  if (!counter || !write || !reaches_the_end(unit, loop->getCond(), counter, array)) return false;
+  if (mentions(array.name, counter->getName()) || mentions(text_of(unit, array.size), counter->getName()))
+    return false;
+  const auto* target = llvm::dyn_cast<clang::CXXOperatorCallExpr>(write->getLHS()->IgnoreParens());
+  return target && target->getOperator() == clang::OO_Subscript &&
+         text_of(unit, target->getArg(0)) == array.name && is_use_of(target->getArg(1), counter) &&
+         Value(unit, true).is_number(write->getRHS());
+}
+
+bool ranges_over(const Unit& unit, const clang::CXXForRangeStmt* loop, const ResizedArray& array) {
+  const clang::BinaryOperator* write = only_assignment(loop->getBody());
+  const clang::VarDecl* element = loop->getLoopVariable();
+  return write && element->getType()->isLValueReferenceType() && !loop->getInit() &&
+         text_of(unit, loop->getRangeInit()) == array.name && is_use_of(write->getLHS(), element) &&
+         Value(unit, true).is_number(write->getRHS());
+}
+
+}  // namespace
+
+bool writes_each_element(const Unit& unit, const clang::Stmt* statement, const ResizedArray& array) {
+  if (const auto* loop = llvm::dyn_cast<clang::ForStmt>(statement)) return counts_through(unit, loop, array);
+  const auto* loop = llvm::dyn_cast<clang::CXXForRangeStmt>(statement);
+  return loop && ranges_over(unit, loop, array);
+}
+
+}  // namespace tzc::rewriter

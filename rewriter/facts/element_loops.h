@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clang/AST/Expr.h>
+
+#include <string>
+
+#include "facts/unit.h"
+
+namespace tzc::rewriter {
+
+/// An array of a message behind its resize.
+struct ResizedArray {
+  std::string name;         ///< as the resize writes it, without white space
+  const clang::Expr* size;  ///< the argument of resize
+  bool is_fresh;            ///< nothing has run since
+};
+
+/// Whether the statement is a loop that gives each element a value, reads none, comes to its end, and runs no other code.
+bool writes_each_element(const Unit& unit, const clang::Stmt* statement, const ResizedArray& array);
+
+}  // namespace tzc::rewriter
