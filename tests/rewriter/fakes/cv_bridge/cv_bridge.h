@@ -32,6 +32,7 @@ struct Mat {
   unsigned char* ptr(int = 0) { return data; }
   const unsigned char* ptr(int = 0) const { return data; }
   bool empty() const { return !data; }
+  int channels() const { return 1; }
   Mat& operator=(const Scalar&) { return *this; }
   template <class T>
   MatIterator_<T> begin() {
