@@ -2,6 +2,7 @@
 // Loops that write every element of an array that was just resized:
 //   for (int i = 0; i < n; ++i) scan.ranges[i] = values[i];
 //   for (float& range : scan.ranges) range = 0.1f;
+// A loop may write the sister arrays of the same message, too.
 // What is written is a number that comes from variables and other arrays by their names: a pointer, or a reference to a number,
 // might lead to the array's own elements.
 #include "facts/element_loops.h"
@@ -158,14 +159,28 @@ bool has_kept_its_value(const Unit& unit, const ResizedArray& array) {
   return reference && reference->getType().isConstQualified();
 }
 
-/// The statement that a loop consists of, an assignment of numbers; null: another one.
-const clang::BinaryOperator* only_assignment(const clang::Stmt* body) {
-  if (const auto* block = llvm::dyn_cast_or_null<clang::CompoundStmt>(body))
-    body = block->size() == 1 ? block->body_front() : nullptr;
-  if (const auto* full = llvm::dyn_cast_or_null<clang::ExprWithCleanups>(body)) body = full->getSubExpr();
-  const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(body);
-  const bool assigns = op && op->getOpcode() == clang::BO_Assign;
-  return assigns && is_plain_number(op->getLHS()->getType()) ? op : nullptr;
+/// A statement that assigns a number; null: another one.
+const clang::BinaryOperator* assignment_of(const Unit& unit, const clang::Stmt* statement) {
+  if (const auto* full = llvm::dyn_cast_or_null<clang::ExprWithCleanups>(statement))
+    statement = full->getSubExpr();
+  const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(statement);
+  const bool assigns = op && op->getOpcode() == clang::BO_Assign && is_plain_number(op->getLHS()->getType());
+  return assigns && Value(unit, true).is_number(op->getRHS()) ? op : nullptr;
+}
+
+std::vector<const clang::Stmt*> statements_of(const clang::Stmt* body) {
+  const auto* block = llvm::dyn_cast_or_null<clang::CompoundStmt>(body);
+  if (!block) return {body};
+  return {block->body_begin(), block->body_end()};
+}
+
+/// Another array of the same message.
+bool is_sister(const Unit& unit, const clang::Expr* expr, const clang::Expr* array) {
+  const auto* one = llvm::dyn_cast<clang::MemberExpr>(expr->IgnoreParenImpCasts());
+  const auto* other = llvm::dyn_cast<clang::MemberExpr>(array->IgnoreParenImpCasts());
+  return one && other && is_data_array(one->getType()) && is_data_array(other->getType()) &&
+         one->getMemberDecl() != other->getMemberDecl() &&
+         text_of(unit, one->getBase()) == text_of(unit, other->getBase());
 }
 
 bool is_zero(const clang::Expr* expr) {
@@ -203,27 +218,52 @@ bool reaches_the_end(const Unit& unit, const clang::Expr* condition, const clang
          (end == text_of(unit, array.size) && has_kept_its_value(unit, array));
 }
 
+/// The array whose element at the counter is written; null: something else is.
+const clang::Expr* written_array(const clang::BinaryOperator* write, const clang::VarDecl* counter) {
+  const auto* target = llvm::dyn_cast<clang::CXXOperatorCallExpr>(write->getLHS()->IgnoreParens());
+  const bool is_element = target && target->getOperator() == clang::OO_Subscript;
+  return is_element && is_use_of(target->getArg(1), counter) ? target->getArg(0) : nullptr;
+}
+
+/// Each statement writes an element of the array or of a sister, one of them of the array.
+bool writes_element(const Unit& unit, const clang::Stmt* body, const clang::VarDecl* counter,
+                    const ResizedArray& array) {
+  bool found = false;
+  for (const clang::Stmt* statement : statements_of(body)) {
+    const clang::BinaryOperator* write = assignment_of(unit, statement);
+    const clang::Expr* target = write ? written_array(write, counter) : nullptr;
+    const bool is_it = target && text_of(unit, target) == array.name;
+    if (!target || (!is_it && !is_sister(unit, target, array.object))) return false;
+    found |= is_it;
+  }
+  return found;
+}
+
 bool counts_through(const Unit& unit, const clang::ForStmt* loop, const ResizedArray& array) {
   const clang::VarDecl* counter = counter_of(loop);
-  const clang::BinaryOperator* write = only_assignment(loop->getBody());
-  if (!counter || !write || !reaches_the_end(unit, loop->getCond(), counter, array)) return false;
-  if (mentions(array.name, counter->getName()) || mentions(text_of(unit, array.size), counter->getName()))
-    return false;
-  const auto* target = llvm::dyn_cast<clang::CXXOperatorCallExpr>(write->getLHS()->IgnoreParens());
-  return target && target->getOperator() == clang::OO_Subscript &&
-         text_of(unit, target->getArg(0)) == array.name && is_use_of(target->getArg(1), counter) &&
-         Value(unit, true).is_number(write->getRHS());
+  return counter && reaches_the_end(unit, loop->getCond(), counter, array) &&
+         !mentions(array.name, counter->getName()) &&
+         !mentions(text_of(unit, array.size), counter->getName()) &&
+         writes_element(unit, loop->getBody(), counter, array);
 }
 
 bool ranges_over(const Unit& unit, const clang::CXXForRangeStmt* loop, const ResizedArray& array) {
-  const clang::BinaryOperator* write = only_assignment(loop->getBody());
+  const std::vector<const clang::Stmt*> statements = statements_of(loop->getBody());
+  const clang::BinaryOperator* write = statements.size() == 1 ? assignment_of(unit, statements[0]) : nullptr;
   const clang::VarDecl* element = loop->getLoopVariable();
   return write && element->getType()->isLValueReferenceType() && !loop->getInit() &&
-         text_of(unit, loop->getRangeInit()) == array.name && is_use_of(write->getLHS(), element) &&
-         Value(unit, true).is_number(write->getRHS());
+         text_of(unit, loop->getRangeInit()) == array.name && is_use_of(write->getLHS(), element);
 }
 
 }  // namespace
+
+bool resizes_sister(const Unit& unit, const clang::Stmt* statement, const clang::Expr* array) {
+  const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(statement);
+  const clang::CXXMethodDecl* method = call ? call->getMethodDecl() : nullptr;
+  return method && method->getIdentifier() && method->getName() == "resize" && written_arguments(call) == 1 &&
+         is_sister(unit, call->getImplicitObjectArgument(), array) &&
+         Value(unit, false).is_number(call->getArg(0));
+}
 
 bool writes_each_element(const Unit& unit, const clang::Stmt* statement, const ResizedArray& array) {
   if (const auto* loop = llvm::dyn_cast<clang::ForStmt>(statement)) return counts_through(unit, loop, array);

@@ -154,16 +154,17 @@ std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMember
   const auto* vector = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
       object->getType().getCanonicalType()->getAsCXXRecordDecl());
   const bool bytes = vector && unit.ast().getTypeSize(vector->getTemplateArgs()[0].getAsType()) == 8;
-  bool behind_it = false, is_next = false;
+  bool behind_it = false, is_fresh = false;
   for (const clang::Stmt* statement : block->body()) {
     if (behind_it && (overwrites(unit, statement, array, size, bytes, is_stable(resize->getArg(0))) ||
-                      writes_each_element(unit, statement, {array, resize->getArg(0), is_next}))) {
+                      writes_each_element(unit, statement, {array, object, resize->getArg(0), is_fresh}))) {
       const Place at{behind->file, behind->end, behind->end, behind->line, behind->column};
       return Change{at, ", tzc::uninitialized", "uninitialized", {}};
     }
-    if (behind_it && !is_harmless(unit, statement, array)) return {};
-    is_next = statement == resize;
-    behind_it |= is_next;
+    const bool is_sister = resizes_sister(unit, statement, object);
+    if (behind_it && !is_sister && !is_harmless(unit, statement, array)) return {};
+    behind_it |= statement == resize;
+    is_fresh = statement == resize || (is_fresh && is_sister);
   }
   return {};
 }

@@ -37,6 +37,15 @@ class Node {
     for (float& range : scan_.ranges) range = std::max(0.5f, scale_);
     pub_.publish(scan_);
   }
+  void both(const std::vector<double>& distances) {
+    scan_.ranges.resize(distances.size());
+    scan_.intensities.resize(distances.size());
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+      scan_.ranges[i] = static_cast<float>(distances[i]);
+      scan_.intensities[i] = std::abs(buffer_[i % 16]);
+    }
+    pub_.publish(scan_);
+  }
 
  private:
   ros::NodeHandle nh_;
@@ -51,6 +60,7 @@ class Node {
 // publish src/node.cpp:28 sensor_msgs/LaserScan zero_copy 'scan'
 // publish src/node.cpp:33 sensor_msgs/LaserScan zero_copy 'scan'
 // publish src/node.cpp:38 sensor_msgs/LaserScan zero_copy 'scan'
+// publish src/node.cpp:47 sensor_msgs/LaserScan zero_copy 'scan'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
@@ -72,6 +82,11 @@ class Node {
 // -    scan_.ranges.resize(n);
 // +    pub_.allocate(scan_);
 // +    scan_.ranges.resize(n, tzc::uninitialized);
+// -    scan_.ranges.resize(distances.size());
+// -    scan_.intensities.resize(distances.size());
+// +    pub_.allocate(scan_);
+// +    scan_.ranges.resize(distances.size(), tzc::uninitialized);
+// +    scan_.intensities.resize(distances.size(), tzc::uninitialized);
 // -  ros::Publisher pub_;
 // -  sensor_msgs::LaserScan scan_;
 // +  tzc::Publisher pub_;

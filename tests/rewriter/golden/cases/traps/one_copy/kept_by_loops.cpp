@@ -74,11 +74,26 @@ class Node {
     m_.ranges[0] = 1;
     pub_.publish(m_);
   }
+  void other_count_for_the_sister(int n) {
+    o_.ranges.resize(n);
+    o_.intensities.resize(n = 5);
+    for (int i = 0; i < n; ++i) o_.ranges[i] = 1;
+    pub_.publish(o_);
+  }
+  void leaves_behind_the_sister(int n) {
+    p_.ranges.resize(n);
+    p_.intensities.resize(n);
+    for (int i = 0; i < n; ++i) {
+      p_.intensities[i] = measure(i);
+      p_.ranges[i] = 1;
+    }
+    pub_.publish(p_);
+  }
 
  private:
   ros::NodeHandle nh_;
   ros::Publisher pub_;
-  sensor_msgs::LaserScan a_, b_, c_, d_, e_, f_, g_, h_, j_, k_, l_, m_;
+  sensor_msgs::LaserScan a_, b_, c_, d_, e_, f_, g_, h_, j_, k_, l_, m_, o_, p_;
 };
 //--- expected
 // advertise src/node.cpp:12 sensor_msgs/LaserScan one_copy 'scan'
@@ -94,6 +109,8 @@ class Node {
 // publish src/node.cpp:64 sensor_msgs/LaserScan one_copy 'scan' TZC1022 line 62 may use its elements for writing after this publish, which copies them
 // publish src/node.cpp:69 sensor_msgs/LaserScan one_copy 'scan' TZC1022 line 68 may use its elements for writing after this publish, which copies them
 // publish src/node.cpp:75 sensor_msgs/LaserScan one_copy 'scan' TZC1022 line 73 may use its elements for writing after this publish, which copies them
+// publish src/node.cpp:81 sensor_msgs/LaserScan one_copy 'scan' TZC1022 line 80 may use its elements for writing after this publish, which copies them
+// publish src/node.cpp:90 sensor_msgs/LaserScan one_copy 'scan' TZC1022 line 87 may use its elements for writing after this publish, which copies them
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
@@ -112,7 +129,9 @@ class Node {
 // +    pub_.allocate(k_);
 // +    pub_.allocate(l_);
 // +    pub_.allocate(m_);
+// +    pub_.allocate(o_);
+// +    pub_.allocate(p_);
 // -  ros::Publisher pub_;
-// -  sensor_msgs::LaserScan a_, b_, c_, d_, e_, f_, g_, h_, j_, k_, l_, m_;
+// -  sensor_msgs::LaserScan a_, b_, c_, d_, e_, f_, g_, h_, j_, k_, l_, m_, o_, p_;
 // +  tzc::Publisher pub_;
-// +  tzc::sensor_msgs::LaserScan a_, b_, c_, d_, e_, f_, g_, h_, j_, k_, l_, m_;
+// +  tzc::sensor_msgs::LaserScan a_, b_, c_, d_, e_, f_, g_, h_, j_, k_, l_, m_, o_, p_;
