@@ -17,6 +17,7 @@
 namespace tzc::rewriter {
 namespace {
 
+/// Empty where a macro's body writes it.
 std::string text_of(const Unit& unit, const clang::Expr* expr) {
   std::string result;
   for (const char c : unit.source.text(expr->IgnoreParenImpCasts()->getSourceRange()))
@@ -178,9 +179,9 @@ std::vector<const clang::Stmt*> statements_of(const clang::Stmt* body) {
 bool is_sister(const Unit& unit, const clang::Expr* expr, const clang::Expr* array) {
   const auto* one = llvm::dyn_cast<clang::MemberExpr>(expr->IgnoreParenImpCasts());
   const auto* other = llvm::dyn_cast<clang::MemberExpr>(array->IgnoreParenImpCasts());
-  return one && other && is_data_array(one->getType()) && is_data_array(other->getType()) &&
-         one->getMemberDecl() != other->getMemberDecl() &&
-         text_of(unit, one->getBase()) == text_of(unit, other->getBase());
+  const std::string base = one ? text_of(unit, one->getBase()) : std::string();
+  return one && other && !base.empty() && is_data_array(one->getType()) && is_data_array(other->getType()) &&
+         one->getMemberDecl() != other->getMemberDecl() && base == text_of(unit, other->getBase());
 }
 
 bool is_zero(const clang::Expr* expr) {
@@ -215,7 +216,7 @@ bool reaches_the_end(const Unit& unit, const clang::Expr* condition, const clang
     return false;
   const std::string end = text_of(unit, op->getRHS());
   return end == array.name + ".size()" ||
-         (end == text_of(unit, array.size) && has_kept_its_value(unit, array));
+         (!end.empty() && end == text_of(unit, array.size) && has_kept_its_value(unit, array));
 }
 
 /// The array whose element at the counter is written; null: something else is.

@@ -18,6 +18,7 @@ const clang::Expr* bare(const clang::Expr* expr) {
   return expr->IgnoreParenCasts();
 }
 
+/// Empty where a macro's body writes it.
 std::string text_of(const Unit& unit, const clang::Expr* expr) {
   return unit.source.text(bare(expr)->getSourceRange());
 }
@@ -40,7 +41,7 @@ bool is_begin_of(const Unit& unit, const clang::Expr* expr, const std::string& a
 bool is_all_bytes(const Unit& unit, const clang::Expr* count, const std::string& array,
                   const std::string& size, bool bytes) {
   const std::string text = squeezed(text_of(unit, count));
-  return bytes && (text == size || text == array + ".size()");
+  return bytes && !text.empty() && (text == size || text == array + ".size()");
 }
 
 /// Only names and literals have the same value a few statements later.
@@ -148,8 +149,8 @@ std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMember
   const auto behind = unit.source.place(resize->getArg(0)->getSourceRange());
   if (!block || !behind || written_arguments(resize) != 1) return {};
   const clang::Expr* object = resize->getImplicitObjectArgument();
-  if (!is_steady_name(unit, object)) return {};
   const std::string array = squeezed(unit.source.text(object->getSourceRange()));
+  if (array.empty() || !is_steady_name(unit, object)) return {};
   const std::string size = squeezed(text_of(unit, resize->getArg(0)));
   const auto* vector = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
       object->getType().getCanonicalType()->getAsCXXRecordDecl());
