@@ -14,13 +14,23 @@
 namespace tzc::rewriter {
 namespace {
 
-const clang::Expr* bare(const clang::Expr* expr) {
-  return expr->IgnoreParenCasts();
+/// A number that the type may not hold.
+bool may_change_value(const Unit& unit, const clang::ExplicitCastExpr* cast) {
+  const clang::QualType from = cast->getSubExprAsWritten()->getType(), to = cast->getType();
+  if (!from->isArithmeticType() || !to->isArithmeticType()) return false;
+  return !from->isIntegerType() || !to->isIntegerType() ||
+         unit.ast().getTypeSize(to) < unit.ast().getTypeSize(from);
+}
+
+const clang::Expr* bare(const Unit& unit, const clang::Expr* expr) {
+  expr = expr->IgnoreParenImpCasts();
+  const auto* cast = llvm::dyn_cast<clang::ExplicitCastExpr>(expr);
+  return cast && !may_change_value(unit, cast) ? bare(unit, cast->getSubExprAsWritten()) : expr;
 }
 
 /// Empty where a macro's body writes it.
 std::string text_of(const Unit& unit, const clang::Expr* expr) {
-  return unit.source.text(bare(expr)->getSourceRange());
+  return unit.source.text(bare(unit, expr)->getSourceRange());
 }
 
 /// Without white space, to compare expressions.
@@ -45,8 +55,8 @@ bool is_all_bytes(const Unit& unit, const clang::Expr* count, const std::string&
 }
 
 /// Only names and literals have the same value a few statements later.
-bool is_stable(const clang::Expr* size) {
-  const clang::Expr* expr = bare(size);
+bool is_stable(const Unit& unit, const clang::Expr* size) {
+  const clang::Expr* expr = bare(unit, size);
   if (llvm::isa<clang::IntegerLiteral>(expr)) return true;
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr);
   const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
@@ -157,7 +167,7 @@ std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMember
   const bool bytes = vector && unit.ast().getTypeSize(vector->getTemplateArgs()[0].getAsType()) == 8;
   bool behind_it = false, is_fresh = false;
   for (const clang::Stmt* statement : block->body()) {
-    if (behind_it && (overwrites(unit, statement, array, size, bytes, is_stable(resize->getArg(0))) ||
+    if (behind_it && (overwrites(unit, statement, array, size, bytes, is_stable(unit, resize->getArg(0))) ||
                       writes_each_element(unit, statement, {array, object, resize->getArg(0), is_fresh}))) {
       const Place at{behind->file, behind->end, behind->end, behind->line, behind->column};
       return Change{at, ", tzc::uninitialized", "uninitialized", {}};
