@@ -103,6 +103,18 @@ def at_and_back(rng, array, element, n):
             f"{element.put(array + '.back()', '2')}"]
 
 
+def loop_over_vector(rng, array, element, n):
+    """Nothing of a library is called between resize and the last element."""
+    return [f"const std::vector<{element.cpp}> source = fuzz::elements<{element.cpp}>({n}, k);",
+            f"{array}.resize({n});", f"for (int i = 0; i < {n}; ++i) {array}[i] = source[i];"]
+
+
+def loop_of_numbers(rng, array, element, n):
+    number = element.cpp if not element.fields else "double"
+    target = "one" if not element.fields else f"one.{element.fields[0]}"
+    return [f"{array}.resize({n});", f"for (auto& one : {array}) {target} = static_cast<{number}>(k + 3);"]
+
+
 def reference_to_array(rng, array, element, n):
     return [f"auto& filled = {array};", f"filled.resize({n});",
             f"for (std::size_t i = 0; i < filled.size(); ++i) {{ {element.put('filled[i]')} }}"]
@@ -124,8 +136,8 @@ def emplace_back(rng, array, element, n):
 WAYS = {resize_and_index: 6, resize_one_line: 2, resize_and_part: 3, resize_only: 1, resize_and_copy: 3,
         resize_and_copy_part: 2, push_back: 4, clear_reserve_push: 2, assign_value: 2, assign_range: 2, whole_vector: 3,
         swap_vector: 1, insert_range: 1, shrinks: 2, raw_pointer: 2, iterator_loop: 1, range_loop: 1, transform: 1,
-        back_inserter: 1, at_and_back: 1, reference_to_array: 1, vector_reference: 1, library_takes_vector: 1,
-        emplace_back: 1}
+        loop_over_vector: 2, loop_of_numbers: 1, back_inserter: 1, at_and_back: 1, reference_to_array: 1,
+        vector_reference: 1, library_takes_vector: 1, emplace_back: 1}
 
 
 def in_block(lines):
