@@ -203,8 +203,20 @@ std::optional<EarlyName> Hoisting::as_written_at(const PublisherMention& publish
     add_followed(parts, publisher.object);
   }
   const bool valid = are_taken(publisher, parts, at);
-  if (!valid && !can_be_asked) return {};
+  if (!valid && (!can_be_asked || is_locked_elsewhere(publisher, parts, at))) return {};
   return EarlyName{unit_.text(publisher.object), !valid};
+}
+
+/// Other threads may change a pointer while it is not locked, unless it is a variable of this function.
+bool Hoisting::is_locked_elsewhere(const PublisherMention& publisher, const NameParts& parts,
+                                   unsigned at) const {
+  const clang::VarDecl* local = local_of(publisher.object);
+  if (local && !local->getType()->isReferenceType() && !local->isStaticLocal()) return false;
+  const clang::Stmt* body = body_around(publisher);
+  const unsigned mentioned = unit_.offset(publisher.object->getBeginLoc());
+  // A lock before an earlier mention may be gone.
+  const unsigned from = mentioned < at ? 0 : at;
+  return !body || MustExecute(unit_, parts, body).locks_between(from, std::max(mentioned, at));
 }
 
 std::optional<EarlyName> Hoisting::looked_up_at(const PublisherMention& publisher, unsigned at) const {
