@@ -14,8 +14,10 @@ as_root=()
 [ "$(id -u)" = 0 ] || as_root=(sudo)
 
 mirror_of_this_machine() {
-  sed -n 's/^URIs: *\([^ ]*\).*/\1/p; s/^deb \(http[^ ]*\) .*/\1/p' /etc/apt/sources.list \
-    /etc/apt/sources.list.d/debian.sources 2>/dev/null | grep . || echo http://deb.debian.org/debian
+  local mirror  # the last sed reads to the end: one that left earlier would end the first by SIGPIPE
+  mirror=$(sed -n 's/^URIs: *\([^ ]*\).*/\1/p; s/^deb \(http[^ ]*\) .*/\1/p' /etc/apt/sources.list \
+    /etc/apt/sources.list.d/debian.sources 2>/dev/null | sed -n 1p) || true
+  echo "${mirror:-http://deb.debian.org/debian}"
 }
 
 remove_clean_root() {
@@ -56,6 +58,6 @@ make_clean_root() {
   trap remove_clean_root EXIT
   [ -z "${TZC_CLEAN_ROOT:-}" ] || return 0
   "${as_root[@]}" rm -rf --one-file-system "$root"
-  quietly "$1.log" "${as_root[@]}" debootstrap --variant=minbase bookworm "$root" "$(mirror_of_this_machine | head -n 1)"
+  quietly "$1.log" "${as_root[@]}" debootstrap --variant=minbase bookworm "$root" "$(mirror_of_this_machine)"
   quietly "$1.log" prepare_root
 }

@@ -13,8 +13,10 @@ for distribution in debian-12 ubuntu-20.04 ubuntu-22.04 ubuntu-24.04; do
   grep -qE '^libclang-cpp[0-9]+-dev$' <<<"$names" || { echo "$distribution: no Clang"; exit 1; }
 done
 if scripts/setup --list plan9-4 >/dev/null 2>&1; then echo "an unknown distribution has a list"; exit 1; fi
+if scripts/setup --list debian-12 more >/dev/null 2>&1; then echo "an argument too many is accepted"; exit 1; fi
 if grep -q 'VERSION_ID="12"' /etc/os-release; then
-  mapfile -t names < <(scripts/setup --list; sed -e 's/#.*//' -e '/^$/d' scripts/packages.d/debian-12-full.txt)
+  mapfile -t names < <(scripts/setup --full --list)
+  [ "${#names[@]}" -gt "$(scripts/setup --list | wc -l)" ] || { echo "--full adds nothing to the list"; exit 1; }
   known=$(apt-cache pkgnames)
   missing=$(printf '%s\n' "${names[@]}" | grep -vxF -f <(printf '%s\n' "$known") || true)
   [ -z "$missing" ] || { echo "Debian 12 has no package $missing"; exit 1; }
