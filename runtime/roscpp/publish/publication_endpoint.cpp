@@ -117,7 +117,7 @@ bool PublicationEndpoint::listen(std::size_t queue_size) {
   const std::weak_ptr<LinkMigration> migration = migration_;
   channel::PublisherOptions options;
   options.queue_size = queue_size;
-  options.buffered_bytes = kSocketBuffers;
+  options.buffered_bytes = kBufferedBytes;
   options.memory = segments_;
   options.keeps_undelivered = true;
   options.authorize = [weak](const channel::Credentials& peer, const std::string& hello) {
