@@ -7,7 +7,7 @@
 /// segment of their own), topics (several, separated by blanks), first (number), count, rate (Hz), bytes,
 /// latch, rows, encoding (of an image: mono8, bgr8), subscribers (wait for so many), shared (and for so many
 /// of them on shared memory), settle (seconds to wait then), echo (a topic: the next image goes out when that
-/// one's number has come back on it), linger (seconds to stay), queue, memory, policy (worst_effort). SIGUSR1
+/// one's number has come back on it), pause (after so many images it waits for SIGUSR2), linger (seconds to stay), queue, memory, policy (worst_effort). SIGUSR1
 /// ends a count that has no end. Says when it has published all.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
@@ -132,7 +132,7 @@ std::vector<Talker> make_talkers(ros::NodeHandle node, ros::NodeHandle options) 
   return talkers;
 }
 
-volatile std::sig_atomic_t is_enough = 0;
+volatile std::sig_atomic_t is_enough = 0, goes_on = 0;
 
 template <class Condition>
 void wait_until(Condition holds) {
@@ -176,20 +176,26 @@ class Echo {
 extern "C" void end_soon(int) {
   is_enough = 1;
 }
+extern "C" void go_on(int) {
+  goes_on = 1;
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "talker");
   std::signal(SIGUSR1, end_soon);
+  std::signal(SIGUSR2, go_on);
   ros::NodeHandle node, options("~");
   std::vector<Talker> talkers = make_talkers(node, options);
   wait_for_subscribers(talkers, options);
   Echo echo(node, options.param<std::string>("echo", ""));
   ros::WallRate rate(options.param("rate", 100.0));
   const int first = options.param("first", 0), count = options.param("count", 100);
+  const int pause = options.param("pause", -1);
   int number = first;
   for (; ros::ok() && !is_enough && (count == 0 || number < first + count); ++number) {
+    if (number == first + pause) wait_until([] { return goes_on != 0; });
     for (Talker& talker : talkers) talker.publish(static_cast<std::uint32_t>(number));
     echo.wait_for(number);
     rate.sleep();
