@@ -41,7 +41,8 @@ void InFlightRecords::drop_oldest() {
 
 const InFlightRecords::Entry* InFlightRecords::find_last(const segment::BlockName& block) const {
   for (std::size_t i = size_; i > 0; --i) {
-    if (refers_to(at(i - 1), block)) return &at(i - 1);
+    const Entry& entry = at(i - 1);
+    if (refers_to(entry, block)) return &entry;
   }
   return nullptr;
 }

@@ -17,12 +17,6 @@ namespace {
 // What the publisher keeps for each record in flight, about.
 constexpr std::size_t record_overhead = 256;
 
-std::size_t bytes_of(const Record& record) {
-  std::size_t bytes = record_overhead + record.size();
-  for (const BufferPtr& buffer : record.buffers()) bytes += buffer->size();
-  return bytes;
-}
-
 // A record with blocks is retained as bytes: a RecordPtr would keep handles of its blocks.
 void retain(const RecordPtr& record, InFlightRecords::Entry& entry) {
   if (record->buffers().empty())
@@ -32,6 +26,10 @@ void retain(const RecordPtr& record, InFlightRecords::Entry& entry) {
 }
 
 }  // namespace
+
+std::size_t InFlightLimit::of_any_size() const {
+  return std::min<std::size_t>(records + (buffered_bytes > 0 ? 1 : 0), segment::max_ack_count);
+}
 
 std::size_t InFlightLimit::most() const {
   return std::min<std::size_t>(of_any_size() + buffered_bytes / record_overhead, segment::max_ack_count);
@@ -48,17 +46,18 @@ InFlightWindow::InFlightWindow(const SharedPage& page, AnnouncedSegments& segmen
 
 void InFlightWindow::push(const RecordPtr& record) {
   InFlightRecords::Entry& entry = records_.push(++last_sequence_);
-  entry.bytes = bytes_of(*record);
-  if (const std::size_t buffered = beyond(limit_.of_any_size() - 1))
-    buffered_bytes_ += records_.at(buffered - 1).bytes;
+  entry.bytes = record_overhead + record->size();
   if (retains_) retain(record, entry);
   for (const BufferPtr& buffer : record->buffers()) {
     const segment::BlockName block = segment::Segment::name_of(*buffer);
     if (segments_.ack_file_of(block.segment)->mark(block.slot, block.generation))
       entry.marks.push_back(block);
     shared_bytes_ += buffer->size();
+    entry.bytes += buffer->size();
     sync_point("publish: marked");
   }
+  if (const std::size_t buffered = beyond(limit_.of_any_size() - 1))
+    buffered_bytes_ += records_.at(buffered - 1).bytes;
 }
 
 bool InFlightWindow::retire_taken() {
@@ -70,12 +69,10 @@ bool InFlightWindow::retire_taken() {
 
 // With one more record, those that are counted in buffered_bytes_ are beyond what may be in flight in any size.
 bool InFlightWindow::is_full() const {
-  return size() >= limit_.of_any_size() &&
-         (buffered_bytes_ > limit_.buffered_bytes || size() >= limit_.most());
+  return buffered_bytes_ > limit_.buffered_bytes || size() >= limit_.most();
 }
 
 bool InFlightWindow::make_room() {
-  if (size() < limit_.of_any_size()) return true;
   if (!retire_taken()) return false;
   while (is_full()) {
     if (!revoke_through(records_.oldest().sequence, drops_.queue)) return false;

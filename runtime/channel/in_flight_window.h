@@ -20,7 +20,7 @@ struct InFlightLimit {
   std::size_t buffered_bytes;  ///< PublisherOptions::buffered_bytes
 
   /// Records that may be in flight whatever their size.
-  std::size_t of_any_size() const { return records + (buffered_bytes > 0 ? 1 : 0); }
+  std::size_t of_any_size() const;
   /// However small they are.
   std::size_t most() const;
 };
@@ -52,7 +52,7 @@ class InFlightWindow {
   TZC_HOT void push(const RecordPtr& record);
   /// Drops the records that the subscriber took. False: it claims to have taken one that was never sent.
   TZC_HOT bool retire_taken();
-  /// Revokes the oldest records until the limit allows one more. False: the subscriber does not keep to the protocol.
+  /// With size() at InFlightLimit::of_any_size() or more: revokes the oldest records until the limit allows one more. False: the subscriber does not keep to the protocol.
   TZC_HOT bool make_room();
   /// Revokes what is in flight by the grace of buffered_bytes. False: as above.
   bool revoke_buffered();

@@ -57,6 +57,11 @@ MemoryOptions memory_options(ros::Publication& publication, const PublisherOptio
   return memory;
 }
 
+/// Of a memory whose size somebody chose a small part: the subscriber may hold half of it before it gets copies.
+std::size_t room_for_bursts(const MemoryOptions& memory) {
+  return memory.size == 0 ? kBufferedBytes : std::min<std::size_t>(kBufferedBytes, memory.size / 16);
+}
+
 }  // namespace
 
 std::shared_ptr<PublicationEndpoint> PublicationEndpoint::of(const ros::PublicationPtr& publication,
@@ -117,7 +122,7 @@ bool PublicationEndpoint::listen(std::size_t queue_size) {
   const std::weak_ptr<LinkMigration> migration = migration_;
   channel::PublisherOptions options;
   options.queue_size = queue_size;
-  options.buffered_bytes = kBufferedBytes;
+  options.buffered_bytes = room_for_bursts(segments_->options());
   options.memory = segments_;
   options.keeps_undelivered = true;
   options.authorize = [weak](const channel::Credentials& peer, const std::string& hello) {

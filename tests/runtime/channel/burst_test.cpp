@@ -200,6 +200,15 @@ TEST(Burst, what_is_in_flight_is_bounded) {
   EXPECT_TRUE(in.wait_for("last"));
 }
 
+TEST(Burst, without_a_queue_size_what_the_protocol_can_count_is_in_flight) {
+  const auto out = bursting(0, 9 * mb);
+  Held in(out->address());
+  out->publish(text_record("first"));
+  ASSERT_TRUE(in.wait_for_first());
+  for (int i = 0; i < 65600; ++i) out->publish(text_record("x"));
+  EXPECT_EQ(out->connections()[0]->in_flight(), 65535u);
+}
+
 TEST(Burst, memory_that_is_needed_comes_from_beyond_the_queue) {
   for (const Policy policy : {Policy::worst_effort(), Policy::medium_effort(), Policy::best_effort()}) {
     MemoryOptions memory;

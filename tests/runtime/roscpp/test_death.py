@@ -63,8 +63,7 @@ class Stopped(TopicCase):
     def test_subscriber_stopped_for_five_seconds(self):
         sleeper, survivor = self.listen(queue=2000), self.listen(queue=1000)
         plain = self.listen("plain", queue=1000)
-        # It may hold half of the memory; what waits for it is its queue, 10 MB, and what the sockets of TCPROS would hold.
-        talker = self.start_talker(count=1400, rate=200, subscribers=3, shared=2, memory=60000000, queue=100)
+        talker = self.start_talker(count=1400, rate=200, subscribers=3, shared=2, memory=30000000, queue=100)
         self.wait_for(sleeper, 50)
         sleeper.process.popen.send_signal(signal.SIGSTOP)
         time.sleep(5)

@@ -5,7 +5,8 @@ namespace tzc {
 
 /// What `allocate` does when the publisher's memory is full. None of them ever blocks.
 ///
-/// Memory is reclaimed lazily. The policies differ in what happens to blocks that are still in use (referenced by
+/// Memory is reclaimed lazily. Before a message is discarded, what is in flight by the grace of PublisherOptions::buffered_bytes
+/// is revoked, with every policy. The policies differ in what happens to blocks that are still in use (referenced by
 /// this process, in flight to a subscriber, or held by one):
 ///  - worst_effort reclaims in order of publication: the new message is discarded while the oldest one is in use;
 ///  - medium_effort reclaims everything that is free, wherever it lies, and discards the new message when that is not
