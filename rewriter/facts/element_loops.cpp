@@ -3,26 +3,21 @@
 //   for (int i = 0; i < n; ++i) scan.ranges[i] = values[i];
 //   for (float& range : scan.ranges) range = 0.1f;
 // A loop may write the sister arrays of the same message, too.
-// What is written is a number that comes from variables and other arrays by their names: a pointer, or a reference to a number,
-// might lead to the array's own elements.
+// What is written is a number that is no element of the array (number_values.h).
 #include "facts/element_loops.h"
 
 #include <clang/AST/ExprCXX.h>
 #include <clang/AST/StmtCXX.h>
 
 #include "facts/calls.h"
-#include "facts/library_calls.h"
 #include "facts/message_type.h"
+#include "facts/number_values.h"
 
 namespace tzc::rewriter {
 namespace {
 
-/// Empty where a macro's body writes it.
 std::string text_of(const Unit& unit, const clang::Expr* expr) {
-  std::string result;
-  for (const char c : unit.source.text(expr->IgnoreParenImpCasts()->getSourceRange()))
-    if (c != ' ' && c != '\t' && c != '\n' && c != '\r') result += c;
-  return result;
+  return unit.squeezed(expr->IgnoreParenImpCasts());
 }
 
 /// Whether the name occurs as a word: the loop's variable would hide it.
@@ -35,126 +30,10 @@ bool mentions(const std::string& text, llvm::StringRef name) {
   return false;
 }
 
-bool is_plain_number(clang::QualType type) {
-  return type->isArithmeticType() && !type.isVolatileQualified();
-}
-
-/// std::vector<float>&: the ported array is none. What is deduced, or named by a typedef, may become one.
-bool is_written_out(clang::QualType type) {
-  if (!type->isReferenceType()) return true;
-  type = type.getNonReferenceType();
-  if (const auto* elaborated = llvm::dyn_cast<clang::ElaboratedType>(type.getTypePtr()))
-    type = elaborated->getNamedType();
-  return llvm::isa<clang::TemplateSpecializationType>(type.getTypePtr());
-}
-
-/// Looks at an expression whose value is a number, or an array that it is taken from.
-class Value {
- public:
-  Value(const Unit& unit, bool may_call) : unit_(unit), may_call_(may_call) {}
-
-  bool is_number(const clang::Expr* expr) const;
-  /// Another object than any element or array of a ported message.
-  bool is_other_array(const clang::Expr* expr) const;
-  /// Part of an object that a name, and no pointer, leads to.
-  bool is_object(const clang::Expr* expr) const;
-
- private:
-  bool is_element(const clang::Expr* expr) const;
-  bool is_size(const clang::CXXMemberCallExpr* call) const;
-  bool is_known_call(const clang::CallExpr* call) const;
-
-  const Unit& unit_;
-  const bool may_call_;
-};
-
-bool Value::is_object(const clang::Expr* expr) const {
-  expr = expr->IgnoreParenImpCasts();
-  if (llvm::isa<clang::CXXThisExpr>(expr)) return true;
-  if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr))
-    return llvm::isa<clang::VarDecl>(reference->getDecl()) &&
-           !reference->getDecl()->getType()->isReferenceType();
-  const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr);
-  return member && llvm::isa<clang::FieldDecl>(member->getMemberDecl()) &&
-         !member->getMemberDecl()->getType()->isReferenceType() && is_object(member->getBase()) &&
-         (!member->isArrow() || llvm::isa<clang::CXXThisExpr>(member->getBase()->IgnoreParenImpCasts()));
-}
-
-bool Value::is_other_array(const clang::Expr* expr) const {
-  expr = expr->IgnoreParenImpCasts();
-  const clang::QualType type = expr->getType().getCanonicalType();
-  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-  const std::string name = record ? qualified_name_of(record) : std::string();
-  if (!type->isConstantArrayType() && name != "std::vector" && name != "std::array") return false;
-  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr);
-  const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
-  if (variable) return name == "std::vector" ? is_written_out(variable->getType()) : is_object(expr);
-  const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr);
-  const auto* field = member ? llvm::dyn_cast<clang::FieldDecl>(member->getMemberDecl()) : nullptr;
-  const auto* owner = field ? llvm::dyn_cast<clang::CXXRecordDecl>(field->getParent()) : nullptr;
-  return owner && !message_of(owner) && is_object(expr);
-}
-
-/// values[i]
-bool Value::is_element(const clang::Expr* expr) const {
-  if (const auto* subscript = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr))
-    return is_other_array(subscript->getBase()) && is_number(subscript->getIdx());
-  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(expr);
-  return op && op->getOperator() == clang::OO_Subscript && is_other_array(op->getArg(0)) &&
-         is_number(op->getArg(1));
-}
-
-/// values.size()
-bool Value::is_size(const clang::CXXMemberCallExpr* call) const {
-  const clang::CXXMethodDecl* method = call->getMethodDecl();
-  return method && method->getIdentifier() && method->getName() == "size" && call->getNumArgs() == 0 &&
-         is_other_array(call->getImplicitObjectArgument());
-}
-
-/// std::exchange(i, n)
-bool may_change_arguments(const clang::FunctionDecl* function) {
-  return llvm::any_of(function->parameters(), [](const clang::ParmVarDecl* parameter) {
-    const clang::QualType type = parameter->getType();
-    return type->isReferenceType() && !type.getNonReferenceType().isConstQualified();
-  });
-}
-
-/// std::sin(angle): it comes back, and what it is given leads nowhere.
-bool Value::is_known_call(const clang::CallExpr* call) const {
-  if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) return is_size(member);
-  const clang::FunctionDecl* callee = call->getDirectCallee();
-  return may_call_ && callee && !llvm::isa<clang::CXXOperatorCallExpr>(call) && comes_back(callee) &&
-         !may_change_arguments(callee) &&
-         calls_no_package_code(unit_, callee, {call->getArgs(), call->getNumArgs()}) &&
-         llvm::all_of(call->arguments(), [&](const clang::Expr* argument) { return is_number(argument); });
-}
-
-bool Value::is_number(const clang::Expr* expr) const {
-  if (const auto* temporary = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr))
-    return is_number(temporary->getSubExpr());
-  if (!is_plain_number(expr->getType())) return false;
-  if (const auto* paren = llvm::dyn_cast<clang::ParenExpr>(expr)) return is_number(paren->getSubExpr());
-  if (const auto* cast = llvm::dyn_cast<clang::CastExpr>(expr)) return is_number(cast->getSubExpr());
-  if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr))
-    return op->isArithmeticOp() && !op->isIncrementDecrementOp() && is_number(op->getSubExpr());
-  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(expr))
-    return !op->isAssignmentOp() && is_number(op->getLHS()) && is_number(op->getRHS());
-  if (const auto* choice = llvm::dyn_cast<clang::ConditionalOperator>(expr))
-    return is_number(choice->getCond()) && is_number(choice->getTrueExpr()) &&
-           is_number(choice->getFalseExpr());
-  if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr))
-    return llvm::isa<clang::EnumConstantDecl>(reference->getDecl()) || is_object(expr);
-  if (llvm::isa<clang::MemberExpr>(expr)) return is_object(expr);
-  if (is_element(expr)) return true;
-  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(expr)) return is_known_call(call);
-  return llvm::isa<clang::IntegerLiteral, clang::FloatingLiteral, clang::CharacterLiteral,
-                   clang::CXXBoolLiteralExpr>(expr);
-}
-
 /// Names and literals, and sizes of other arrays; where nothing has run since it was evaluated, whatever is a number.
 bool has_kept_its_value(const Unit& unit, const ResizedArray& array) {
   const clang::Expr* size = array.size->IgnoreParenImpCasts();
-  if (!size->getType()->isIntegerType() || !Value(unit, false).is_number(size)) return false;
+  if (!size->getType()->isIntegerType() || !NumberValues(unit, Calls::sizes).is_number(size)) return false;
   if (array.is_fresh || llvm::isa<clang::IntegerLiteral>(size)) return true;
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(size);
   return reference && reference->getType().isConstQualified();
@@ -166,7 +45,7 @@ const clang::BinaryOperator* assignment_of(const Unit& unit, const clang::Stmt* 
     statement = full->getSubExpr();
   const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(statement);
   const bool assigns = op && op->getOpcode() == clang::BO_Assign && is_plain_number(op->getLHS()->getType());
-  return assigns && Value(unit, true).is_number(op->getRHS()) ? op : nullptr;
+  return assigns && NumberValues(unit, Calls::known).is_number(op->getRHS()) ? op : nullptr;
 }
 
 std::vector<const clang::Stmt*> statements_of(const clang::Stmt* body) {
@@ -263,7 +142,7 @@ bool resizes_sister(const Unit& unit, const clang::Stmt* statement, const clang:
   const clang::CXXMethodDecl* method = call ? call->getMethodDecl() : nullptr;
   return method && method->getIdentifier() && method->getName() == "resize" && written_arguments(call) == 1 &&
          is_sister(unit, call->getImplicitObjectArgument(), array) &&
-         Value(unit, false).is_number(call->getArg(0));
+         NumberValues(unit, Calls::sizes).is_number(call->getArg(0));
 }
 
 bool writes_each_element(const Unit& unit, const clang::Stmt* statement, const ResizedArray& array) {

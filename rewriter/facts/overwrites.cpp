@@ -10,6 +10,7 @@
 #include "facts/calls.h"
 #include "facts/element_loops.h"
 #include "facts/library_calls.h"
+#include "facts/number_values.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -28,29 +29,20 @@ const clang::Expr* bare(const Unit& unit, const clang::Expr* expr) {
   return cast && !may_change_value(unit, cast) ? bare(unit, cast->getSubExprAsWritten()) : expr;
 }
 
-/// Empty where a macro's body writes it.
 std::string text_of(const Unit& unit, const clang::Expr* expr) {
-  return unit.source.text(bare(unit, expr)->getSourceRange());
-}
-
-/// Without white space, to compare expressions.
-std::string squeezed(const std::string& text) {
-  std::string result;
-  for (const char c : text)
-    if (c != ' ' && c != '\t' && c != '\n' && c != '\r') result += c;
-  return result;
+  return unit.squeezed(bare(unit, expr));
 }
 
 /// &x[0], x.data(), &x.front(): where the array begins.
 bool is_begin_of(const Unit& unit, const clang::Expr* expr, const std::string& array) {
-  const std::string text = squeezed(text_of(unit, expr));
+  const std::string text = text_of(unit, expr);
   return text == "&" + array + "[0]" || text == array + ".data()" || text == "&" + array + ".front()" ||
          text == "&(" + array + "[0])";
 }
 
 bool is_all_bytes(const Unit& unit, const clang::Expr* count, const std::string& array,
                   const std::string& size, bool bytes) {
-  const std::string text = squeezed(text_of(unit, count));
+  const std::string text = text_of(unit, count);
   return bytes && !text.empty() && (text == size || text == array + ".size()");
 }
 
@@ -106,25 +98,19 @@ bool is_steady_name(const Unit& unit, const clang::Stmt* stmt) {
                                [&](const clang::Stmt* child) { return is_steady_name(unit, child); });
 }
 
-/// Elements that are not the array's by its own name; by another, memcpy would be given memory that overlaps.
-bool are_others(const Unit& unit, const clang::Expr* elements, const std::string& array) {
-  return is_plain_value(unit, elements) &&
-         squeezed(unit.source.text(elements->getSourceRange())).find(array) == std::string::npos;
+/// table[frame.data[0]]: a number that is read on the way may be an element.
+bool reads_elements(const NumberValues& values, const clang::Stmt* stmt) {
+  const auto* expr = llvm::dyn_cast_or_null<clang::Expr>(stmt);
+  if (expr && expr->isPRValue() && expr->getType()->isArithmeticType()) return !values.is_number(expr);
+  return stmt && llvm::any_of(stmt->children(),
+                              [&](const clang::Stmt* child) { return reads_elements(values, child); });
 }
 
-/// What no pointer or reference leads to, and so is no element of the array.
-bool is_number(const clang::Stmt* stmt) {
-  if (!stmt) return true;
-  const auto* follows = llvm::dyn_cast<clang::UnaryOperator>(stmt);
-  const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(stmt);
-  const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt);
-  if ((follows && follows->getOpcode() == clang::UO_Deref) ||
-      (member && member->isArrow() &&
-       !llvm::isa<clang::CXXThisExpr>(member->getBase()->IgnoreParenImpCasts())) ||
-      (named && named->getDecl()->getType()->isReferenceType()) || changes_something(stmt) ||
-      llvm::isa<clang::CallExpr, clang::CXXConstructExpr, clang::ArraySubscriptExpr, clang::LambdaExpr>(stmt))
-    return false;
-  return llvm::all_of(stmt->children(), is_number);
+/// What memcpy or memset writes: elements that are not the array's by its own name (by another, memcpy would be given memory that
+/// overlaps), or a number.
+bool are_others(const Unit& unit, const clang::Expr* written, const std::string& array) {
+  return is_plain_value(unit, written) && !reads_elements({unit, Calls::known}, written) &&
+         unit.squeezed(written).find(array) == std::string::npos;
 }
 
 bool overwrites(const Unit& unit, const clang::Stmt* statement, const std::string& array,
@@ -138,18 +124,25 @@ bool overwrites(const Unit& unit, const clang::Stmt* statement, const std::strin
     return is_begin_of(unit, call->getArg(0), array) &&
            is_all_bytes(unit, call->getArg(2), array, stable ? size : "\n", bytes) &&
            are_others(unit, call->getArg(1), array);
-  return name == "std::fill" && squeezed(text_of(unit, call->getArg(0))) == array + ".begin()" &&
-         squeezed(text_of(unit, call->getArg(1))) == array + ".end()" && is_number(call->getArg(2));
+  return name == "std::fill" && text_of(unit, call->getArg(0)) == array + ".begin()" &&
+         text_of(unit, call->getArg(1)) == array + ".end()" &&
+         NumberValues(unit, Calls::known).is_number(call->getArg(2));
 }
 
-/// A simple statement that does not leave the function, touch the array, or make its name another array's.
-bool is_harmless(const Unit& unit, const clang::Stmt* statement, const std::string& array) {
+/// frames[index].data: an assignment may lead the name to another array.
+bool depends_on_number(const clang::Stmt* name) {
+  const auto* expr = llvm::dyn_cast_or_null<clang::Expr>(name);
+  if (expr && expr->getType()->isArithmeticType()) return true;
+  return name && llvm::any_of(name->children(), depends_on_number);
+}
+
+/// A number is assigned, none that is read from the array, and nothing on the way leaves the function or makes the array's name
+/// another one's.
+bool is_harmless(const Unit& unit, const clang::Stmt* statement, const clang::Expr* array) {
   const auto* op = llvm::dyn_cast<clang::BinaryOperator>(statement);
-  if (!op || !op->isAssignmentOp() || !is_plain_value(unit, op->getLHS()) ||
-      !is_plain_value(unit, op->getRHS()))
-    return false;
-  return array.find(squeezed(unit.source.text(op->getLHS()->getSourceRange()))) == std::string::npos &&
-         squeezed(unit.source.text(op->getSourceRange())).find(array) == std::string::npos;
+  const NumberValues values(unit, Calls::known);
+  return op && op->isAssignmentOp() && is_plain_number(op->getLHS()->getType()) &&
+         values.is_path(op->getLHS()) && values.is_number(op->getRHS()) && !depends_on_number(array);
 }
 
 }  // namespace
@@ -159,21 +152,22 @@ std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMember
   const auto behind = unit.source.place(resize->getArg(0)->getSourceRange());
   if (!block || !behind || written_arguments(resize) != 1) return {};
   const clang::Expr* object = resize->getImplicitObjectArgument();
-  const std::string array = squeezed(unit.source.text(object->getSourceRange()));
+  const std::string array = unit.squeezed(object);
   if (array.empty() || !is_steady_name(unit, object)) return {};
-  const std::string size = squeezed(text_of(unit, resize->getArg(0)));
+  const std::string size = text_of(unit, resize->getArg(0));
   const auto* vector = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
       object->getType().getCanonicalType()->getAsCXXRecordDecl());
   const bool bytes = vector && unit.ast().getTypeSize(vector->getTemplateArgs()[0].getAsType()) == 8;
   bool behind_it = false, is_fresh = false;
   for (const clang::Stmt* statement : block->body()) {
+    const ResizedArray resized{array, object, resize->getArg(0), is_fresh};
     if (behind_it && (overwrites(unit, statement, array, size, bytes, is_stable(unit, resize->getArg(0))) ||
-                      writes_each_element(unit, statement, {array, object, resize->getArg(0), is_fresh}))) {
+                      writes_each_element(unit, statement, resized))) {
       const Place at{behind->file, behind->end, behind->end, behind->line, behind->column};
       return Change{at, ", tzc::uninitialized", "uninitialized", {}};
     }
     const bool is_sister = resizes_sister(unit, statement, object);
-    if (behind_it && !is_sister && !is_harmless(unit, statement, array)) return {};
+    if (behind_it && !is_sister && !is_harmless(unit, statement, object)) return {};
     behind_it |= statement == resize;
     is_fresh = statement == resize || (is_fresh && is_sister);
   }

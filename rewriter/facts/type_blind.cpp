@@ -2,6 +2,7 @@
 #include "facts/type_blind.h"
 
 #include <clang/AST/ExprCXX.h>
+#include <clang/Basic/SourceManager.h>
 
 #include "parse/ast_visitor.h"
 

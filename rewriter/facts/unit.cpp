@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/unit.h"
 
+#include <clang/Basic/CharInfo.h>
 #include <llvm/ADT/STLExtras.h>
 #include <llvm/Support/FileSystem.h>
 
@@ -22,6 +23,12 @@ bool Unit::has_twin(const std::string& message) const {
   return llvm::any_of(include_dirs, [&](const std::string& dir) {
     return llvm::sys::fs::exists(dir + "/" + twin_header(message));
   });
+}
+
+std::string Unit::squeezed(const clang::Stmt* stmt) const {
+  std::string result = text(stmt);
+  llvm::erase_if(result, [](char c) { return clang::isWhitespace(c); });
+  return result;
 }
 
 }  // namespace tzc::rewriter

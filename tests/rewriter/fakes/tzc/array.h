@@ -58,7 +58,9 @@ class Array {
   const T& operator[](std::size_t i) const { return v_[i]; }
   T& at(std::size_t i) { return v_.at(i); }
   T& front() { return v_.front(); }
+  const T& front() const { return v_.front(); }
   T& back() { return v_.back(); }
+  const T& back() const { return v_.back(); }
 
  private:
   std::vector<T> v_;
