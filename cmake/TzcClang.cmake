@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The target tzc_clang: the libraries of LLVM and Clang 16 to 19, shared ones (linking the static ones takes minutes).
+# The target tzc_clang: the libraries of LLVM and Clang, shared ones (linking the static ones takes minutes).
 # Sets TZC_CLANG_FOUND; when it is false, TZC_CLANG_MISSING says what to install.
 #
-#   TZC_LLVM_VERSION   16, 17, 18 or 19; empty: the newest that is complete
+#   TZC_LLVM_VERSION   one of TZC_LLVM_VERSIONS; empty: the newest that is complete
 #   TZC_LLVM_CONFIG    an llvm-config of your own
-set(TZC_LLVM_VERSIONS 19 18 17 16)
+include(TzcLlvmVersions)
 set(TZC_LLVM_VERSION "" CACHE STRING "LLVM's major version for tzc-rewrite; empty: the newest of ${TZC_LLVM_VERSIONS}")
 set(TZC_LLVM_CONFIG "" CACHE FILEPATH "llvm-config for tzc-rewrite; empty: the one of TZC_LLVM_VERSION")
 
@@ -26,7 +26,7 @@ function(_tzc_try_llvm program)
             NO_DEFAULT_PATH)
   set(missing "")
   if(NOT major IN_LIST TZC_LLVM_VERSIONS)
-    set(missing "${program} is of LLVM ${version}; versions 16 to 19 are known to work")
+    set(missing "${program} is of LLVM ${version}; versions ${TZC_LLVM_OLDEST} to ${TZC_LLVM_NEWEST} are known to work")
   elseif(NOT EXISTS ${include_dir}/clang/Tooling/Tooling.h)
     set(missing "${include_dir} has no headers of Clang; install libclang-${major}-dev")
   elseif(NOT clang OR NOT llvm)
@@ -73,8 +73,9 @@ function(_tzc_llvm_configs result)
 endfunction()
 
 set(TZC_CLANG_FOUND FALSE)
-set(TZC_CLANG_MISSING "no llvm-config of LLVM 16 to 19 was found; install llvm-19-dev, libclang-19-dev and \
-libclang-cpp19-dev, or name one with -DTZC_LLVM_CONFIG")
+set(TZC_CLANG_MISSING "no llvm-config of LLVM ${TZC_LLVM_OLDEST} to ${TZC_LLVM_NEWEST} was found; install \
+llvm-${TZC_LLVM_NEWEST}-dev, libclang-${TZC_LLVM_NEWEST}-dev and libclang-cpp${TZC_LLVM_NEWEST}-dev, or name one with \
+-DTZC_LLVM_CONFIG")
 if(TZC_LLVM_VERSION)
   set(TZC_CLANG_MISSING "llvm-config-${TZC_LLVM_VERSION} was not found; install llvm-${TZC_LLVM_VERSION}-dev, \
 libclang-${TZC_LLVM_VERSION}-dev and libclang-cpp${TZC_LLVM_VERSION}-dev")

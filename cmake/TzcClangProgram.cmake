@@ -3,7 +3,9 @@
 #
 # A test program that Clang builds, whatever compiler the project uses: for libFuzzer, and because Clang compiles much
 # generated code with sanitizers in half of GCC's time. Target NAME is part of ALL.
-find_program(TZC_CLANGXX NAMES clang++-19 clang++)
+include(TzcLlvmVersions)
+list(TRANSFORM TZC_LLVM_VERSIONS PREPEND clang++- OUTPUT_VARIABLE names)
+find_program(TZC_CLANGXX NAMES ${names} clang++)
 if(POLICY CMP0116)
   cmake_policy(SET CMP0116 NEW)  # dependency files hold absolute paths here
 endif()

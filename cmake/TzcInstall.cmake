@@ -34,31 +34,37 @@ if(TARGET tzc_installed_messages)
   install(DIRECTORY ${TZC_DEVEL_PREFIX}/include/tzc DESTINATION include COMPONENT dev FILES_MATCHING PATTERN "*.h")
 endif()
 
-# --- programs: in bin, and where rosrun looks
-function(_tzc_tool name component)
+# --- programs: in bin, and where rosrun looks. TZC_TOOLS is the list of them, each with TZC_TOOL_<name>: component and what
+# it does, for manual pages, completion and tests.
+set(TZC_TOOLS "")
+macro(_tzc_tool name component does)
+  list(APPEND TZC_TOOLS ${name})
+  set(TZC_TOOL_${name} ${component} "${does}")
+  _tzc_link_tool(${name} ${component})
+endmacro()
+function(_tzc_link_tool name component)
   set(link ${PROJECT_BINARY_DIR}/libexec/${name})
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/libexec ${TZC_DEVEL_PREFIX}/lib/tzc)
   file(CREATE_LINK ../../bin/${name} ${link} SYMBOLIC)
   install(FILES ${link} DESTINATION lib/tzc COMPONENT ${component})
   file(CREATE_LINK ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${name} ${TZC_DEVEL_PREFIX}/lib/tzc/${name} SYMBOLIC)
 endfunction()
-foreach(tool tzc-msggen tzc-rewrite tzc-monitor tzc-diagnostics)
-  if(TARGET ${tool})
-    set(component tools)
-    if(tool STREQUAL "tzc-msggen")
-      set(component dev)  # builds of packages with messages run it
-    endif()
-    install(TARGETS ${tool} RUNTIME DESTINATION bin COMPONENT ${component})
-    _tzc_tool(${tool} ${component})
+macro(_tzc_program name component does)
+  if(TARGET ${name})
+    install(TARGETS ${name} RUNTIME DESTINATION bin COMPONENT ${component})
+    _tzc_tool(${name} ${component} "${does}")
   endif()
-endforeach()
+endmacro()
+_tzc_program(tzc-msggen dev "generates TZC headers of ROS messages")  # builds of packages with messages run it
+_tzc_program(tzc-rewrite tools "ports roscpp packages to TZC")
+_tzc_program(tzc-monitor tools "shows what nodes do with shared memory")
+_tzc_program(tzc-diagnostics tools "publishes on /diagnostics what nodes do with shared memory")
+if(TARGET tzc_compare)  # installed by its own folder, as its recorder is
+  _tzc_tool(tzc-compare tools "compares what an original and a ported workspace publish")
+endif()
 if(TARGET tzc_preload)
   install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/tzc-run DESTINATION bin COMPONENT runtime)
-  _tzc_tool(tzc-run runtime)
-endif()
-
-if(TARGET tzc_compare)
-  _tzc_tool(tzc-compare tools)  # installed by its own folder, as its recorder is
+  _tzc_tool(tzc-run runtime "runs an unmodified roscpp program with shared memory")
 endif()
 install(PROGRAMS packaging/ci/check.sh packaging/ci/pre-commit DESTINATION share/tzc/ci COMPONENT tools)
 

@@ -31,7 +31,7 @@ std::optional<Options> parse_options(int argc, char** argv, int& status) {
   Options options;
   CLI::App app(description, "tzc-monitor");
   app.footer(footer);
-  app.set_version_flag("--version", TZC_VERSION);
+  app.set_version_flag("--version", "tzc-monitor " TZC_VERSION);
   app.add_flag("--once", options.once,
                "print one table and end; the default where the output is no terminal");
   CLI::Option* const json = app.add_flag("--json", options.json, "print one JSON document and end");

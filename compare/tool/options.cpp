@@ -121,7 +121,7 @@ std::optional<Options> parse_options(int argc, char** argv, int& status) {
   options.scratch = temporary && *temporary ? temporary : "/tmp";
   CLI::App app(description, "tzc-compare");
   app.footer(footer);
-  app.set_version_flag("--version", TZC_VERSION);
+  app.set_version_flag("--version", "tzc-compare " TZC_VERSION);
   app.add_option("ORIGINAL", options.original, "the original workspace, built, or its setup.bash")
       ->required();
   app.add_option("PORT", options.port, "the ported workspace, built, or its setup.bash")->required();

@@ -60,7 +60,7 @@ const char* const help =
 bool is_answered(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
   if (first == "--help") std::fputs(help, stdout);
-  if (first == "--version") std::puts(TZC_VERSION);
+  if (first == "--version") std::puts("tzc-diagnostics " TZC_VERSION);
   return first == "--help" || first == "--version";
 }
 

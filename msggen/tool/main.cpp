@@ -48,6 +48,7 @@ CLI::App* add_explain(CLI::App& app, ExplainOptions& options) {
 int run(int argc, char** argv) {
   CLI::App app("The message generator of TZC: which part of a ROS message is control and which is data.",
                "tzc-msggen");
+  app.set_version_flag("--version", "tzc-msggen " TZC_VERSION);
   app.require_subcommand(1);
   GenerateOptions generate_options;
   ClassifyOptions classify_options;

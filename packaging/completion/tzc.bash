@@ -16,4 +16,4 @@ _tzc() {
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
   fi
 }
-complete -o filenames -F _tzc tzc-rewrite tzc-msggen tzc-monitor
+complete -o filenames -F _tzc tzc-rewrite tzc-msggen tzc-monitor tzc-diagnostics tzc-compare tzc-run

@@ -17,7 +17,7 @@ mkdir -p "$ws/src"
 cp -a "$here/workspace/." "$ws/src/"
 [ "$(id -u)" != 0 ] || chown -R nobody:nogroup "$ws"
 
-# Optimizing is not what is tested here; the rewriter takes minutes and has a test of its own below.
+# Optimizing is not what is tested here; the rewriter takes minutes, and joins once, at the end.
 options=(-DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0 -DTZC_BUILD_REWRITER=OFF)
 
 in_ws() { local name=$1; shift; logged "$name" sh -c 'cd "$0" && exec "$@"' "$ws" "$@"; }
@@ -51,6 +51,11 @@ if command -v catkin >/dev/null; then
   in_ws catkin_config catkin config --cmake-args "${options[@]}"
   in_ws catkin_build catkin build --no-status --summarize
   works "$ws/devel/setup.bash" "catkin build"
+  # As a user with Clang has it.
+  in_ws catkin_config catkin config --append-args --cmake-args -DTZC_BUILD_REWRITER=ON
+  in_ws catkin_build_rewriter catkin build --no-status --summarize
+  logged rewriter bash -c ". $ws/devel/setup.bash && rosrun tzc tzc-rewrite --version"
+  grep -q '^tzc-rewrite [0-9]' "$scratch/rewriter.log" || wrong "rosrun tzc tzc-rewrite: $(cat "$scratch/rewriter.log")"
 else
   wrong "catkin (Debian: catkin-tools) is not installed; scripts/setup installs it"
 fi

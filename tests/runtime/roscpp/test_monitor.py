@@ -292,7 +292,7 @@ class CommandLine(MonitorCase):
         status, output, _ = self.monitor("--help")
         self.assertEqual(status, 0)
         self.assertIn("Examples:", output)
-        self.assertRegex(self.monitor("--version")[1], r"^\d+\.\d+\.\d+\n$")
+        self.assertRegex(self.monitor("--version")[1], r"^tzc-monitor \d+\.\d+\.\d+\n$")
 
     def test_the_terminal_is_as_before_after_a_signal(self):
         for end in (signal.SIGINT, signal.SIGTERM):
