@@ -64,17 +64,19 @@ class Connector {
   Connector(const Unit& unit, const EntityFacts& facts, const std::vector<PublisherMention>& mentions)
       : unit_(unit), hoisting_(unit), facts_(facts), mentions_(mentions) {}
 
-  std::vector<PublisherName> available(const AllocationDraft& draft) const {
-    std::vector<PublisherName> names;
-    const std::optional<unsigned> at = offset_of(draft.site);
-    if (!at || *at == 0) return names;
-    if (draft.function && draft.site.record.empty() && !record_usr_of(draft.function).empty()) return names;
+  /// Finds the site's publishers.
+  void connect(AllocationDraft& draft) const {
+    AllocationSite& site = draft.site;
+    const std::optional<unsigned> at = offset_of(site);
+    if (!at || *at == 0) return;
+    if (draft.function && site.record.empty() && !record_usr_of(draft.function).empty()) return;
     for (const PublisherMention& mention : mentions_) {
       if (mention.function != draft.function || mention.id.empty()) continue;
       if (const std::optional<EarlyName> name = hoisting_.name_at(mention, *at))
-        names.push_back({mention.id, name->text, mention.pointer, name->guarded, mention.messages});
+        site.publishers.push_back({mention.id, name->text, mention.pointer, name->guarded, mention.messages});
+      else
+        site.later.push_back(mention.id);
     }
-    return names;
   }
 
   /// For a local message before the publisher that is declared later in the same block.
@@ -262,11 +264,12 @@ std::optional<AllocationDraft> AllocationCollector::of_member(const StandingMess
 AllocationSite connected(const Unit& unit, const EntityFacts& facts, AllocationDraft draft,
                          const std::vector<PublisherMention>& mentions) {
   const Connector connector(unit, facts, mentions);
-  draft.site.publishers = connector.available(draft);
+  connector.connect(draft);
   if (!draft.site.publishers.empty()) return std::move(draft.site);
   if (const std::optional<InsertedAllocation> moved = connector.behind_publisher(draft)) {
     draft.site.how = *moved;
-    draft.site.publishers = connector.available(draft);
+    draft.site.later.clear();
+    connector.connect(draft);
   }
   return std::move(draft.site);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/hoisting.h"
 
+#include "facts/lock_guarded.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -203,11 +204,17 @@ std::optional<EarlyName> Hoisting::as_written_at(const PublisherMention& publish
     add_followed(parts, publisher.object);
   }
   const bool valid = are_taken(publisher, parts, at);
-  if (!valid && (!can_be_asked || is_locked_elsewhere(publisher, parts, at))) return {};
+  if (!valid && !can_be_asked) return {};
+  if (is_locked_elsewhere(publisher, parts, at) && (!valid || may_change_elsewhere(parts))) return {};
   return EarlyName{unit_.text(publisher.object), !valid};
 }
 
-/// Other threads may change a pointer while it is not locked, unless it is a variable of this function.
+bool Hoisting::may_change_elsewhere(const NameParts& parts) const {
+  return llvm::any_of(parts.all,
+                      [&](const clang::ValueDecl* named) { return may_be_lock_guarded(unit_, named); });
+}
+
+/// Other threads may change a publisher or a pointer while it is not locked, unless it is a variable of this function.
 bool Hoisting::is_locked_elsewhere(const PublisherMention& publisher, const NameParts& parts,
                                    unsigned at) const {
   const clang::VarDecl* local = local_of(publisher.object);

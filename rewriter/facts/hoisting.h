@@ -46,6 +46,7 @@ class Hoisting {
   std::optional<EarlyName> looked_up_at(const PublisherMention& publisher, unsigned at) const;
   /// Whether every path through the offset follows the pointers and indices of the name.
   bool are_taken(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
+  bool may_change_elsewhere(const NameParts& parts) const;
   bool is_locked_elsewhere(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
 
   const Unit& unit_;

@@ -116,6 +116,7 @@ struct AllocationSite {
   EntityId entity;
   std::variant<InsertedAllocation, AdapterAllocation, FactoryAllocation> how;
   std::vector<PublisherName> publishers;  ///< that publish it in this function and are available here
+  std::vector<EntityId> later;            ///< publishers that this function names later, and cannot name here
   std::string record;                     ///< USR of the class whose `this` is available here
   EntityId function;                      ///< result of the function around it
   Location where;
@@ -136,6 +137,7 @@ struct SiteFact {
   bool has_data_part = true;
   std::optional<std::uint64_t> most_bytes;  ///< that its arrays hold, by its type; none: any number
   std::vector<Obstacle> obstacles;
+  bool under_lock = false;  ///< its function may hold a lock there that other threads wait for
 
   SiteId id() const { return {where.file, where.begin, type}; }
 };

@@ -56,7 +56,27 @@ bool Binder::runs_early(const std::string& function) {
   return early_->count(function) != 0;
 }
 
+/// Whether a thread may advertise anew while another one publishes, each under a lock: elsewhere the publisher may not be looked at.
+bool Binder::changes_under_lock(ComponentId publisher) const {
+  const auto is_of = [&](ComponentId id) {
+    return [this, id](const EntityId& entity) {
+      const Component* component = components_.of(entity);
+      return component && component->id == id;
+    };
+  };
+  return std::any_of(facts_.advertises.begin(), facts_.advertises.end(),
+                     [&](const auto& entry) {
+                       return entry.second.under_lock && is_of(publisher)(entry.second.publisher);
+                     }) &&
+         std::any_of(facts_.publishes.begin(), facts_.publishes.end(), [&](const auto& entry) {
+           const Publish& site = entry.second;
+           return site.under_lock &&
+                  std::any_of(site.messages.begin(), site.messages.end(), is_of(component_.id));
+         });
+}
+
 bool Binder::visible(const AllocationSite& site, const Entity& publisher) {
+  if (std::count(site.later.begin(), site.later.end(), publisher.id) != 0) return false;
   const std::string& result = site.function.text();  // the function's USR and "#r"
   if (publisher.storage == Storage::member && runs_early(result.substr(0, result.rfind('#')))) return false;
   if (publisher.storage == Storage::member) return inherits(site.record, publisher.record);
@@ -87,7 +107,7 @@ std::optional<BoundAllocation> Binder::available_at(const AllocationSite& site) 
     }
   for (const ComponentId id : publishers_)
     for (const Entity* entity : components_[id].entities)
-      if (visible(site, *entity) && entity->plain)
+      if (entity->plain && visible(site, *entity) && !changes_under_lock(id))
         return bound(site, {entity->id, entity->name, false, false, {}}, entity);
   return {};
 }

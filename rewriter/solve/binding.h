@@ -30,6 +30,7 @@ class Binder {
   bool is_in_factory(const AllocationSite& site) const;
   int closeness(const PublisherName& name, const AllocationSite& site) const;
   std::optional<BoundAllocation> available_at(const AllocationSite& site);
+  bool changes_under_lock(ComponentId publisher) const;
   bool visible(const AllocationSite& site, const Entity& publisher);
   bool runs_early(const std::string& function);
   bool inherits(const std::string& record, const std::string& base) const;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Whether another thread may change what a name means, held off by nothing but a lock:
+//   { std::lock_guard<std::mutex> lock(mutex_); pub_ = nh_.advertise<Image>("image", 1); }
+// Then the name may not be looked at before the lock under which the source does.
+
+#include <clang/AST/Decl.h>
+
+#include "facts/unit.h"
+
+namespace tzc::rewriter {
+
+/// True unless the whole program is seen to change the variable or field in constructors of its class only, or in main
+/// without a lock: a program without data races then has it made before any other thread looks at it.
+bool may_be_lock_guarded(const Unit& unit, const clang::ValueDecl* named);
+
+/// Whether a call in a function that is no constructor stands behind a lock.
+bool stands_under_lock(const Unit& unit, const clang::CallExpr* call);
+
+}  // namespace tzc::rewriter
