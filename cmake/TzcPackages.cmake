@@ -49,6 +49,6 @@ set(CPACK_DEBIAN_TOOLS_DESCRIPTION "Towards zero-copy messages for ROS 1: tzc-re
  Reads a roscpp package as the compiler does, and changes its sources so that messages are not copied.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
 # Clang's own headers; the libraries are found by dpkg-shlibdeps.
-set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libtzc-dev (= ${PROJECT_VERSION}), libclang-common-${TZC_CLANG_MAJOR}-dev")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libtzc-dev (= ${PROJECT_VERSION}), libclang-common-${TZC_CLANG_MAJOR}-dev, patch")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "git, rosbash")
 include(CPack)

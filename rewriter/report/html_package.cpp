@@ -52,10 +52,15 @@ class PackagePage {
   std::string lead() const {
     const auto left =
         static_cast<unsigned>(std::count_if(report_.sites.begin(), report_.sites.end(), is_refusal));
-    return left == 0 ? "Every data-heavy site of the package is ported."
-                     : plural(left, "site") + (left == 1 ? " stays" : " stay") +
-                           " on TCPROS; the reasons are below.";
+    const std::string unwritten = only_shown() ? " can be ported; nothing was written." : "";
+    if (left == 0)
+      return "Every data-heavy site of the package" + (unwritten.empty() ? " is ported." : unwritten);
+    return plural(left, "site") + (left == 1 ? " stays" : " stay") + " on TCPROS; the reasons are below." +
+           (unwritten.empty() ? "" : " The others" + unwritten);
   }
+
+  /// The changes are those of a dry run.
+  bool only_shown() const { return !package_.changes.empty() && !package_.written; }
 
   std::string card(SiteKind kind) const {
     unsigned total = 0;
@@ -75,9 +80,10 @@ class PackagePage {
   std::string changes_card() const {
     const DiffStat stat = package_.stat();
     return fmt::format(
-        "<div class=\"card\"><b>{}</b>changed file{}<p><span class=\"good\">+{} lines</span> &middot; "
+        "<div class=\"card\"><b>{}</b>file{} {}<p><span class=\"good\">+{} lines</span> &middot; "
         "<span class=\"bad\">&minus;{} lines</span></p></div>\n",
-        stat.files, stat.files == 1 ? "" : "s", stat.added, stat.removed);
+        stat.files, stat.files == 1 ? "" : "s", only_shown() ? "to change" : "changed", stat.added,
+        stat.removed);
   }
 
   std::string anchor(const std::string& path) const { return html_escaped(report_.package + "/" + path); }

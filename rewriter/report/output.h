@@ -28,6 +28,7 @@ struct PendingPlace {
 struct PackageReport {
   Report report;
   std::vector<FileChange> changes;
+  bool written = false;  ///< the changes are in the files, or in a copy; otherwise they are only shown
   std::vector<PendingPlace> pending;
   std::string source_root;  ///< what code scanning takes paths from: the repository's top; empty: the package
   std::string commit;       ///< of the package's repository; empty: there is none

@@ -2,6 +2,8 @@
 #include "tool/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 
@@ -9,6 +11,7 @@
 #include "tool/filter.h"
 #include "tool/places.h"
 #include "tool/shell_word.h"
+#include "tool/undo_command.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -221,6 +224,8 @@ std::variant<Options, Answer> checked(Raw& raw) {
   if (raw.options.packages.empty()) return mistake("no package is named");
   if (raw.apply + raw.check + !raw.options.out_dir.empty() > 1)
     return mistake("--apply, --out-dir and --check exclude each other");
+  if (!raw.options.undo.empty() && !raw.apply)
+    return undo_without_apply(raw.options.undo, raw.options.packages);
   if (raw.apply) raw.options.action = Action::apply;
   if (raw.check) raw.options.action = Action::check;
   if (!raw.options.out_dir.empty()) raw.options.action = Action::out_dir;
@@ -268,10 +273,12 @@ std::optional<std::uint64_t> parse_size(const std::string& text) {
   for (; end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) && end < 15; ++end)
     number = number * 10 + static_cast<std::uint64_t>(text[end] - '0');
   if (end == 0) return std::nullopt;
-  static const std::map<std::string, int> shifts = {{"", 0},     {"B", 0},   {"K", 10},  {"KB", 10},
-                                                    {"KiB", 10}, {"M", 20},  {"MB", 20}, {"MiB", 20},
-                                                    {"G", 30},   {"GB", 30}, {"GiB", 30}};
-  const auto shift = shifts.find(text.substr(end));
+  static const std::map<std::string, int> shifts = {{"", 0},     {"b", 0},   {"k", 10},  {"kb", 10},
+                                                    {"kib", 10}, {"m", 20},  {"mb", 20}, {"mib", 20},
+                                                    {"g", 30},   {"gb", 30}, {"gib", 30}};
+  std::string unit = text.substr(end);
+  std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return std::tolower(c); });
+  const auto shift = shifts.find(unit);
   if (shift == shifts.end() || number >> (63 - shift->second) != 0) return std::nullopt;
   return number << shift->second;
 }

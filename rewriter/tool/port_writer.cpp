@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/port_writer.h"
 
+#include <algorithm>
+
 #include "transaction/swap.h"
 
 namespace tzc::rewriter {
@@ -23,13 +25,28 @@ Expected<PortWriter> PortWriter::open(const Options& options, const std::vector<
 Expected<void> PortWriter::write(std::vector<PackagePort>& ports) {
   if (!out_dir_ && !undo_) return {};
   Expected<void> ready;
-  if (undo_ && !options_.force) ready = check_committed(ports);
+  if (undo_) ready = look_at_git(ports);
   for (std::size_t i = 0; ready && out_dir_ && i < ports.size(); ++i) ready = out_dir_->stage(ports[i]);
   if (!ready) return ports.clear(), ready;
   for (std::size_t i = 0; i < ports.size(); ++i) {
     const Expected<void> done = write_one(ports[i]);
     if (!done) return ports.erase(ports.begin() + static_cast<long>(i), ports.end()), done;
   }
+  return {};
+}
+
+/// Work that git could not bring back is written over only when the user says so. What lies in no repository is
+/// not work in progress to git: it is written, and the undo patch brings it back.
+Expected<void> PortWriter::look_at_git(const std::vector<PackagePort>& ports) {
+  const Expected<OutsideGit> outside = outside_git(ports);
+  if (!outside && !options_.force) return outside.error();
+  if (outside && !outside->uncommitted.empty() && !options_.force)
+    return Error{"has changes that git does not have; nothing was written", *outside->uncommitted.begin(),
+                 "commit or stash them first, or write over them with --force"};
+  for (const PackagePort& port : ports)
+    for (const auto& [file, content] : port.contents)
+      if (!outside || outside->uncommitted.count(file) || outside->unheld.count(file))
+        outside_git_.insert(file);
   return {};
 }
 
@@ -43,18 +60,42 @@ Expected<void> PortWriter::write_one(const PackagePort& port) {
   if (!saved) return saved;
   Expected<void> done = write_in_place(port);
   if (done || is_swap_unfinished(port.package_dir))
-    has_written_ = true;
+    note_written(port);
   else
     undo_->drop_last();
   return done;
 }
 
-/// Without a place that the user named, a port is worth more than its undo patch: git has the originals, too.
+/// Without a place that the user named, a port is worth more than its undo patch where git has the originals, too.
 Expected<void> PortWriter::save_undo(const PackagePort& port) {
   Expected<void> saved = undo_->add(port);
   if (saved || !options_.undo.empty()) return saved;
-  warning_ = "no undo patch could be saved: " + to_string(saved.error());
+  const bool in_git = std::none_of(port.contents.begin(), port.contents.end(),
+                                   [&](auto& entry) { return outside_git_.count(entry.first); });
+  if (!in_git && !options_.force)
+    return Error{"is not in git, and no undo patch could be saved: " + saved.error().what + " (" +
+                     saved.error().where + "); nothing of the package was written",
+                 port.package_dir, "name a file for the patch with --undo, or do without with --force"};
+  unsaved_ = "no undo patch could be saved: " + to_string(saved.error());
   return {};
+}
+
+void PortWriter::note_written(const PackagePort& port) {
+  has_written_ = true;
+  for (const auto& [file, content] : port.contents)
+    if (outside_git_.count(file)) overwritten_.push_back(file);
+}
+
+std::vector<std::string> PortWriter::warnings() const {
+  std::vector<std::string> all;
+  if (!unsaved_.empty()) all.push_back(unsaved_);
+  if (overwritten_.empty()) return all;
+  const std::size_t others = overwritten_.size() - 1;
+  const std::string more = others == 0 ? "" : " and in " + std::to_string(others) + " more";
+  const std::string undo = undo_command();
+  all.push_back("git does not have what was in " + overwritten_.front() + more +
+                (undo.empty() ? "" : "; this alone brings it back: " + undo));
+  return all;
 }
 
 }  // namespace tzc::rewriter

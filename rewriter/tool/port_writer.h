@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,19 +26,23 @@ class PortWriter {
   /// The command that takes the port back; empty: there is none.
   std::string undo_command() const { return undo_ ? undo_->command() : ""; }
 
-  /// Something that the user should know though the run succeeds; empty: nothing.
-  const std::string& warning() const { return warning_; }
+  /// What the user should know though the run succeeds.
+  std::vector<std::string> warnings() const;
 
  private:
   explicit PortWriter(const Options& options) : options_(options) {}
+  Expected<void> look_at_git(const std::vector<PackagePort>& ports);
   Expected<void> write_one(const PackagePort& port);
   Expected<void> save_undo(const PackagePort& port);
+  void note_written(const PackagePort& port);
 
   const Options& options_;
   std::optional<OutDir> out_dir_;
   std::optional<UndoPatch> undo_;
   bool has_written_ = false;
-  std::string warning_;
+  std::set<std::string> outside_git_;     ///< files to write that git could not bring back
+  std::vector<std::string> overwritten_;  ///< those of them that were written
+  std::string unsaved_;  ///< why the undo patch could not be saved; empty: it was, or not needed
 };
 
 }  // namespace tzc::rewriter

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "edits/files.h"
@@ -24,19 +25,33 @@ bool is_special(const std::string& file) {
   return fs::exists(file, failed) && !fs::is_regular_file(file, failed);
 }
 
+/// Known without writing to it: what is written to a pipe is read at once.
+Expected<void> check_special(const std::string& file) {
+  std::error_code failed;
+  if (fs::is_directory(file, failed))
+    return Error{"is a folder", file, "name the file in it that the report goes into"};
+  if (::access(file.c_str(), W_OK) != 0) return Error{"cannot be written", file, "name another file"};
+  return {};
+}
+
 }  // namespace
+
+Expected<void> ReportFiles::add(const std::string& file) {
+  const std::string target = fs::weakly_canonical(file);  // a link stays a link
+  if (std::any_of(files_.begin(), files_.end(), [&](const File& other) { return other.target == target; }))
+    return Error{"is named twice", file, "name another file for the second report"};
+  const bool special = is_special(file);
+  const std::string staged = special ? target : target + ".tzc-rewrite-" + std::to_string(::getpid());
+  if (Expected<void> fit = special ? check_special(file) : write_file(staged, ""); !fit)
+    return special ? fit : Error{fit.error().what, file, "name a folder that exists and can be written"};
+  files_.push_back({target, staged});
+  return {};
+}
 
 Expected<ReportFiles> ReportFiles::open(const std::vector<std::string>& files) {
   ReportFiles reports;
-  for (const std::string& file : files) {
-    const std::string target = fs::weakly_canonical(file);  // a link stays a link
-    const std::string staged =
-        is_special(file) ? target : target + ".tzc-rewrite-" + std::to_string(::getpid());
-    if (staged != target)
-      if (Expected<void> done = write_file(staged, ""); !done)
-        return Error{done.error().what, file, "name a folder that exists and can be written"};
-    reports.files_.push_back({target, staged});
-  }
+  for (const std::string& file : files)
+    if (Expected<void> added = reports.add(file); !added) return added.error();
   return reports;
 }
 

@@ -27,6 +27,7 @@ class ReportFiles {
     std::string target, staged;
   };
   ReportFiles() = default;
+  Expected<void> add(const std::string& file);
   std::vector<File> files_;  ///< not renamed yet
 };
 

@@ -42,7 +42,8 @@ class Run {
     progress_.clear();
     warn_about_filters();
     if (failed_ && ports_.empty()) return status();
-    if (!writer_->warning().empty()) fmt::print(stderr, "tzc-rewrite: warning: {}\n", writer_->warning());
+    for (const std::string& warning : writer_->warnings())
+      fmt::print(stderr, "tzc-rewrite: warning: {}\n", warning);
     print_reports(options_, ports_, {status(), writer_->undo_command()});
     if (Expected<void> done = write_reports(); !done) report_error(done.error());
     return status();
@@ -163,6 +164,7 @@ class Run {
       all.push_back(port.result);
       all.back().message_sizes = measured_;
       all.back().commit = commit_of(port.package_dir);
+      all.back().written = options_.action == Action::apply || options_.action == Action::out_dir;
     }
     return reports_->write(all, {TZC_VERSION, utc_now(), options_.command});
   }

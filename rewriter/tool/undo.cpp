@@ -10,7 +10,7 @@
 
 #include "edits/files.h"
 #include "tool/places.h"
-#include "tool/shell_word.h"
+#include "tool/undo_command.h"
 
 namespace tzc::rewriter {
 namespace fs = std::filesystem;
@@ -56,6 +56,12 @@ Expected<std::string> new_file() {
   return folder + "/" + time_stamp() + "-" + std::to_string(::getpid()) + ".patch";
 }
 
+/// A device is no place for a patch that is renamed into place.
+bool is_in_the_way(const std::string& file) {
+  std::error_code ignored;
+  return fs::exists(file, ignored) && !fs::is_regular_file(file, ignored);
+}
+
 }  // namespace
 
 Expected<UndoPatch> UndoPatch::open(const std::string& file, const std::vector<std::string>& packages) {
@@ -63,6 +69,7 @@ Expected<UndoPatch> UndoPatch::open(const std::string& file, const std::vector<s
   patch.folder_ = common_folder(packages);
   if (file.empty()) return patch;
   patch.file_ = fs::absolute(file).lexically_normal();
+  if (is_in_the_way(patch.file_)) return Error{"is no regular file", file, "name another file with --undo"};
   const std::string staged = patch.file_ + ".part";
   if (Expected<void> done = write_file(staged, ""); !done)
     return Error{done.error().what, file, "name another file with --undo"};
@@ -113,7 +120,7 @@ void UndoPatch::drop_last() {
 }
 
 std::string UndoPatch::command() const {
-  return parts_.empty() ? "" : "patch -p1 -d " + shell_word(folder_) + " <" + shell_word(file_);
+  return parts_.empty() ? "" : undo_command(folder_, file_);
 }
 
 }  // namespace tzc::rewriter

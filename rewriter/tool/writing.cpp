@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "edits/diff.h"
-#include "tool/git.h"
 #include "transaction/swap.h"
 
 namespace tzc::rewriter {
@@ -23,7 +23,9 @@ struct DiffBase {
 DiffBase diff_base(const std::string& package_dir) {
   std::error_code failed;
   const std::string here = fs::current_path(failed);
-  const std::string top = git_top(package_dir);
+  const std::optional<Repository> repository = repository_of(package_dir);
+  // Where git refuses a repository, `git apply` does as if there were none.
+  const std::string top = repository && !repository->failure ? repository->top : "";
   if (!top.empty() && (here == top || is_below(here, top))) return {top, true};
   if (here == package_dir || is_below(package_dir, here)) return {here, false};
   return top.empty() ? DiffBase{package_dir, false} : DiffBase{top, true};
@@ -71,12 +73,23 @@ std::string place_of(const std::string& package, const std::vector<std::string>&
   return fs::path(package).filename();
 }
 
+/// A part of the path below `folder` that is there and is no folder; empty: none is.
+std::string file_in_the_way(const std::string& folder, fs::path to) {
+  std::error_code ignored;
+  for (; is_below(to, folder); to = to.parent_path())
+    if (fs::exists(to, ignored) && !fs::is_directory(to, ignored)) return to;
+  return "";
+}
+
 Expected<void> check_places(const std::string& folder, const std::map<std::string, std::string>& places) {
   std::set<std::string> taken;
   for (const auto& [package, place] : places) {
     const std::string to = fs::path(folder) / place;
     if (to == package || is_below(to, package))
       return Error{"--out-dir lies in the package itself", to, "name another folder, or use --apply"};
+    if (const std::string file = file_in_the_way(folder, to); !file.empty())
+      return Error{"is no folder, and --out-dir needs one here", file,
+                   "move it away, or name another folder"};
     if (!taken.insert(place).second)
       return Error{
           "two packages lie in folders of this name; nothing was written", package,
@@ -99,18 +112,11 @@ std::string diff_of(const std::vector<PackagePort>& ports) {
   return text;
 }
 
-Expected<void> check_committed(const std::vector<PackagePort>& ports) {
-  for (const PackagePort& port : ports) {
-    const std::string top = port.contents.empty() ? "" : git_top(port.package_dir);
-    if (top.empty()) continue;
-    std::vector<std::string> files;
+Expected<OutsideGit> outside_git(const std::vector<PackagePort>& ports) {
+  std::vector<std::string> files;
+  for (const PackagePort& port : ports)
     for (const auto& [file, content] : port.contents) files.push_back(file);
-    const std::vector<std::string> dirty = uncommitted(top, files);
-    if (!dirty.empty())
-      return Error{"has changes that git does not have; nothing was written", top + "/" + dirty.front(),
-                   "commit or stash them first, or write over them with --force"};
-  }
-  return {};
+  return outside_git(files);
 }
 
 Expected<void> write_in_place(const PackagePort& port) {

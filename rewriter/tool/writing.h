@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tool/git.h"
 #include "tool/package_port.h"
 
 namespace tzc::rewriter {
@@ -14,8 +15,8 @@ namespace tzc::rewriter {
 /// package's folder when that does not lie below the working folder.
 std::string diff_of(const std::vector<PackagePort>& ports);
 
-/// An error when git does not have the present content of the files.
-Expected<void> check_committed(const std::vector<PackagePort>& ports);
+/// The files that the ports change and whose present content git cannot bring back. An error when git does not say.
+Expected<OutsideGit> outside_git(const std::vector<PackagePort>& ports);
 
 /// Changes a package in place, all of its files or none.
 Expected<void> write_in_place(const PackagePort& port);

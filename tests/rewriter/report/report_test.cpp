@@ -257,6 +257,26 @@ TEST(HtmlReport, every_element_is_closed) {
   }
 }
 
+/// Only a port that is in the files is done; what is left does not matter for that.
+TEST(HtmlReport, claims_a_port_only_when_it_was_written) {
+  for (const bool refusals : {false, true})
+    for (const bool changes : {false, true})
+      for (const bool written : {false, true}) {
+        SCOPED_TRACE(testing::Message() << refusals << changes << written);
+        PackageReport package = test::sample();
+        if (!refusals)
+          for (Site& site : package.report.sites) site.suppressed = true;
+        if (!changes) package.changes.clear();
+        package.written = written;
+        const std::string page = to_html({package}, info);
+        const bool only_shown = changes && !written;
+        EXPECT_EQ(page.find("nothing was written") != std::string::npos, only_shown);
+        EXPECT_EQ(page.find("can be ported") != std::string::npos, only_shown);
+        EXPECT_EQ(page.find("site of the package is ported") != std::string::npos, !refusals && !only_shown);
+        EXPECT_EQ(page.find("files to change") != std::string::npos, only_shown);
+      }
+}
+
 TEST(HtmlReport, says_where_it_comes_from) {
   PackageReport package = test::sample();
   package.commit = "0123456789ab with uncommitted changes";

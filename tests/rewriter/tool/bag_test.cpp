@@ -105,6 +105,7 @@ TEST(ParseSize, units) {
   EXPECT_EQ(parse_size("64K"), 65536u);
   EXPECT_EQ(parse_size("64MB"), 64u << 20);
   EXPECT_EQ(parse_size("1GiB"), 1u << 30);
+  EXPECT_EQ(parse_size("64m"), parse_size("64M"));  // as a node takes them
 }
 TEST(ParseSize, nonsense) {
   for (const char* text : {"", "M", "-1", "1.5G", "1T", "99999999999999999999", "9000000000000G"})

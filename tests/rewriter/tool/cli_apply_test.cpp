@@ -186,6 +186,34 @@ TEST_F(Cli, the_undo_patch_goes_where_the_user_wants_it) {
   EXPECT_FALSE(is_ported());
 }
 
+/// The command of a text's last line; what the user is to type stands behind "type: ".
+std::string last_command(const std::string& text) {
+  const std::size_t line = text.rfind('\n', text.size() - 2), begin = text.find("type: ", line);
+  return begin == std::string::npos ? "" : text.substr(begin + 6, text.size() - begin - 7);
+}
+
+TEST_F(Cli, undo_without_apply_ends_with_the_line_that_undoes) {
+  const std::string file = ws.folder() / "it's mine.patch", before = ws.file("src/node.cpp");
+  for (const std::string& folder : {ws.package(), ws.folder() / "ws/src", ws.folder() / "ws"}) {
+    const auto none = ws.run({"--undo", file, folder});
+    EXPECT_EQ(none.status, 2);
+    EXPECT_THAT(last_command(none.errors), StartsWith("tzc-rewrite --apply --undo "));
+    ASSERT_EQ(ws.run({"--apply", "--undo", file, folder}).status, 0);
+    ASSERT_TRUE(is_ported());
+    for (const char* action : {"-q", "--check", "--no-cache"}) {
+      const auto asked = ws.run({action, "--undo", file, folder});
+      EXPECT_EQ(asked.status, 2);
+      EXPECT_THAT(asked.output, IsEmpty()) << "git apply would take it";
+      EXPECT_THAT(asked.errors, HasSubstr("\n  nothing was undone; type: patch -p1"));
+      ASSERT_TRUE(is_ported());
+    }
+    ASSERT_EQ(ws.shell(last_command(ws.run({"--undo", file, folder}).errors)), 0);
+    EXPECT_EQ(ws.file("src/node.cpp"), before);
+    EXPECT_THAT(ws.run({"--undo", file, folder}).errors, HasSubstr("does not fit")) << "undone already";
+    std::filesystem::remove(file);
+  }
+}
+
 TEST_F(Cli, one_patch_takes_several_packages_back) {
   ws.rewrite({});
   const std::string other = ws.folder() / "ws/src/other";
@@ -202,7 +230,9 @@ TEST_F(Cli, one_patch_takes_several_packages_back) {
   EXPECT_THAT(ws.folder().read("ws/src/other/src/node.cpp"), Not(HasSubstr("tzc::")));
 }
 
-TEST_F(Cli, no_place_for_the_undo_patch_is_a_warning) {
+TEST_F(Cli, no_place_for_the_undo_patch_is_a_warning_where_git_has_the_files) {
+  ws.rewrite({});
+  ASSERT_EQ(ws.shell("git init -q . && git add -A && git -c user.name=a -c user.email=a@b commit -qm x"), 0);
   ws.folder().write("state", "a file, not a folder");
   const auto applied = ws.rewrite({"--apply"});
   EXPECT_EQ(applied.status, 0) << applied.errors;

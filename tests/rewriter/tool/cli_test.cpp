@@ -25,6 +25,21 @@ TEST_F(Cli, json_report) {
   EXPECT_EQ(report["summary"]["files_changed"], 3);
 }
 
+TEST_F(Cli, the_page_says_whether_anything_was_written) {
+  const std::string page = ws.folder() / "r.html";
+  const std::vector<std::string> actions[] = {
+      {}, {"--check"}, {"--out-dir", ws.folder() / "out"}, {"--apply"}};
+  for (const std::vector<std::string>& words : actions) {
+    std::vector<std::string> all = {"--report", page};
+    all.insert(all.end(), words.begin(), words.end());
+    ws.rewrite(all);
+    const bool writes = !words.empty() && words[0] != "--check";
+    const std::string text = ws.folder().read("r.html");
+    EXPECT_EQ(text.find("site of the package is ported") != std::string::npos, writes);
+    EXPECT_EQ(text.find("can be ported; nothing was written") != std::string::npos, !writes);
+  }
+}
+
 TEST_F(Cli, options_reach_the_engine) {
   ws.plan()["echo"] = true;
   EXPECT_THAT(
@@ -124,11 +139,35 @@ TEST_F(Cli, a_filter_that_matches_nothing_is_warned_about) {
       << "not looked at";
 }
 
+/// Whatever an output option names, a place that takes no output is known before the analysis.
 TEST_F(Cli, a_report_that_cannot_be_written_is_known_before_the_analysis) {
-  const auto result = ws.rewrite({"--apply", "--report", ws.folder() / "missing/r.json"});
-  EXPECT_EQ(result.status, 2);
-  EXPECT_THAT(result.errors, HasSubstr("missing/r.json"));
-  EXPECT_FALSE(is_ported());
+  const auto& folder = ws.folder();
+  for (const char* name : {"is_a.json", "is_a.sarif", "is_a.html", "out/demo.d"})
+    std::filesystem::create_directories(folder / name);
+  ASSERT_EQ(ws.shell("mkfifo ../pipe"), 0);
+  folder.write("a_file", "");
+  folder.write("taken/demo", "");
+  const Mistake mistakes[] = {
+      {{"--apply", "--report", folder / "missing/r.json"}, "missing/r.json"},
+      {{"--apply", "--report", folder / "a_file/r.json"}, "a_file/r.json"},
+      {{"--apply", "--report", folder / "is_a.json"}, "is_a.json: is a folder"},
+      {{"--apply", "--report", folder / "is_a.sarif"}, "is_a.sarif: is a folder"},
+      {{"--apply", "--report", folder / "is_a.html"}, "is_a.html: is a folder"},
+      {{"--apply", "--report", folder / "r.json", "--report", folder / "out/../r.json"}, "is named twice"},
+      {{"--apply", "--undo", folder / "is_a.json"}, "is_a.json: is no regular file"},
+      {{"--apply", "--undo", folder / "pipe"}, "pipe: is no regular file"},
+      {{"--out-dir", folder / "a_file"}, "a_file"},
+      {{"--out-dir", folder / "taken"}, "taken/demo: is no folder"},
+  };
+  ws.plan()["echo"] = true;
+  for (const Mistake& mistake : mistakes) {
+    const auto result = ws.rewrite(mistake.words);
+    EXPECT_EQ(result.status, 2) << mistake.says;
+    EXPECT_THAT(result.errors, HasSubstr(mistake.says));
+    EXPECT_THAT(result.errors, Not(HasSubstr("engine:"))) << "the analysis began";
+    EXPECT_FALSE(is_ported()) << mistake.says;
+  }
+  EXPECT_THAT(ws.rewrite({}).errors, HasSubstr("engine:"));
 }
 
 TEST_F(Cli, a_report_is_replaced_when_it_is_whole) {
