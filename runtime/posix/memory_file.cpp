@@ -47,7 +47,8 @@ Error over_the_ceiling(std::size_t bytes) {
   error.what = "reserve " + std::to_string(bytes) + " bytes of shared memory";
   error.hint = "this process has " + std::to_string(reserved_memory()) + " bytes and may have " +
                std::to_string(memory_ceiling()) +
-               " in all: raise memory_ceiling, or give its publishers less memory";
+               " in all: raise that (in a node ~tzc/memory_ceiling or TZC_MEMORY_CEILING, else "
+               "tzc::set_memory_ceiling), or give its publishers less memory";
   error.code = ENOMEM;
   return error;
 }

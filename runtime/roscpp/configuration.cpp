@@ -54,7 +54,7 @@ Settings read_settings() {
   std::vector<std::string> warnings;
   const Settings settings = parse_settings(read_texts(), warnings);
   for (const std::string& warning : warnings)
-    ROS_WARN_STREAM("TZC: " << warning << " (docs/configuration.md)");
+    ROS_WARN_STREAM("TZC: " << warning << " (share/doc/tzc/configuration.md)");
   if (settings.memory_ceiling.value_or(0) != 0) set_memory_ceiling(*settings.memory_ceiling);
   return settings;
 }

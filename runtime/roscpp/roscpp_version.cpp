@@ -67,7 +67,7 @@ bool check_and_warn() {
                                                    version_of_library(library));
   if (!reason.empty())
     ROS_WARN_STREAM("TZC: every topic of this node stays on TCPROS: " << reason << " (" << real_path(library)
-                                                                      << "; docs/versions.md)");
+                                                                      << "; share/doc/tzc/versions.md)");
   return reason.empty();
 }
 

@@ -30,9 +30,10 @@ Action read_action() {
   if (text == nullptr || is_one_of(text, {"", "0", "off", "false", "no"})) return Action::none;
   if (is_one_of(text, {"1", "on", "true", "yes"})) return Action::go_on;
   if (is_one_of(text, {"abort"})) return Action::abort;
-  std::fprintf(stderr,
-               "TZC: TZC_GUARD cannot be '%s': it is one of 0, 1, abort; guard mode is off (docs/guard.md)\n",
-               text);
+  std::fprintf(
+      stderr,
+      "TZC: TZC_GUARD cannot be '%s': it is one of 0, 1, abort; guard mode is off (share/doc/tzc/guard.md)\n",
+      text);
   return Action::none;
 }
 
@@ -44,7 +45,7 @@ std::size_t read_quarantine() {
   if (*end == '\0' && blocks >= 1 && blocks <= most_quarantine) return blocks;
   std::fprintf(stderr,
                "TZC: TZC_GUARD_QUARANTINE cannot be '%s': it is a number from 1 to %zu; %zu is taken "
-               "(docs/guard.md)\n",
+               "(share/doc/tzc/guard.md)\n",
                text, most_quarantine, usual_quarantine);
   return usual_quarantine;
 }

@@ -127,7 +127,7 @@ void write_report(const Stale& stale, const posix::WriteFault& fault, const Call
          << static_cast<std::uint64_t>(::getpid()) << "\n";
   write_stack(words.since, *stale.since);
   write_stack(words.access_here, access);
-  Text() << "  " << words.advice << " (docs/guard.md)\n";
+  Text() << "  " << words.advice << " (share/doc/tzc/guard.md)\n";
   is_writing.clear(std::memory_order_release);
 }
 

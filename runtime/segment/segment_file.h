@@ -31,6 +31,8 @@ class SegmentFile {
   /// Most blocks at a time.
   std::uint32_t slots() const { return slots_; }
   std::uint64_t payloads_begin() const { return payloads_offset(slots_, posix::page_size()); }
+  /// The largest payload that the file has room for.
+  std::size_t payload_bytes() const { return size() - static_cast<std::size_t>(payloads_begin()); }
   /// Payloads that end there or below lie in committed pages.
   std::uint64_t payloads_committed() const { return payloads_.end; }
   std::size_t committed_bytes() const {

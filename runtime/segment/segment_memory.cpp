@@ -23,7 +23,7 @@ BufferPtr SegmentMemory::allocate(std::size_t bytes) {
 MemoryStats SegmentMemory::stats() const {
   return impl_->stats();
 }
-Error SegmentMemory::last_failure() const {
+AllocationError SegmentMemory::last_failure() const {
   return impl_->last_failure();
 }
 const MemoryOptions& SegmentMemory::options() const {

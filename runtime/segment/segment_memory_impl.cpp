@@ -40,6 +40,29 @@ Block* allocate_in_quarantine(const std::vector<SegmentPtr>& segments, std::size
   return nullptr;
 }
 
+/// The largest block that there would be room for if nothing were in use. Segments that are too small make way for one that
+/// is not, but only where no size was given.
+std::size_t most_bytes(const std::vector<SegmentPtr>& segments, const MemoryOptions& options) {
+  std::size_t most = options.size == 0 ? options.ceiling : 0;
+  for (const SegmentPtr& segment : segments) most = std::max(most, segment->file().payload_bytes());
+  return most;
+}
+
+/// Of an allocate of so many bytes in a memory that has room for `most`. The system's reason comes first: where it refused
+/// pages, there would have been room.
+AllocationError why_refused(std::size_t bytes, const Error& system, std::size_t most) {
+  using Cause = AllocationError::Cause;
+  AllocationError why;
+  static_cast<Error&>(why) = system;
+  why.cause = system.code != 0 ? Cause::system : bytes > most ? Cause::too_large : Cause::in_use;
+  if (why.cause == Cause::too_large)
+    why.hint = "larger than the whole memory, which has room for " + std::to_string(most) +
+               " bytes: give the publisher more memory";
+  if (why.cause == Cause::in_use)
+    why.hint = "subscribers still use the older messages: give the publisher more memory";
+  return why;
+}
+
 }  // namespace
 
 SegmentMemoryImpl::SegmentMemoryImpl(const MemoryOptions& options)
@@ -59,10 +82,11 @@ BufferPtr SegmentMemoryImpl::allocate(std::size_t bytes) {
     return nullptr;  // the parent's allocator owns this memory; don't even lock
   const std::lock_guard<std::mutex> lock(mutex_);
   if (failure_.code != 0) failure_ = Error();
-  if (bytes > SIZE_MAX / 4) return refuse(bytes);
+  if (bytes > SIZE_MAX / 4) return refuse(bytes, bytes);
   sync_point("allocate: begin");
-  Block* block = find_room(occupied_bytes(guarded_bytes(bytes), posix::page_size()));
-  return block != nullptr ? admit(*block) : refuse(bytes);
+  const std::size_t occupied = occupied_bytes(guarded_bytes(bytes), posix::page_size());
+  Block* block = find_room(occupied);
+  return block != nullptr ? admit(*block) : refuse(bytes, occupied);
 }
 
 Block* SegmentMemoryImpl::find_room(std::size_t bytes) {
@@ -209,15 +233,11 @@ BufferPtr SegmentMemoryImpl::admit(Block& block) {
   return Segment::wrap(block);
 }
 
-BufferPtr SegmentMemoryImpl::refuse(std::size_t bytes) {
+BufferPtr SegmentMemoryImpl::refuse(std::size_t bytes, std::size_t occupied) {
   ++stats_.refused;
-  const bool system_refused = failure_.code != 0;  // keeps the system's reason, once
-  if (!system_refused)
-    failure_.hint = "subscribers still use the older messages: give the publisher more memory";
-  failure_.what =
-      "allocate " + std::to_string(bytes) + " bytes" + (system_refused ? ": " + failure_.what : "");
-  failure_.where = options_.name;
-  last_ = failure_;
+  last_ = why_refused(occupied, failure_, most_bytes(segments_, options_));
+  last_.what = "allocate " + std::to_string(bytes) + " bytes" + (last_.what.empty() ? "" : ": " + last_.what);
+  last_.where = options_.name;
   failure_ = Error();
   return nullptr;
 }
@@ -233,8 +253,8 @@ MemoryStats SegmentMemoryImpl::stats() const {
   return stats;
 }
 
-Error SegmentMemoryImpl::last_failure() const {
-  if (posix::forked_since(epoch_)) return Error();
+AllocationError SegmentMemoryImpl::last_failure() const {
+  if (posix::forked_since(epoch_)) return AllocationError();
   const std::lock_guard<std::mutex> lock(mutex_);
   return last_;
 }

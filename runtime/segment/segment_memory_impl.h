@@ -31,7 +31,7 @@ class SegmentMemoryImpl {
   Status open();  ///< creates the first segment when the total size is given
   BufferPtr allocate(std::size_t bytes);
   MemoryStats stats() const;
-  Error last_failure() const;
+  AllocationError last_failure() const;
   const MemoryOptions& options() const { return options_; }
 
  private:
@@ -49,7 +49,7 @@ class SegmentMemoryImpl {
   void drop_unused_segments();
   std::size_t total_size() const;
   BufferPtr admit(Block& block);
-  BufferPtr refuse(std::size_t bytes);
+  BufferPtr refuse(std::size_t bytes, std::size_t occupied);
 
   const MemoryOptions options_;
   const std::uint32_t epoch_;
@@ -59,8 +59,8 @@ class SegmentMemoryImpl {
   BlockQueue
       aside_;  // of those that a subscriber took: nothing can be revoked there until something is released
   MemoryStats stats_;
-  Error failure_;  // of the system, during the allocate that runs
-  Error last_;     // of the latest allocate that was refused
+  Error failure_;         // of the system, during the allocate that runs
+  AllocationError last_;  // of the latest allocate that was refused
 };
 
 }  // namespace segment

@@ -36,9 +36,10 @@ Recorder* Recorder::open() {
   std::FILE* const file =
       std::fopen(name.c_str(), "we");  // e: a program that this one starts does not have it
   if (file == nullptr) {
-    std::fprintf(stderr,
-                 "TZC: TZC_TRACE: cannot write %s: %s; this process writes no trace (docs/traces.md)\n",
-                 name.c_str(), std::strerror(errno));
+    std::fprintf(
+        stderr,
+        "TZC: TZC_TRACE: cannot write %s: %s; this process writes no trace (share/doc/tzc/traces.md)\n",
+        name.c_str(), std::strerror(errno));
     return nullptr;
   }
   auto* const recorder = new Recorder(file);

@@ -38,6 +38,25 @@ for library in core roscpp; do
     wrong "libtzc_$library.so has no SONAME libtzc_$library.so.0"
 done
 
+# Every page that a message of a library or a program names is there; the source tree's docs/ is not.
+named=$(grep -raohE 'share/doc/tzc/[A-Za-z0-9/_-]+\.md' "$prefix/lib" "$prefix/bin" | sort -u || true)
+for page in configuration guard traces troubleshooting versions; do
+  grep -q "^share/doc/tzc/$page.md$" <<<"$named" || wrong "no message names share/doc/tzc/$page.md any more: is this looking at messages?"
+done
+for page in $named; do
+  [ -f "$prefix/$page" ] || wrong "a message names $page, which is not installed"
+  [ -f "$build/devel/$page" ] || wrong "a message names $page, which is not in the devel space"
+done
+lost=$(grep -raohE '(^|[^A-Za-z0-9/])docs/[A-Za-z0-9/_-]+\.md' "$prefix/lib" "$prefix/bin" | sort -u || true)
+[ -z "$lost" ] || wrong "messages name pages of the source tree, which is not installed: $lost"
+
+# A row of a table belongs to a head: a blank line in between cuts the table.
+headless=$(find "$prefix/share/doc/tzc" -name '*.md' -exec awk '
+  FNR == 1 { before = ""; head = 0 }
+  head && !/^\|[ :|-]+\|$/ { print FILENAME ":" FNR - 1 }
+  { head = /^\|/ && before !~ /^\|/; before = $0 }' {} +)
+[ -z "$headless" ] || wrong "rows of a table without its head: $headless"
+
 # Nothing names the folders of source and build. A debugger wants a Debug build's paths; the others have none.
 options=-rlI
 case $build_type in Release | RelWithDebInfo | MinSizeRel) options=-rl ;; esac

@@ -105,7 +105,7 @@ bool Attachment::delivers_exhausted() const {
   return endpoint_->on_exhausted() == OnExhausted::deliver;
 }
 void Attachment::count_dropped(std::size_t bytes) {
-  endpoint_->records().count_dropped(bytes);
+  endpoint_->records().drops_without_memory([bytes] { return bytes; });
 }
 PublisherStatistics Attachment::statistics() const {
   return endpoint_->statistics();

@@ -19,9 +19,10 @@ struct Exhaustion {
   std::string in_flight;  ///< subscribers with messages in flight; may be empty
 };
 
-/// A text for users: what happened, why, which subscribers use the memory, and which parameter to set.
+/// A text for users: what happened, why, which subscribers use the memory, and which parameter to set. `failure`: of the
+/// allocate that was refused.
 std::string exhaustion_report(const Exhaustion& what, const MemoryOptions& options, const MemoryStats& memory,
-                              const std::string& failure);
+                              const AllocationError& failure);
 
 }  // namespace detail
 }  // namespace tzc

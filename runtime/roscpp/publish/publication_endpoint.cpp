@@ -74,8 +74,9 @@ std::shared_ptr<PublicationEndpoint> PublicationEndpoint::of(const ros::Publicat
   Expected<std::shared_ptr<SegmentMemory>> segments =
       SegmentMemory::create(memory_options(*publication, options));
   if (!segments) {
-    TZC_WARN_THROTTLED(60,
-                       "TZC: " << publication->getName() << " stays on TCPROS: " << segments.error().text());
+    TZC_WARN_THROTTLED_FOR(
+        publication->getName(), 60,
+        "TZC: " << publication->getName() << " stays on TCPROS: " << segments.error().text());
     return nullptr;
   }
   std::shared_ptr<PublicationEndpoint> endpoint(
@@ -137,7 +138,7 @@ bool PublicationEndpoint::listen(std::size_t queue_size) {
   };
   Expected<std::shared_ptr<channel::Publisher>> channel = channel::Publisher::create(std::move(options));
   if (!channel) {
-    TZC_WARN_THROTTLED(60, "TZC: " << topic_ << " stays on TCPROS: " << channel.error().text());
+    TZC_WARN_THROTTLED_FOR(topic_, 60, "TZC: " << topic_ << " stays on TCPROS: " << channel.error().text());
     return false;
   }
   channel_ = *channel;

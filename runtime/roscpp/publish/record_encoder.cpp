@@ -85,10 +85,11 @@ bool RecordEncoder::fits(const message::Encoded& encoded) {
 
 OutgoingMessage RecordEncoder::too_scattered(const MessageCodec& codec, const void* message,
                                              std::uint32_t sequence, std::size_t blocks) {
-  TZC_WARN_THROTTLED(
-      60, "TZC: " << topic_ << ": a message is sent serialized: its arrays lie in " << blocks << " blocks ("
-                  << kMostBlocks << " blocks are the most), or its other fields take more than 1 GiB; call "
-                  << "allocate once the sizes of its arrays are set, which gives all of them one block");
+  TZC_WARN_THROTTLED_FOR(
+      topic_, 60,
+      "TZC: " << topic_ << ": a message is sent serialized: its arrays lie in " << blocks << " blocks ("
+              << kMostBlocks << " blocks are the most), or its other fields take more than 1 GiB; call "
+              << "allocate once the sizes of its arrays are set, which gives all of them one block");
   const ros::SerializedMessage bytes = numbered_bytes(codec, message, sequence);
   return whole_record(bytes.message_start, bytes.num_bytes);
 }
@@ -105,28 +106,30 @@ OutgoingMessage RecordEncoder::control_record(const MessageCodec& codec, message
           true, control.size()};
 }
 
-OutgoingMessage RecordEncoder::exhausted(const MessageCodec& codec, const void* message,
-                                         std::uint32_t sequence) {
+bool RecordEncoder::drops_without_memory(const std::function<std::size_t()>& bytes) {
   ++counters_.exhausted;
   const bool is_dropped = on_exhausted_ == OnExhausted::drop;
   if (is_dropped) ++counters_.dropped;
-  if (exhausted_warning_.is_due()) warn_exhausted(codec.serialize(message).num_bytes);
-  if (is_dropped) return OutgoingMessage();
+  if (exhausted_warning_.is_due()) warn_exhausted(bytes());
+  return is_dropped;
+}
+
+OutgoingMessage RecordEncoder::exhausted(const MessageCodec& codec, const void* message,
+                                         std::uint32_t sequence) {
+  if (drops_without_memory([&] { return codec.serialize(message).num_bytes; })) return OutgoingMessage();
   const ros::SerializedMessage bytes = numbered_bytes(codec, message, sequence);
   return inline_record(bytes.message_start, bytes.num_bytes);
 }
 
 OutgoingMessage RecordEncoder::whole_record(const std::uint8_t* bytes, std::size_t size) {
-  if (size > kInlineLimit) {
-    if (const BufferPtr block = memory_->allocate(size)) {
-      std::memcpy(block->data(), bytes, size);
-      counters_.copied_bytes += size;
-      const std::uint64_t used = size;  // blocks are rounded up
-      return {channel::make_record(kWholeMessage, &used, sizeof(used), {block}), false, size};
-    }
-    ++counters_.exhausted;
+  if (size <= kInlineLimit) return inline_record(bytes, size);
+  if (const BufferPtr block = memory_->allocate(size)) {
+    std::memcpy(block->data(), bytes, size);
+    counters_.copied_bytes += size;
+    const std::uint64_t used = size;  // blocks are rounded up
+    return {channel::make_record(kWholeMessage, &used, sizeof(used), {block}), false, size};
   }
-  return inline_record(bytes, size);
+  return drops_without_memory([&] { return size; }) ? OutgoingMessage() : inline_record(bytes, size);
 }
 
 // A message that fits no record (over 1 GiB and without shared memory) is lost, as over TCPROS, which ends
@@ -135,7 +138,8 @@ OutgoingMessage RecordEncoder::inline_record(const std::uint8_t* bytes, std::siz
   const channel::RecordPtr record = channel::make_record(kWholeMessage, bytes, size);
   if (!record) {
     ++counters_.dropped;
-    TZC_WARN_THROTTLED(10, "TZC: " << topic_ << ": a message of " << size
+    TZC_WARN_THROTTLED_FOR(topic_, 10,
+                           "TZC: " << topic_ << ": a message of " << size
                                    << " bytes is dropped: it fits neither the shared memory nor a socket");
   }
   return {record, false, size};
@@ -156,15 +160,9 @@ ros::SerializedMessage RecordEncoder::to_stock_bytes(const channel::RecordPtr& r
   return codecs_.empty() ? ros::SerializedMessage() : detail::to_stock_bytes(record, codecs_.front());
 }
 
-void RecordEncoder::count_dropped(std::size_t bytes) {
-  ++counters_.exhausted;
-  ++counters_.dropped;
-  if (exhausted_warning_.is_due()) warn_exhausted(bytes);
-}
-
 // A process without descriptors has none for any of its topics, so one warning speaks for all of them.
 void RecordEncoder::warn_exhausted(std::size_t bytes) {
-  const Error failure = memory_->last_failure();
+  const AllocationError failure = memory_->last_failure();
   if (failure.code == EMFILE || failure.code == ENFILE) {
     TZC_WARN_THROTTLED(60,
                        "TZC: " << topic_ << " and other topics: no shared memory (" << failure.text() << ")");
@@ -173,7 +171,7 @@ void RecordEncoder::warn_exhausted(std::size_t bytes) {
   const Exhaustion what{topic_, bytes, on_exhausted_,
                         on_exhausted_ == OnExhausted::drop ? counters_.dropped : counters_.exhausted,
                         subscribers_.in_flight()};
-  ROS_WARN_STREAM("TZC: " << exhaustion_report(what, memory_->options(), memory_->stats(), failure.text()));
+  ROS_WARN_STREAM("TZC: " << exhaustion_report(what, memory_->options(), memory_->stats(), failure));
 }
 
 PublisherStatistics RecordEncoder::statistics() const {

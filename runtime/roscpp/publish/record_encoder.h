@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -64,8 +65,9 @@ class RecordEncoder {
   void count_sent(const OutgoingMessage& message) {
     ++(message.shared ? counters_.shared : counters_.serialized);
   }
-  /// Counts a message that found no memory and was dropped before it was encoded. Any thread.
-  void count_dropped(std::size_t bytes);
+  /// Counts a message that found no memory, and warns. True: it is to be dropped, as on_exhausted() says. `bytes` gives its
+  /// size for the warning: to know it may mean to serialize the message. Any thread.
+  bool drops_without_memory(const std::function<std::size_t()>& bytes);
   /// The names of the subscribers, for warnings. Any thread.
   SubscriberNames& subscribers() { return subscribers_; }
   /// Any thread.

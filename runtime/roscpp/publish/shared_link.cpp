@@ -118,7 +118,8 @@ bool SharedLink::send(const channel::RecordPtr& record) {
   if (connection_->send(record)) return true;
   state_ = State::broken;
   if (!connection_->alive()) return false;  // the channel's own thread handles the end
-  TZC_WARN_THROTTLED(10, "TZC: " << topic_ << " to " << destination_caller_id_
+  TZC_WARN_THROTTLED_FOR(topic_ + " to " + destination_caller_id_, 10,
+                         "TZC: " << topic_ << " to " << destination_caller_id_
                                  << " goes back to TCPROS: " << connection_->last_failure().text());
   connection_->close();
   return false;

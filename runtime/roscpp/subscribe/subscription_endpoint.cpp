@@ -84,7 +84,8 @@ void SubscriptionEndpoint::take_switch(const channel::Message& message) {
 
 bool SubscriptionEndpoint::may_hold(const channel::Message& message) const {
   if (limit_.allows(message)) return true;
-  TZC_WARN_THROTTLED(60, "TZC: " << topic_ << ": this node holds " << limit_.held_messages() << " messages ("
+  TZC_WARN_THROTTLED_FOR(topic_ + " from " + link_->getCallerID(), 60,
+                         "TZC: " << topic_ << ": this node holds " << limit_.held_messages() << " messages ("
                                  << limit_.held_bytes() << " bytes) in the shared memory of "
                                  << link_->getCallerID() << ", of which one subscriber may hold "
                                  << limit_.most_bytes() << " bytes; further ones are copied. Call its "
@@ -101,8 +102,9 @@ boost::shared_ptr<void> SubscriptionEndpoint::decode(const channel::MessagePtr& 
           ? codec_.copy(message->control(), message->control_size(), message->blocks())
           : codec_.view(message->control(), message->control_size(), message->blocks(), limit_.hold(message));
   if (!decoded) {
-    TZC_WARN_THROTTLED(
-        10, "TZC: a malformed message on " << topic_ << " from " << link_->getCallerID() << " is dropped");
+    TZC_WARN_THROTTLED_FOR(
+        topic_ + " from " + link_->getCallerID(), 10,
+        "TZC: a malformed message on " << topic_ << " from " << link_->getCallerID() << " is dropped");
   }
   if (trace::active) trace::recent().remember(decoded.get(), channel::trace_id(*message));
   return decoded;

@@ -15,9 +15,10 @@ void warn_of_other_version(const std::string& peer, const std::string& topic) {
   static auto* const told = new ToldPeers(100);  // outlives every thread that may still warn
   if (told->is_new(peer))
     ROS_WARN_STREAM(
-        "TZC: " << peer << " runs another version of TZC: " << topic
-                << " and every other topic between it and this node stay on TCPROS. Messages arrive, but "
-                   "serialized; build both nodes with one version to share memory (docs/versions.md)");
+        "TZC: "
+        << peer << " runs another version of TZC: " << topic
+        << " and every other topic between it and this node stay on TCPROS. Messages arrive, but "
+           "serialized; build both nodes with one version to share memory (share/doc/tzc/versions.md)");
 }
 
 }  // namespace detail

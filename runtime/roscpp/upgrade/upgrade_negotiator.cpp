@@ -247,7 +247,8 @@ void UpgradeNegotiator::look(const InvitationPtr& invitation, int round) {
 }
 
 void UpgradeNegotiator::give_up(const Invitation& invitation, const std::string& subscriber) const {
-  TZC_WARN_THROTTLED(10, "TZC: " << offer_.topic << " to " << subscriber << " stays on TCPROS after "
+  TZC_WARN_THROTTLED_FOR(offer_.topic + " to " + subscriber, 10,
+                         "TZC: " << offer_.topic << " to " << subscriber << " stays on TCPROS after "
                                  << invitation.tries << " tries: " << invitation.trouble
                                  << ". Its messages arrive, but serialized; it is asked again when it "
                                     "subscribes anew");

@@ -248,7 +248,8 @@ void UpgradeResponder::ask(const LinkPtr& link, const std::string& topic, int tr
   if (tries < most_upgrade_attempts())
     peers_.post(link->getPublisherXMLRPCURI(), again, pause_after(tries));
   else
-    TZC_WARN_THROTTLED(10, "TZC: " << topic << " stays on TCPROS after " << tries
+    TZC_WARN_THROTTLED_FOR(topic + " from " + link->getCallerID(), 10,
+                           "TZC: " << topic << " stays on TCPROS after " << tries
                                    << " tries: " << reply.status
                                    << "; does the publisher run, and does this address lead to it "
                                       "(ROS_IP, ROS_HOSTNAME)?");

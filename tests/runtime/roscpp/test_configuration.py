@@ -2,6 +2,8 @@
 """Every row of docs/configuration.md does what it says, as a ROS parameter and from the environment."""
 import json
 import os
+import re
+import signal
 import sys
 
 from topic_case import Listener, TopicCase, main
@@ -75,12 +77,14 @@ class Switches(Configuration):
 
 
 class Memory(Configuration):
-    def assert_warned(self, talker, *words):
+    def assert_warned(self, talker, *words, never=()):
         """Once, not for each message."""
-        warnings = [line for line in talker.log().splitlines() if "WARN" in line and "TZC" in line]
+        warnings = self.warnings(talker)
         self.assertEqual(len(warnings), 1, talker.log())
-        for word in (self.name("image"), "no shared memory for a message of 100", "~tzc/memory_size", *words):
+        for word in (self.name("image"), "no shared memory for a message of 100", *words):
             self.assertIn(word, warnings[0])
+        for word in never:
+            self.assertNotIn(word, warnings[0])
 
     def test_a_memory_size_wins_over_the_code(self):
         """Too small for a single message: they travel whole."""
@@ -90,7 +94,8 @@ class Memory(Configuration):
             self.assertEqual(talker.wait(60), 0, talker.tail())
             self.assertGreaterEqual(self.counters(talker)["exhausted"], 20)
             self.assert_got(listener, range(20), shared=False)
-            self.assert_warned(talker, "sent serialized", "now 50000")
+            self.assert_warned(talker, "larger than the whole memory, which has room for 53248 bytes", "sent serialized",
+                               "Set ~tzc/memory_size to", "(now 50000)", never=("older messages", "in use", "subscriber"))
         self.in_both_ways("memory_size", "50000", check)
 
     def test_a_ceiling_for_the_process(self):
@@ -101,8 +106,42 @@ class Memory(Configuration):
             self.assertEqual(talker.wait(60), 0, talker.tail())
             self.assertGreaterEqual(self.counters(talker)["exhausted"], 20)
             self.assert_got(listener, range(20), shared=False)
-            self.assertIn("memory_ceiling", talker.log())
+            self.assert_warned(talker, "may have 500000 in all", "~tzc/memory_ceiling", "sent serialized",
+                               never=("memory_size", "older messages", "by 0 blocks"))
         self.in_both_ways("memory_ceiling", "500000", check)
+
+    def talk_to_one_that_stands_still(self, **how):
+        """It keeps two messages, as one in a callback and one that waits for it; the queue fills. The talker's counters and
+        warnings."""
+        listener = self.listen("keep", queue=2)
+        talker = self.start_talker(count=102, pause=2, bytes=1048600, queue=30, **how)
+        self.wait_for(listener, 2)
+        listener.process.popen.send_signal(signal.SIGSTOP)
+        talker.popen.send_signal(signal.SIGUSR2)
+        self.last_published(talker)
+        listener.process.popen.send_signal(signal.SIGCONT)
+        self.assertEqual(talker.wait(60), 0, talker.tail())
+        counters, warnings = self.counters(talker), self.warnings(talker)
+        self.forget()
+        return counters, warnings
+
+    def test_the_size_that_a_warning_advises_is_enough(self):
+        _, warnings = self.talk_to_one_that_stands_still(memory=4000000)
+        self.assertEqual(len(warnings), 1, warnings)
+        advised = re.search(r"Set ~tzc/memory_size to (\w+) or more", warnings[0]).group(1)
+        counters, warnings = self.talk_to_one_that_stands_still(**{"tzc/memory_size": advised})
+        self.assertEqual((counters["exhausted"], warnings), (0, []), advised)
+
+    def test_topics_without_memory_are_each_warned_about(self):
+        """Though one place in the code warns of all of them, and at most once a minute."""
+        listener = self.listen(topic="left", topics="left right")
+        self.wait_for_subscribers(self.name("right"), 1)
+        talker = self.start_talker(count=20, topics="left right", shared=0, **{"tzc/memory_size": str(1 << 50)})
+        self.assertEqual(talker.wait(60), 0, talker.tail())
+        for topic in ("left", "right"):
+            self.assert_got(listener, range(20), shared=False, topic=topic)
+            warnings = [line for line in self.warnings(talker) if f"{self.name(topic)} stays on TCPROS" in line]
+            self.assertEqual(len(warnings), 1, talker.log())
 
     def test_more_memory_than_an_integer_parameter_can_say(self):
         for size in ("4294967296", "4294967296.0"):
@@ -121,7 +160,7 @@ class Memory(Configuration):
             self.assertEqual(talker.wait(60), 0, talker.tail())
             self.assertEqual(self.counters(talker)["dropped"], 20)
             self.assert_got(listener, [])
-            self.assert_warned(talker, "dropped", "~tzc/on_exhausted")
+            self.assert_warned(talker, "dropped", "~tzc/on_exhausted", "~tzc/memory_size")
         self.in_both_ways("on_exhausted", "drop", check)
 
     def stops(self, kept, **arguments):

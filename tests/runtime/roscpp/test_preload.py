@@ -34,6 +34,38 @@ class Preload(TopicCase):
         talker.stop()
         self.assert_got(listener, range(len(listener.numbers())))
 
+    def talk_with_too_little_memory(self, **how):
+        """An unmodified talker whose messages find no memory; it, and its counters."""
+        counters = os.path.join(self.scratch, f"counters{self.ns[1:]}")
+        talker = self.start_talker("plain", count=20, bytes=100000, runner=TZC_RUN, env={"TZC_STATISTICS": counters},
+                                   settle=2, **{"tzc/memory_size": "1000"}, **how)
+        self.assertEqual(talker.wait(30), 0, talker.tail())
+        with open(counters) as lines:
+            return talker, [line for line in map(json.loads, lines) if line["topic"] == self.name("image")][0]
+
+    def assert_warned(self, talker, *words):
+        warnings = self.warnings(talker)
+        self.assertEqual(len(warnings), 1, talker.log())
+        for word in (self.name("image"), "no shared memory for a message of 100", "larger than the whole memory",
+                     "Set ~tzc/memory_size to", "(now 1000)", *words):
+            self.assertIn(word, warnings[0])
+
+    def test_too_little_memory_is_warned_about(self):
+        listener = self.listen()
+        talker, counters = self.talk_with_too_little_memory()
+        self.assert_got(listener, range(20), shared=False)
+        self.assertEqual((counters["exhausted"], counters["dropped"]), (20, 0))
+        self.assert_warned(talker, "sent serialized")
+
+    def test_what_finds_no_memory_is_dropped_if_that_is_set(self):
+        """For subscribers on shared memory, as with a ported talker; those on TCPROS need none of it."""
+        listener, plain = self.listen(), self.listen("plain")
+        talker, counters = self.talk_with_too_little_memory(subscribers=2, **{"tzc/on_exhausted": "drop"})
+        self.assert_got(plain, range(20))
+        self.assert_got(listener, [])
+        self.assertEqual((counters["exhausted"], counters["dropped"]), (20, 20))
+        self.assert_warned(talker, "dropped, as ~tzc/on_exhausted says")
+
     def test_a_program_that_is_not_roscpp_runs_as_ever(self):
         status, output = self.ros.run(TZC_RUN + ["rostopic", "list"])
         self.assertEqual(status, 0, output)

@@ -51,6 +51,17 @@ class Hoarders(TopicCase):
         for word in (self.name("image"), self.name("talker"), f"holds {held} messages", "copied", "~tzc/memory_size"):
             self.assertIn(word, warnings[0])
 
+    def test_one_that_keeps_everything_of_two_topics_warns_of_each(self):
+        """Though one place in the code warns of both, and at most once a minute."""
+        keeper = self.listen("keep", queue=1000, topic="left", topics="left right")
+        self.wait_for_subscribers(self.name("right"), 1)
+        self.talk(count=60, topics="left right", bytes=100000, memory=64 * 105000)
+        for topic in ("left", "right"):
+            self.assert_got(keeper, range(60), topic=topic)
+        for topic in ("left", "right"):
+            warnings = [line for line in self.warnings(keeper.process) if f"{self.name(topic)}: this node holds" in line]
+            self.assertEqual(len(warnings), 1, keeper.process.log())
+
 
 if __name__ == "__main__":
     main()

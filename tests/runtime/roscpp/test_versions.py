@@ -54,7 +54,7 @@ class OtherVersion(TopicCase):
     def assert_one_line(self, process, peer):
         warnings = tzc_warnings(process)
         self.assertEqual(len(warnings), 1, process.log())
-        for word in (peer, "another version of TZC", self.name(""), "stay on TCPROS", "build both nodes", "docs/versions.md"):
+        for word in (peer, "another version of TZC", self.name(""), "stay on TCPROS", "build both nodes", "share/doc/tzc/versions.md"):
             self.assertIn(word, warnings[0])
 
     def meet(self, version):

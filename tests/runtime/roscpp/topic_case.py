@@ -176,6 +176,11 @@ class TopicCase(unittest.TestCase):
         """The transports of a node's connections of one topic."""
         return {transport for transport, name in self.connections(node) if name == self.name(topic)}
 
+    @staticmethod
+    def warnings(process):
+        """TZC's, of a node's log."""
+        return [line for line in process.log().splitlines() if "WARN" in line and "TZC" in line]
+
     def assert_moved(self, listener):
         """Its messages came over TCPROS up to one of them, and through shared memory from there on."""
         shared = [message["shared"] for message in listener.messages()]

@@ -98,14 +98,42 @@ TEST(Memory, is_sparse) {
   EXPECT_GE(memory->stats().size_bytes, std::size_t{64} << 30);
 }
 
+using Cause = AllocationError::Cause;
+
+bool mentions(const Error& error, const std::string& words) {
+  return error.text().find(words) != std::string::npos;
+}
+
 TEST(Memory, exhausted_is_null_with_a_reason) {
   const auto memory = memory_of(mb);
+  EXPECT_EQ(memory->last_failure().cause, Cause::none);
   const BufferPtr all = memory->allocate(mb);
   EXPECT_FALSE(memory->allocate(mb));
-  EXPECT_FALSE(memory->allocate(SIZE_MAX));
-  EXPECT_EQ(memory->stats().refused, 2u);
-  EXPECT_NE(memory->last_failure().text().find("more memory"), std::string::npos)
-      << memory->last_failure().text();
+  EXPECT_EQ(memory->stats().refused, 1u);
+  EXPECT_EQ(memory->last_failure().cause, Cause::in_use);
+  EXPECT_TRUE(mentions(memory->last_failure(), "older messages")) << memory->last_failure().text();
+}
+
+TEST(Memory, what_can_never_fit_is_no_matter_of_use) {
+  const auto memory = memory_of(mb);
+  for (const std::size_t bytes : {mb + page_size(), 2 * mb, SIZE_MAX / 4, SIZE_MAX}) {
+    EXPECT_FALSE(memory->allocate(bytes));
+    EXPECT_EQ(memory->last_failure().cause, Cause::too_large) << bytes;
+    EXPECT_TRUE(mentions(memory->last_failure(), "has room for 1048576 bytes"))
+        << memory->last_failure().text();
+  }
+}
+
+TEST(Memory, size_zero_is_too_small_for_what_exceeds_its_ceiling) {
+  MemoryOptions options;
+  options.ceiling = 4 * mb;
+  const auto memory = *SegmentMemory::create(options);
+  std::vector<BufferPtr> held{memory->allocate(mb), memory->allocate(2 * mb)};
+  ASSERT_TRUE(held.back());
+  EXPECT_FALSE(memory->allocate(3 * mb));
+  EXPECT_EQ(memory->last_failure().cause, Cause::in_use) << "it could have fitted";
+  EXPECT_FALSE(memory->allocate(5 * mb));
+  EXPECT_EQ(memory->last_failure().cause, Cause::too_large);
 }
 
 TEST(Memory, size_zero_sizes_itself_and_grows) {
@@ -256,8 +284,8 @@ TEST(MemoryCeiling, limits_all_memories_of_the_process_together) {
     const BufferPtr other = second->allocate(2 * mb);
     ASSERT_TRUE(small && other);
     EXPECT_FALSE(second->allocate(2 * mb));
-    EXPECT_NE(second->last_failure().text().find("memory_ceiling"), std::string::npos)
-        << second->last_failure().text();
+    EXPECT_EQ(second->last_failure().cause, Cause::system);
+    EXPECT_TRUE(mentions(second->last_failure(), "~tzc/memory_ceiling")) << second->last_failure().text();
     EXPECT_TRUE(first->allocate(1000)) << "what still fits is given";
     small.reset();
     EXPECT_TRUE(first->allocate(2 * mb)) << "memory that was taken before can be used again";

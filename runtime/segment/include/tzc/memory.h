@@ -164,6 +164,17 @@ struct MemoryStats {
   std::uint64_t revoked = 0;    ///< blocks taken back from subscribers' queues (best_effort)
 };
 
+/// Why an allocate returned null.
+struct AllocationError : Error {
+  enum class Cause {
+    none,       ///< no allocate was refused so far
+    in_use,     ///< what is in use leaves no room for it
+    too_large,  ///< the whole memory is smaller, so the same allocate will never succeed
+    system,  ///< the system, a limit of this process (set_memory_ceiling) or of its control group refuses pages
+  };
+  Cause cause = Cause::none;
+};
+
 /// The shared memory of one publisher: one or several segments. Only the publisher's process allocates in
 /// them. Thread-safe. In a forked child allocate returns null: the memory stays the parent's.
 class SegmentMemory final : public MemorySource {
@@ -176,7 +187,7 @@ class SegmentMemory final : public MemorySource {
   BufferPtr allocate(std::size_t bytes) override;
   MemoryStats stats() const;
   /// Why the latest allocate returned null; empty text before the first failure.
-  Error last_failure() const;
+  AllocationError last_failure() const;
   const MemoryOptions& options() const;
 
  private:

@@ -3,7 +3,7 @@
 ///
 /// Private parameters: mode (pointer, reference, value, mutable, event, direct, filter, late_attach,
 /// unreliable, plain, keep: pointers, all of which it keeps, draw and plain_draw: they write to what they get through a
-/// cast and publish it again as `drawn`; with several topics pointer or direct), handler (the number of the message after which a handler of SIGSEGV is
+/// cast and publish it again as `drawn`; with several topics pointer, keep or direct), handler (the number of the message after which a handler of SIGSEGV is
 /// installed), times (so many callbacks), topics (several, separated by blanks), queue, spinner (spin, tzc, multi, async,
 /// own: a callback queue of its own).
 #include <message_filters/simple_filter.h>
@@ -36,9 +36,12 @@ void spoil(sensor_msgs::Image& image) {
 void on_pointer(const sensor_msgs::ImageConstPtr& image) {
   print_image(*image);
 }
-void on_kept(const sensor_msgs::ImageConstPtr& image) {
+void keep(const sensor_msgs::ImageConstPtr& image) {
   static auto* const kept = new std::vector<sensor_msgs::ImageConstPtr>;
   kept->push_back(image);
+}
+void on_kept(const sensor_msgs::ImageConstPtr& image) {
+  keep(image);
   print_image(*image);
 }
 void on_reference(const sensor_msgs::Image& image) {
@@ -107,7 +110,8 @@ std::vector<ros::Subscriber> subscribe_named(ros::NodeHandle& node, const std::s
   std::vector<ros::Subscriber> subscribers;
   for (std::string topic; topics >> topic;) {
     const boost::function<void(const sensor_msgs::ImageConstPtr&)> callback =
-        [topic](const sensor_msgs::ImageConstPtr& image) {
+        [topic, keeps = mode == "keep"](const sensor_msgs::ImageConstPtr& image) {
+          if (keeps) keep(image);
           print_image(*image, "\"topic\": \"" + topic + "\", ");
         };
     subscribers.push_back(mode == "direct"
