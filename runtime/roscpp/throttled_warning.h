@@ -4,6 +4,7 @@
 #include <ros/console.h>
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +68,12 @@ class ThrottleBySubject {
   std::map<std::string, Clock::time_point> next_;
   Clock::time_point next_of_others_;
 };
+
+/// What a failure with this errno concerns: a process without descriptors has none for any of its topics, so one warning speaks
+/// for all of them.
+inline std::string subject_of(int code, const std::string& subject) {
+  return code == EMFILE || code == ENFILE ? "every topic" : subject;
+}
 
 }  // namespace detail
 }  // namespace tzc

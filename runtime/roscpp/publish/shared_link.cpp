@@ -118,9 +118,10 @@ bool SharedLink::send(const channel::RecordPtr& record) {
   if (connection_->send(record)) return true;
   state_ = State::broken;
   if (!connection_->alive()) return false;  // the channel's own thread handles the end
-  TZC_WARN_THROTTLED_FOR(topic_ + " to " + destination_caller_id_, 10,
-                         "TZC: " << topic_ << " to " << destination_caller_id_
-                                 << " goes back to TCPROS: " << connection_->last_failure().text());
+  const Error failure = connection_->last_failure();
+  TZC_WARN_THROTTLED_FOR(
+      subject_of(failure.code, topic_ + " to " + destination_caller_id_), 10,
+      "TZC: " << topic_ << " to " << destination_caller_id_ << " goes back to TCPROS: " << failure.text());
   connection_->close();
   return false;
 }

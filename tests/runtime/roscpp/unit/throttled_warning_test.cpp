@@ -69,6 +69,11 @@ TEST(ThrottledWarning, a_place_in_the_code_warns_of_each_topic) {
   EXPECT_FALSE(warns("/left"));
 }
 
+TEST(ThrottleBySubject, a_process_without_descriptors_is_one_subject) {
+  EXPECT_EQ(subject_of(EMFILE, "/image"), subject_of(ENFILE, "/cloud"));
+  EXPECT_EQ(subject_of(ENOMEM, "/image"), "/image");
+}
+
 }  // namespace
 }  // namespace detail
 }  // namespace tzc
