@@ -59,7 +59,7 @@ MemoryOptions memory_options(ros::Publication& publication, const PublisherOptio
 
 /// Of a memory whose size somebody chose a small part: the subscriber may hold half of it before it gets copies.
 std::size_t room_for_bursts(const MemoryOptions& memory) {
-  return memory.size == 0 ? kBufferedBytes : std::min<std::size_t>(kBufferedBytes, memory.size / 16);
+  return memory.size == 0 ? room_for_a_burst() : std::min(room_for_a_burst(), memory.size / 16);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ std::shared_ptr<PublicationEndpoint> PublicationEndpoint::of(const ros::Publicat
       SegmentMemory::create(memory_options(*publication, options));
   if (!segments) {
     TZC_WARN_THROTTLED_FOR(
-        publication->getName(), 60,
+        subject_of(segments.error().code, publication->getName()), 60,
         "TZC: " << publication->getName() << " stays on TCPROS: " << segments.error().text());
     return nullptr;
   }
@@ -138,7 +138,8 @@ bool PublicationEndpoint::listen(std::size_t queue_size) {
   };
   Expected<std::shared_ptr<channel::Publisher>> channel = channel::Publisher::create(std::move(options));
   if (!channel) {
-    TZC_WARN_THROTTLED_FOR(topic_, 60, "TZC: " << topic_ << " stays on TCPROS: " << channel.error().text());
+    TZC_WARN_THROTTLED_FOR(subject_of(channel.error().code, topic_), 60,
+                           "TZC: " << topic_ << " stays on TCPROS: " << channel.error().text());
     return false;
   }
   channel_ = *channel;
