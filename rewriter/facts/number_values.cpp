@@ -38,7 +38,8 @@ bool is_description(const clang::CXXMemberCallExpr* call) {
   if (!method || !method->getIdentifier() || !method->isConst() || call->getNumArgs() != 0 ||
       !call->isPRValue())
     return false;
-  if (method->isInStdNamespace()) return llvm::is_contained({"size", "length", "empty"}, method->getName());
+  const llvm::StringRef name = method->getName();
+  if (method->isInStdNamespace()) return name == "size" || name == "length" || name == "empty";
   return always_returns(qualified_name_of(method));
 }
 
