@@ -42,6 +42,18 @@ TEST(ExhaustionReport, of_a_full_memory_says_what_why_who_and_what_to_do) {
     EXPECT_TRUE(has(text, part)) << part << " in: " << text;
 }
 
+TEST(ExhaustionReport, tells_the_memory_s_figures) {
+  MemoryStats memory;
+  memory.size_bytes = 1000;
+  memory.used_bytes = 640;
+  memory.used_blocks = 2;
+  AllocationError failure;
+  failure.cause = AllocationError::Cause::in_use;
+  const Exhaustion what{"/image", 500, OnExhausted::deliver, 12, "/viewer 3"};
+  const std::string text = exhaustion_report(what, options_of(1000), memory, failure);
+  EXPECT_TRUE(has(text, "640 of 1000 bytes are in use, by 2 blocks")) << text;
+}
+
 TEST(ExhaustionReport, a_message_that_will_never_fit_is_nobodys_fault) {
   const std::string text = report_on(230400, options_of(1000));
   for (const char* part :
