@@ -13,7 +13,7 @@ from problem import judge, read_exceptions
 from source_tree import SourceTree
 
 CHECKS = ["includes", "cycles", "clang_free", "classes", "parameters", "codes", "public_headers", "docs",
-          "coverage_table", "settings"]
+          "coverage_table", "settings", "package_xml"]
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 

@@ -10,6 +10,7 @@ import ctags
 import cycles
 import includes
 import modules
+import package_xml
 import parameters
 import public_headers
 from check_case import CheckCase
@@ -185,6 +186,29 @@ class PublicHeaders(CheckCase):
     def test_a_private_header_is_not_installed(self):
         self.assert_problem(public_headers.check, {"runtime/posix/include/tzc/a.h": '#include "posix/p.h"\n', "runtime/posix/p.h": ""},
                             "posix/p.h, which is not installed")
+
+
+class PackageXml(CheckCase):
+    XML = "<package>\n<build_depend>roscpp</build_depend>\n<!-- <depend>rosbag_storage</depend> -->\n</package>\n"
+
+    @staticmethod
+    def check(tree):
+        return package_xml.check(tree, {"roscpp", "rosbag_storage", "cv_bridge"})
+
+    def test_what_is_included_is_declared(self):
+        self.assert_clean(self.check, {"package.xml": self.XML, "compare/a.cpp": "#include <roscpp/Empty.h>\n#include <vector>\n"})
+
+    def test_a_package_that_is_not_declared(self):
+        self.assert_problem(self.check, {"package.xml": self.XML, "compare/a.cpp": "#include <rosbag/bag.h>\n"},
+                            "compare/a.cpp:1", "package.xml lacks rosbag_storage")
+
+    def test_a_folder_of_the_repository_is_no_package(self):
+        self.assert_clean(self.check, {"package.xml": self.XML, "compare/cv_bridge/a.h": "",
+                                       "compare/a.cpp": '#include "cv_bridge/a.h"\n'})
+
+    def test_the_adapters_are_the_users_choice(self):
+        self.assert_clean(self.check, {"package.xml": self.XML,
+                                       "runtime/adapters/include/tzc/a.h": "#include <cv_bridge/cv_bridge.h>\n"})
 
 
 class Exceptions(unittest.TestCase):

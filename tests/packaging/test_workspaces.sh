@@ -60,13 +60,16 @@ else
   wrong "catkin (Debian: catkin-tools) is not installed; scripts/setup installs it"
 fi
 
-# catkin_lint gives up on projects whose CMake code is in modules; package.xml it judges by what CMake asks for.
+# catkin_lint gives up on projects whose CMake code is in modules; package.xml it judges by what CMake asks for. That it
+# names each package whose headers are included is what architecture.package_xml looks at.
+private_depends=$(sed -n 's#.*<exec_depend>\(.*\)</exec_depend>#\1#p' "$source_dir/package.xml")
 mkdir "$scratch/lint"
 cp "$source_dir/package.xml" "$scratch/lint/"
 cat >"$scratch/lint/CMakeLists.txt" <<CMAKE
 cmake_minimum_required(VERSION 3.16)
 project(tzc)
 find_package(catkin REQUIRED COMPONENTS $depends)
+$(printf 'find_package(%s REQUIRED)\n' $private_depends)
 catkin_package(CATKIN_DEPENDS $depends)
 CMAKE
 logged lint catkin_lint --offline -W1 --strict "$scratch/lint"
