@@ -26,10 +26,19 @@ bool is_carried_over(const CacheEntry& entry) {
          entry.name != "CMAKE_INSTALL_PREFIX";
 }
 
-/// A system's prefix holds more than what this workspace writes.
-bool is_moved(const std::string& tree) {
-  return !tree.empty() && tree != "/" && tree != "/usr" && tree != "/usr/local" &&
-         tree.rfind("/opt/ros/", 0) != 0;
+/// A file or package that CMake has found, as find_program(), find_library() and find_package() note it.
+bool is_found(const CacheEntry& entry) {
+  return (entry.type == "FILEPATH" || ends_with(entry.name, "_DIR")) && fs::exists(entry.value);
+}
+
+/// Whether nothing but this workspace's own results lies there. A system's or a robot's prefix (/usr, that of ROS)
+/// holds what the build has found, too, and finds it there again.
+bool is_moved(const std::string& tree, const CmakeCache& cache) {
+  const auto finds_there = [&](const CacheEntry& entry) {
+    return is_found(entry) && is_below(entry.value, tree);
+  };
+  const std::vector<CacheEntry>& entries = cache.entries();
+  return !tree.empty() && std::none_of(entries.begin(), entries.end(), finds_there);
 }
 
 std::string on_one_line(const std::string& text) {
@@ -92,9 +101,10 @@ PathMap Configuration::user_trees() const {
   PathMap map;
   map.add(user_.build_dir, build_dir());
   if (!user_.is_workspace()) return map;
-  for (const auto& [name, tree] :
-       {std::pair("CATKIN_DEVEL_PREFIX", "devel"), std::pair("CMAKE_INSTALL_PREFIX", "install")})
-    if (const std::string value = user_.cache.value(name); is_moved(value)) map.add(value, *folder_ / tree);
+  if (const std::string devel = user_.cache.value("CATKIN_DEVEL_PREFIX"); !devel.empty())
+    map.add(devel, *folder_ / "devel");
+  if (const std::string install = user_.cache.value("CMAKE_INSTALL_PREFIX"); is_moved(install, user_.cache))
+    map.add(install, *folder_ / "install");
   return map;
 }
 

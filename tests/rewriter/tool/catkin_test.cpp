@@ -101,6 +101,22 @@ TEST_F(Catkin, is_ported_and_the_users_build_stays_as_it_is) {
   EXPECT_EQ(files_in("ws/devel"), devel);
 }
 
+/// A robot's prefix, whatever it is called, into which this workspace is installed as well.
+TEST_F(Catkin, what_was_found_in_the_prefix_of_installation_is_found_there_again) {
+  folder_.write("robot/bin/robot_tool", "");
+  fs::permissions(folder_ / "robot/bin/robot_tool", fs::perms::owner_all);
+  configure(
+      find +
+          "find_program(ROBOT_TOOL robot_tool)\nif(NOT EXISTS \"${ROBOT_TOOL}\")\n  message(FATAL_ERROR "
+          "\"no ${ROBOT_TOOL}\")\nendif()\ninclude_directories(${catkin_INCLUDE_DIRS})\n" +
+          target + "target_link_libraries(node ${catkin_LIBRARIES})\n",
+      {"-DCMAKE_INSTALL_PREFIX=" + (folder_ / "robot"),
+       "-DROBOT_TOOL:FILEPATH=" + (folder_ / "robot/bin/robot_tool")});
+  const ProcessResult result = rewrite({"--apply"});
+  EXPECT_EQ(result.status, 0) << result.errors << result.output;
+  EXPECT_THAT(source(), HasSubstr("tzc::Publisher pub"));
+}
+
 TEST_F(Catkin, an_included_file_that_keeps_tzc_out_is_refused_and_one_that_lets_it_in_is_ported) {
   put("demo/cmake/dependencies.cmake", find);
   put("demo/cmake/node.cmake", "include_directories(${catkin_INCLUDE_DIRS})\n" + target +
