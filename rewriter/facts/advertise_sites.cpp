@@ -5,7 +5,6 @@
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/library_advertise.h"
-#include "facts/lock_guarded.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -61,7 +60,6 @@ Advertise AdvertiseCollector::site_at(const clang::CallExpr* call, const char* r
   Advertise site;
   site.where = unit_.source.where(call->getExprLoc());
   site.function = enclosing_function_name(unit_.ast(), *call);
-  site.under_lock = stands_under_lock(unit_, call);
   site.rule = rule;
   site.type = "sensor_msgs/Image";
   return site;

@@ -3,6 +3,7 @@
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
+#include "facts/must_execute.h"
 #include "model/codes.h"
 #include "parse/ast_visitor.h"
 
@@ -24,12 +25,23 @@ const clang::Stmt* statement_around(const Unit& unit, const Node& of) {
   return nullptr;
 }
 
-/// From the first to the last mention of a member in a function.
+/// image_.width, image_.header: no array of the message is touched.
+bool names_a_part_without_arrays(clang::ASTContext& ast, const clang::Expr* mention) {
+  const auto* part = parent_as<clang::MemberExpr>(ast, *mention);
+  if (!part || !llvm::isa<clang::FieldDecl>(part->getMemberDecl())) return false;
+  const clang::QualType type = part->getType();
+  const auto message = message_of(type);
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  if (!record) return type->isArithmeticType() || type->isEnumeralType();
+  return message ? !message->has_data_part : qualified_name_of(record) == "std::basic_string";
+}
+
+/// From the first to the last mention of a member in a function, and the first that may touch its arrays.
 class Mentions : public AstVisitor {
  public:
   Mentions(const Unit& unit, EntityTable& entities, const EntityId& id)
       : unit_(unit), entities_(entities), id_(id) {}
-  unsigned first = ~0U, last = 0;
+  unsigned first = ~0U, first_of_arrays = ~0U, last = 0;
 
   bool VisitMemberExpr(clang::MemberExpr* member) override { return note(member, member->getMemberDecl()); }
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
@@ -41,6 +53,7 @@ class Mentions : public AstVisitor {
     if (!llvm::isa<clang::FieldDecl, clang::VarDecl>(decl) || entities_.declare(decl) != id_) return true;
     const unsigned here = unit_.offset(expr->getBeginLoc());
     first = std::min(first, here);
+    if (!names_a_part_without_arrays(unit_.ast(), expr)) first_of_arrays = std::min(first_of_arrays, here);
     last = std::max(last, here);
     return true;
   }
@@ -73,7 +86,8 @@ class Connector {
     for (const PublisherMention& mention : mentions_) {
       if (mention.function != draft.function || mention.id.empty()) continue;
       if (const std::optional<EarlyName> name = hoisting_.name_at(mention, *at))
-        site.publishers.push_back({mention.id, name->text, mention.pointer, name->guarded, mention.messages});
+        site.publishers.push_back(
+            {mention.id, name->text, mention.pointer, name->guarded, mention.messages, name->callees});
       else
         site.later.push_back(mention.id);
     }
@@ -228,21 +242,41 @@ std::optional<AllocationDraft> AllocationCollector::of_adapter(const clang::CXXM
   return draft;
 }
 
-/// The innermost statement of a block in which all mentions of the member lie, first of them in it.
-const clang::Stmt* AllocationCollector::first_mention(const StandingMessage& member) {
-  Mentions mentions(unit_, entities_, member.id);
-  mentions.TraverseStmt(member.function->getBody());
-  for (const clang::DynTypedNode& node : ancestors(unit_.ast(), *member.expr)) {
+namespace {
+
+/// The innermost statement of a block in which the mentions from `first` on lie, first of them in it.
+const clang::Stmt* statement_of(const Unit& unit, const clang::Expr* mention, unsigned first, unsigned last) {
+  for (const clang::DynTypedNode& node : ancestors(unit.ast(), *mention)) {
     if (node.get<clang::FunctionDecl>()) return nullptr;
     const auto* block = node.get<clang::CompoundStmt>();
-    if (!block || unit_.offset(block->getLBracLoc()) >= mentions.first ||
-        unit_.offset(block->getRBracLoc()) <= mentions.last)
+    if (!block || unit.offset(block->getLBracLoc()) >= first || unit.offset(block->getRBracLoc()) <= last)
       continue;
     for (const clang::Stmt* statement : block->body())
-      if (unit_.offset(statement->getEndLoc()) >= mentions.first)
+      if (unit.offset(statement->getEndLoc()) >= first)
         return llvm::isa<clang::SwitchCase, clang::LabelStmt>(statement) ? nullptr : statement;
   }
   return nullptr;
+}
+
+}  // namespace
+
+/// In front of the first mention. Where other threads may be waited for between that and the first use of an array, the
+/// arrays may be theirs until then: in front of that use.
+void AllocationCollector::place_before_mentions(AllocationSite& site, InsertedAllocation& how,
+                                                const StandingMessage& member) const {
+  const clang::Stmt* body = member.function->getBody();
+  Mentions mentions(unit_, entities_, member.id);
+  mentions.TraverseStmt(const_cast<clang::Stmt*>(body));
+  for (const unsigned first : {mentions.first, mentions.first_of_arrays}) {
+    const clang::Stmt* statement = statement_of(unit_, member.expr, first, mentions.last);
+    how.at = statement ? unit_.source.before(statement->getBeginLoc()) : std::nullopt;
+    if (!how.at) return;
+    const NameParts nothing;
+    Waits waits = MustExecute(unit_, nothing, body).waits_between(how.at->begin, mentions.first_of_arrays);
+    site.locked = waits.locks;
+    site.callees = std::move(waits.callees);
+    if (!site.locked && site.callees.empty()) return;
+  }
 }
 
 std::optional<AllocationDraft> AllocationCollector::of_member(const StandingMessage& member) {
@@ -251,8 +285,7 @@ std::optional<AllocationDraft> AllocationCollector::of_member(const StandingMess
   InsertedAllocation how;
   how.before = true;
   how.object = unit_.text(member.expr);
-  if (const clang::Stmt* statement = first_mention(member))
-    how.at = unit_.source.before(statement->getBeginLoc());
+  place_before_mentions(draft.site, how, member);
   if (how.at) {
     how.indent = unit_.source.indent(*how.at);
     how.own_line = unit_.source.starts_line(*how.at);

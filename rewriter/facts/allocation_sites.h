@@ -48,7 +48,8 @@ class AllocationCollector {
   void place_behind(InsertedAllocation& how, const clang::Stmt* statement) const;
   bool is_fresh(const FlowSources& sources) const;
   bool is_result(const FlowSources& sources) const;
-  const clang::Stmt* first_mention(const StandingMessage& member);
+  void place_before_mentions(AllocationSite& site, InsertedAllocation& how,
+                             const StandingMessage& member) const;
 
   const Unit& unit_;
   EntityTable& entities_;

@@ -53,13 +53,13 @@ class Dispatcher : public AstVisitor {
     if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(reference->getDecl()))
       note_function(function, reference);
     else
-      to_.name(reference, to_.entities().declare(reference->getDecl()));
+      to_.name(reference, reference->getDecl());
     return true;
   }
   bool VisitMemberExpr(clang::MemberExpr* member) override {
     if (is_data_array(member->getType()) && !member->isTypeDependent()) arrays_.push_back(member);
     if (llvm::isa<clang::FieldDecl, clang::VarDecl>(member->getMemberDecl()))
-      to_.name(member, to_.entities().declare(member->getMemberDecl()));
+      to_.name(member, member->getMemberDecl());
     return true;
   }
   bool VisitCXXNewExpr(clang::CXXNewExpr* expr) override {

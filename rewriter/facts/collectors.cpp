@@ -11,6 +11,8 @@
 #include "facts/escape.h"
 #include "facts/factories.h"
 #include "facts/library_sites.h"
+#include "facts/lock_guarded.h"
+#include "facts/lock_names.h"
 #include "facts/publish_sites.h"
 #include "facts/shared_mats.h"
 
@@ -43,10 +45,12 @@ void Collectors::bases(const clang::CXXRecordDecl* record) {
   hidden_.note(unit_, record);
 }
 
-/// A mention of a variable or member.
-void Collectors::name(const clang::Expr* expr, const EntityId& id) {
+void Collectors::name(const clang::Expr* expr, const clang::ValueDecl* decl) {
+  const EntityId id = entities_.declare(decl);
   if (id.empty() || expr->isTypeDependent()) return;
   const FlowEnd end = flow_.follow(expr, id);
+  if (entities_[id].role == EntityRole::publisher && changes_what_others_see(unit_, expr, decl))
+    facts_.changing.insert(id);
   const Storage storage = entities_[id].storage;
   const bool standing = storage == Storage::member || storage == Storage::global;
   if (standing && end.publish && message_of(expr->getType()))
@@ -178,6 +182,7 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
   SharedMats mats(context);
   for (const clang::FunctionDecl* function : functions) {
     const FunctionView& view = analysis.analyse(function);
+    if (takes_locks(function)) facts_.locking.insert(usr_of(pattern_of(function)));
     if (std::optional<ContentFlow> flow = content_flow(unit_, view))
       facts_.contents.emplace(usr_of(pattern_of(function)), std::move(*flow));
     mats.analyse(view);

@@ -36,7 +36,8 @@ class Collectors {
   void declaration(const clang::VarDecl* variable);
   void function(const clang::FunctionDecl* function);
   void bases(const clang::CXXRecordDecl* record);
-  void name(const clang::Expr* expr, const EntityId& id);
+  /// A mention of a variable or member.
+  void name(const clang::Expr* expr, const clang::ValueDecl* decl);
   void object(const clang::Expr* expr, const clang::TypeSourceInfo* type);
   void construction(const clang::CXXConstructExpr* construct);
   void call(const clang::CallExpr* call);

@@ -205,8 +205,10 @@ std::optional<EarlyName> Hoisting::as_written_at(const PublisherMention& publish
   }
   const bool valid = are_taken(publisher, parts, at);
   if (!valid && !can_be_asked) return {};
-  if (is_locked_elsewhere(publisher, parts, at) && (!valid || may_change_elsewhere(parts))) return {};
-  return EarlyName{unit_.text(publisher.object), !valid};
+  Waits waits = waits_between(publisher, parts, at);
+  if (valid && !may_change_elsewhere(parts)) waits = {};
+  if (waits.locks) return {};
+  return EarlyName{unit_.text(publisher.object), !valid, std::move(waits.callees)};
 }
 
 bool Hoisting::may_change_elsewhere(const NameParts& parts) const {
@@ -215,15 +217,15 @@ bool Hoisting::may_change_elsewhere(const NameParts& parts) const {
 }
 
 /// Other threads may change a publisher or a pointer while it is not locked, unless it is a variable of this function.
-bool Hoisting::is_locked_elsewhere(const PublisherMention& publisher, const NameParts& parts,
-                                   unsigned at) const {
+Waits Hoisting::waits_between(const PublisherMention& publisher, const NameParts& parts, unsigned at) const {
   const clang::VarDecl* local = local_of(publisher.object);
-  if (local && !local->getType()->isReferenceType() && !local->isStaticLocal()) return false;
+  if (local && !local->getType()->isReferenceType() && !local->isStaticLocal()) return {};
   const clang::Stmt* body = body_around(publisher);
+  if (!body) return {true, {}};
   const unsigned mentioned = unit_.offset(publisher.object->getBeginLoc());
   // A lock before an earlier mention may be gone.
   const unsigned from = mentioned < at ? 0 : at;
-  return !body || MustExecute(unit_, parts, body).locks_between(from, std::max(mentioned, at));
+  return MustExecute(unit_, parts, body).waits_between(from, std::max(mentioned, at));
 }
 
 std::optional<EarlyName> Hoisting::looked_up_at(const PublisherMention& publisher, unsigned at) const {
@@ -235,7 +237,8 @@ std::optional<EarlyName> Hoisting::looked_up_at(const PublisherMention& publishe
   const clang::Stmt* body = body_around(publisher);
   const MustExecute between(unit_, parts, body);
   const unsigned mentioned = unit_.offset(publisher.object->getBeginLoc());
-  if (body && (between.changes_between(at, mentioned) || between.locks_between(at, mentioned))) return {};
+  if (body && (between.changes_between(at, mentioned) || between.waits_between(at, mentioned).locks))
+    return {};
   if (!are_taken(publisher, parts, at)) return {};
   const std::string container = unit_.text(lookup->container);
   std::string key = lookup->is_last ? container + ".size() - 1" : "0";

@@ -30,7 +30,8 @@ struct PublisherMention {
 /// How a publisher can be named earlier than its mention does.
 struct EarlyName {
   std::string text;
-  bool guarded = false;  ///< by a smart pointer that may be null there
+  bool guarded = false;                ///< by a smart pointer that may be null there
+  std::set<std::string> callees = {};  ///< none of which may take a lock, by USR
 };
 
 class Hoisting {
@@ -47,7 +48,8 @@ class Hoisting {
   /// Whether every path through the offset follows the pointers and indices of the name.
   bool are_taken(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
   bool may_change_elsewhere(const NameParts& parts) const;
-  bool is_locked_elsewhere(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
+  /// What may run between the mention and the offset.
+  Waits waits_between(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
 
   const Unit& unit_;
 };

@@ -2,7 +2,7 @@
 #include "facts/lock_guarded.h"
 
 #include "facts/ast_walk.h"
-#include "facts/must_execute.h"
+#include "facts/lock_names.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -24,9 +24,12 @@ bool is_of_this_unit(const Unit& unit, const clang::ValueDecl* named) {
   return record && field->getAccess() == clang::AS_private && is_seen_whole(record);
 }
 
-/// pub_.publish(...), pub_->getTopic()
+/// pub_.publish(...), pub_->getTopic(), a copy, a const reference
 bool only_asks(clang::ASTContext& ast, const clang::Expr* mention) {
+  if (mention->getType().isConstQualified()) return true;
   for (const clang::DynTypedNode& node : ancestors(ast, *mention)) {
+    const auto* cast = node.get<clang::ImplicitCastExpr>();
+    if (cast && (!cast->isGLValue() || cast->getType().isConstQualified())) return true;
     if (const auto* call = node.get<clang::CallExpr>()) {
       const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(call->getDirectCallee());
       return method && method->isConst();
@@ -39,14 +42,19 @@ bool only_asks(clang::ASTContext& ast, const clang::Expr* mention) {
   return false;
 }
 
-bool locks_before(const Unit& unit, const clang::FunctionDecl* function, unsigned offset) {
-  const NameParts nothing;
-  return MustExecute(unit, nothing, function->getBody()).locks_between(0, offset);
+/// Nobody else has the object yet.
+bool is_made_here(const Unit& unit, const clang::Expr* mention, const clang::ValueDecl* named) {
+  const clang::FunctionDecl* function = enclosing_function(unit.ast(), *mention);
+  if (!function) return false;
+  const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(function);
+  return (constructor &&
+          constructor->getParent()->getCanonicalDecl() == named->getDeclContext()->getPrimaryContext()) ||
+         (function->isMain() && !takes_locks(function));
 }
 
-class Changes : public AstVisitor {
+class LaterChanges : public AstVisitor {
  public:
-  Changes(const Unit& unit, const clang::ValueDecl* named) : unit_(unit), named_(named) {}
+  LaterChanges(const Unit& unit, const clang::ValueDecl* named) : unit_(unit), named_(named) {}
   bool found = false;
 
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
@@ -60,38 +68,31 @@ class Changes : public AstVisitor {
  private:
   bool look_at(const clang::Expr* mention, const clang::ValueDecl* what) {
     const bool is_it = what->getCanonicalDecl() == named_->getCanonicalDecl();
-    found = found || (is_it && !only_asks(unit_.ast(), mention) && !is_made_here(mention));
+    found = found || (is_it && changes_what_others_see(unit_, mention, what));
     return !found;
   }
-  /// Nobody else has the object yet.
-  bool is_made_here(const clang::Expr* mention) const {
-    const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *mention);
-    if (!function) return false;
-    const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(function);
-    return (constructor &&
-            constructor->getParent()->getCanonicalDecl() == named_->getDeclContext()->getPrimaryContext()) ||
-           (function->isMain() && !locks_before(unit_, function, ~0U));
-  }
-
   const Unit& unit_;
   const clang::ValueDecl* named_;
 };
 
-}  // namespace
-
-bool may_be_lock_guarded(const Unit& unit, const clang::ValueDecl* named) {
+bool is_own_variable(const clang::ValueDecl* named) {
   const auto* variable = llvm::dyn_cast<clang::VarDecl>(named);
-  if (named->getType().isConstQualified() || (variable && variable->hasLocalStorage())) return false;
-  if (!is_of_this_unit(unit, named)) return true;
-  Changes changes(unit, named);
-  changes.TraverseAST(unit.ast());
-  return changes.found;
+  return variable && variable->hasLocalStorage();
 }
 
-bool stands_under_lock(const Unit& unit, const clang::CallExpr* call) {
-  const clang::FunctionDecl* function = enclosing_function(unit.ast(), *call);
-  return function && function->getBody() && !llvm::isa<clang::CXXConstructorDecl>(function) &&
-         locks_before(unit, function, unit.offset(call->getExprLoc()));
+}  // namespace
+
+bool changes_what_others_see(const Unit& unit, const clang::Expr* mention, const clang::ValueDecl* named) {
+  if (is_own_variable(named) && !named->getType()->isReferenceType()) return false;
+  return !only_asks(unit.ast(), mention) && !is_made_here(unit, mention, named);
+}
+
+bool may_be_lock_guarded(const Unit& unit, const clang::ValueDecl* named) {
+  if (named->getType().isConstQualified() || is_own_variable(named)) return false;
+  if (!is_of_this_unit(unit, named)) return true;
+  LaterChanges changes(unit, named);
+  changes.TraverseAST(unit.ast());
+  return changes.found;
 }
 
 }  // namespace tzc::rewriter

@@ -6,6 +6,7 @@
 // Then the name may not be looked at before the lock under which the source does.
 
 #include <clang/AST/Decl.h>
+#include <clang/AST/Expr.h>
 
 #include "facts/unit.h"
 
@@ -15,7 +16,8 @@ namespace tzc::rewriter {
 /// without a lock: a program without data races then has it made before any other thread looks at it.
 bool may_be_lock_guarded(const Unit& unit, const clang::ValueDecl* named);
 
-/// Whether a call in a function that is no constructor stands behind a lock.
-bool stands_under_lock(const Unit& unit, const clang::CallExpr* call);
+/// Whether this mention changes, or may change, what others can see already: not in a constructor of its class, nor in main
+/// without a lock, nor a variable of the function.
+bool changes_what_others_see(const Unit& unit, const clang::Expr* mention, const clang::ValueDecl* named);
 
 }  // namespace tzc::rewriter

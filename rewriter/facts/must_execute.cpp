@@ -4,6 +4,7 @@
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/library_calls.h"
+#include "facts/lock_names.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -126,14 +127,6 @@ class Reach : public AstVisitor {
   std::set<const clang::FunctionDecl*> seen_;
 };
 
-/// scoped_lock, MutexLocker, mutex_.lock(), pthread_mutex_lock(), thread_.join(), ready_.wait(): what happens in another
-/// thread is seen from there on. So it is where a volatile is read.
-bool names_lock(llvm::StringRef name) {
-  if (name.ends_with("join") || name.starts_with("wait")) return true;
-  return name.contains_insensitive("lock") && !name.contains_insensitive("clock") &&
-         !name.contains_insensitive("block") && !name.contains_insensitive("unlock");
-}
-
 struct Offsets {
   unsigned from, to;
 };
@@ -144,6 +137,7 @@ class Between : public AstVisitor {
   Between(const Unit& unit, const NameParts& parts, bool exposed, Offsets range)
       : unit_(unit), parts_(parts), reach_(unit, parts.all, exposed), range_(range) {}
   bool leaves = false, changes = false, locks = false;
+  std::set<std::string> callees;
 
   bool VisitStmt(clang::Stmt* stmt) override {
     const unsigned here = begin_of(unit_, stmt);
@@ -156,10 +150,9 @@ class Between : public AstVisitor {
     if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) note_call(call);
     if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
       reach_.call(made->getConstructor(), {made->getArgs(), made->getNumArgs()});
-      locks |= names_lock(made->getConstructor()->getParent()->getName());
+      note_callee(made->getConstructor());
     }
-    const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
-    locks |= expr && expr->getType().isVolatileQualified();
+    locks |= takes_lock(stmt);
     changes |= reach_.found;
     leaves |= reach_.leaves;
     return true;
@@ -169,7 +162,12 @@ class Between : public AstVisitor {
   void note_call(const clang::CallExpr* call) {
     const clang::FunctionDecl* callee = call->getDirectCallee();
     reach_.call(callee, {call->getArgs(), call->getNumArgs()});
-    locks |= callee && callee->getIdentifier() && names_lock(callee->getName());
+    note_callee(callee);
+  }
+  void note_callee(const clang::FunctionDecl* callee) {
+    const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(callee);
+    const bool is_seen = callee && !(method && method->isVirtual());
+    if (!callee || unit_.declares(callee)) callees.insert(is_seen ? usr_of(pattern_of(callee)) : "");
   }
   void note(const clang::Expr* mention, const clang::ValueDecl* decl) {
     changes |= llvm::is_contained(parts_.all, decl) && !only_looks(unit_, mention);
@@ -263,10 +261,10 @@ std::string step_text(const Unit& unit, const clang::Stmt* step) {
   return unit.text(base) + "->";
 }
 
-bool MustExecute::locks_between(unsigned from, unsigned to) const {
+Waits MustExecute::waits_between(unsigned from, unsigned to) const {
   Between between(unit_, parts_, false, {from, to});
   between.TraverseStmt(const_cast<clang::Stmt*>(body_));
-  return between.locks;
+  return {between.locks, std::move(between.callees)};
 }
 
 bool MustExecute::changes_between(unsigned from, unsigned to) const {

@@ -26,6 +26,13 @@ struct NameParts {
 bool is_step(const clang::Stmt* stmt);
 std::string step_text(const Unit& unit, const clang::Stmt* step);
 
+/// Where code may wait for other threads.
+struct Waits {
+  bool locks = false;
+  std::set<std::string>
+      callees;  ///< functions of the package that are called, by USR; "": one that is not seen
+};
+
 /// What the body of a function does on every path through an offset. `parts` and `body` must outlive it.
 class MustExecute {
  public:
@@ -36,8 +43,8 @@ class MustExecute {
   bool takes(const std::string& step, unsigned at) const;
   /// Whether code that is seen may give the name another meaning between two offsets.
   bool changes_between(unsigned from, unsigned to) const;
-  /// Whether a lock is taken, or another thread waited for, between two offsets.
-  bool locks_between(unsigned from, unsigned to) const;
+  /// Where a lock is taken, or another thread waited for, between two offsets.
+  Waits waits_between(unsigned from, unsigned to) const;
 
  private:
   const Unit& unit_;

@@ -3,7 +3,6 @@
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
-#include "facts/lock_guarded.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -120,7 +119,6 @@ std::optional<PublishCall> publish_call(const Unit& unit, ValueFlow& flow,
   Publish& site = result.site;
   site.where = unit.source.where(call->getExprLoc());
   site.function = enclosing_function_name(unit.ast(), *call);
-  site.under_lock = stands_under_lock(unit, call);
   describe_statement(site, unit, call);
   const clang::Expr* argument = written(call->getArg(0));
   if (argument->isTypeDependent()) return {};

@@ -76,6 +76,8 @@ void Facts::merge(Facts&& other) {
   early.merge(other.early);
   contents.merge(other.contents);
   addressed.merge(other.addressed);
+  changing.merge(other.changing);
+  locking.merge(other.locking);
   advertises.merge(other.advertises);
   publishes.merge(other.publishes);
   subscribes.merge(other.subscribes);

@@ -88,6 +88,7 @@ struct PublisherName {
   bool pointer = false;
   bool guarded = false;            ///< the pointer may be null here
   std::vector<EntityId> messages;  ///< with which it is named
+  std::set<std::string> callees;   ///< functions, none of which may take a lock, by USR; "": one that is not seen
 };
 
 /// A statement that calls `allocate` is inserted.
@@ -119,6 +120,8 @@ struct AllocationSite {
   std::vector<EntityId> later;            ///< publishers that this function names later, and cannot name here
   std::string record;                     ///< USR of the class whose `this` is available here
   EntityId function;                      ///< result of the function around it
+  bool locked = false;            ///< other threads may use the message until a lock is taken behind the place
+  std::set<std::string> callees;  ///< functions, none of which may take a lock, by USR; "": one that is not seen
   Location where;
 };
 
@@ -137,7 +140,6 @@ struct SiteFact {
   bool has_data_part = true;
   std::optional<std::uint64_t> most_bytes;  ///< that its arrays hold, by its type; none: any number
   std::vector<Obstacle> obstacles;
-  bool under_lock = false;  ///< its function may hold a lock there that other threads wait for
 
   SiteId id() const { return {where.file, where.begin, type}; }
 };
@@ -275,7 +277,13 @@ struct EscapeFacts {
   std::set<std::string> addressed;              ///< functions that something else than a call names, by USR
 };
 
-struct Facts : EntityFacts, EscapeFacts {
+/// What threads may do to each other.
+struct ThreadFacts {
+  std::set<EntityId> changing;    ///< publishers that change when others may see them
+  std::set<std::string> locking;  ///< functions in whose bodies a lock is taken, by USR
+};
+
+struct Facts : EntityFacts, EscapeFacts, ThreadFacts {
   std::vector<AllocationSite> allocations;
   std::map<EntityId, Factory> factories;  ///< by their result
   std::map<SiteId, Advertise> advertises;

@@ -9,6 +9,8 @@ namespace tzc::rewriter {
 namespace {
 
 constexpr const char* nowhere = "it is built where its publisher cannot be named";
+constexpr const char* locked =
+    "other threads may use it until a lock is taken, and allocate would come before that";
 
 bool is_filled(const AllocationSite& site) {
   const auto* inserted = std::get_if<InsertedAllocation>(&site.how);
@@ -56,22 +58,12 @@ bool Binder::runs_early(const std::string& function) {
   return early_->count(function) != 0;
 }
 
-/// Whether a thread may advertise anew while another one publishes, each under a lock: elsewhere the publisher may not be looked at.
-bool Binder::changes_under_lock(ComponentId publisher) const {
-  const auto is_of = [&](ComponentId id) {
-    return [this, id](const EntityId& entity) {
-      const Component* component = components_.of(entity);
-      return component && component->id == id;
-    };
-  };
-  return std::any_of(facts_.advertises.begin(), facts_.advertises.end(),
-                     [&](const auto& entry) {
-                       return entry.second.under_lock && is_of(publisher)(entry.second.publisher);
-                     }) &&
-         std::any_of(facts_.publishes.begin(), facts_.publishes.end(), [&](const auto& entry) {
-           const Publish& site = entry.second;
-           return site.under_lock &&
-                  std::any_of(site.messages.begin(), site.messages.end(), is_of(component_.id));
+/// Whether a thread may change the publisher while others wait for a lock: who does not hold it may not look at it.
+bool Binder::may_change_under_lock(ComponentId publisher) const {
+  return !facts_.locking.empty() &&
+         std::any_of(facts_.changing.begin(), facts_.changing.end(), [&](const EntityId& entity) {
+           const Component* component = components_.of(entity);
+           return component && component->id == publisher;
          });
 }
 
@@ -102,13 +94,13 @@ std::optional<BoundAllocation> Binder::available_at(const AllocationSite& site) 
     for (const PublisherName& name : site.publishers) {
       const Component* publisher = components_.of(name.publisher);
       if (publisher && publishers_.count(publisher->id) && closeness(name, site) >= wanted &&
-          !(name.guarded && takes_reference))
+          !(name.guarded && takes_reference) && !locks_.may_be_taken_in(name.callees))
         return bound(site, name, &facts_.entities.at(name.publisher));
     }
   for (const ComponentId id : publishers_)
     for (const Entity* entity : components_[id].entities)
-      if (entity->plain && visible(site, *entity) && !changes_under_lock(id))
-        return bound(site, {entity->id, entity->name, false, false, {}}, entity);
+      if (entity->plain && visible(site, *entity) && !may_change_under_lock(id))
+        return bound(site, {entity->id, entity->name, false, false, {}, {}}, entity);
   return {};
 }
 
@@ -119,6 +111,8 @@ bool Binder::is_in_factory(const AllocationSite& site) const {
 
 /// A site in a factory whose callers can name the publisher is bound to a parameter that the factory is given.
 std::optional<Decision> Binder::bind(const AllocationSite& site) {
+  if (site.locked || locks_.may_be_taken_in(site.callees))
+    return refused({codes::TZC1019, locked, site.where}, site.entity);
   const auto* call = std::get_if<FactoryAllocation>(&site.how);
   if (call && given_.count(call->factory) == 0) return {};
   const auto publisher = is_possible(site) ? available_at(site) : std::nullopt;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "solve/components.h"
+#include "solve/locks.h"
 #include "solve/solution.h"
 
 namespace tzc::rewriter {
@@ -15,7 +16,11 @@ class Binder {
   /// publishers: components that publish the message and are ported.
   Binder(const Facts& facts, const Components& components, const Component& component,
          std::set<ComponentId> publishers)
-      : facts_(facts), components_(components), component_(component), publishers_(std::move(publishers)) {}
+      : facts_(facts),
+        components_(components),
+        component_(component),
+        locks_(facts),
+        publishers_(std::move(publishers)) {}
 
   /// Why a site has none; nothing: each has one.
   std::optional<Decision> bind(const std::vector<const AllocationSite*>& sites);
@@ -30,7 +35,7 @@ class Binder {
   bool is_in_factory(const AllocationSite& site) const;
   int closeness(const PublisherName& name, const AllocationSite& site) const;
   std::optional<BoundAllocation> available_at(const AllocationSite& site);
-  bool changes_under_lock(ComponentId publisher) const;
+  bool may_change_under_lock(ComponentId publisher) const;
   bool visible(const AllocationSite& site, const Entity& publisher);
   bool runs_early(const std::string& function);
   bool inherits(const std::string& record, const std::string& base) const;
@@ -38,6 +43,7 @@ class Binder {
   const Facts& facts_;
   const Components& components_;
   const Component& component_;
+  Locks locks_;
   std::set<ComponentId> publishers_;
   std::optional<std::set<std::string>> early_;
   std::set<EntityId> given_;  // results of factories

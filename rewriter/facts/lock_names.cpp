@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/lock_names.h"
+
+#include <clang/AST/ExprCXX.h>
+
+#include "parse/ast_visitor.h"
+
+namespace tzc::rewriter {
+namespace {
+
+bool names_lock(llvm::StringRef name) {
+  if (name.ends_with("join") || name.starts_with("wait")) return true;
+  return name.contains_insensitive("lock") && !name.contains_insensitive("clock") &&
+         !name.contains_insensitive("block") && !name.contains_insensitive("unlock");
+}
+
+class Locks : public AstVisitor {
+ public:
+  bool found = false;
+  bool VisitStmt(clang::Stmt* stmt) override {
+    found = found || takes_lock(stmt);
+    return !found;
+  }
+};
+
+}  // namespace
+
+bool takes_lock(const clang::Stmt* stmt) {
+  if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt))
+    return names_lock(made->getConstructor()->getParent()->getName());
+  const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
+  // The literal of a static_assert has no type.
+  if (expr && !expr->getType().isNull() && expr->getType().isVolatileQualified()) return true;
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
+  const clang::FunctionDecl* callee = call ? call->getDirectCallee() : nullptr;
+  return callee && callee->getIdentifier() && names_lock(callee->getName());
+}
+
+bool takes_locks(const clang::FunctionDecl* definition) {
+  Locks locks;
+  locks.TraverseStmt(definition->getBody());
+  return locks.found;
+}
+
+}  // namespace tzc::rewriter

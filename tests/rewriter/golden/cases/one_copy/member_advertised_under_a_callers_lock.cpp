@@ -1,0 +1,40 @@
+// The caller of the function that advertises holds the lock.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+#include <mutex>
+
+class Node {
+ public:
+  void restart(const std::string& topic) {
+    std::lock_guard<std::mutex> lock(mutex_);
+    advertise(topic);
+  }
+  void fill() {
+    image_ = sensor_msgs::Image();
+    image_.data.resize(100);
+  }
+  void publish() {
+    std::lock_guard<std::mutex> lock(mutex_);
+    send();
+  }
+
+ private:
+  void advertise(const std::string& topic) { pub_ = nh_.advertise<sensor_msgs::Image>(topic, 1); }
+  void send() { pub_.publish(image_); }
+
+  ros::NodeHandle nh_;
+  std::mutex mutex_;
+  ros::Publisher pub_;
+  sensor_msgs::Image image_;
+};
+//--- expected
+// advertise src/node.cpp:23 sensor_msgs/Image one_copy
+// publish src/node.cpp:24 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  void advertise(const std::string& topic) { pub_ = nh_.advertise<sensor_msgs::Image>(topic, 1); }
+// +  void advertise(const std::string& topic) { pub_ = tzc::advertise<sensor_msgs::Image>(nh_, topic, 1); }
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;
