@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Views: how long they hold what they borrow, in this process and in its children, and with several threads.
+// Views: how long they hold what they borrow, in this process and in its children.
 #include <sys/wait.h>
 #include <tzc/message.h>
 #include <tzc/sensor_msgs/Image.h>
 #include <unistd.h>
-
-#include <thread>
 
 #include "random_message.h"
 #include "test_memory.h"
@@ -89,26 +87,6 @@ TEST_F(View, a_view_that_dies_in_a_forked_child_lets_nothing_go) {
   EXPECT_EQ(0, status);
   view.reset();
   EXPECT_EQ(1, released);
-}
-
-TEST_F(View, one_message_is_published_and_copied_by_many_threads) {
-  Image message = image(100000);
-  ASSERT_TRUE(allocate(message, memory_));
-  const Image& shared = message;
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 4; ++i) {
-    threads.emplace_back([&] {
-      for (int round = 0; round < 50; ++round) {
-        Encoded mine;
-        EXPECT_TRUE(encode(shared, *memory_, mine));
-        Image copy(shared);
-        copy.data[0] = 99;
-        EXPECT_EQ(0, stock_view(shared, mine)->data[0]);
-      }
-    });
-  }
-  for (std::thread& thread : threads) thread.join();
-  EXPECT_EQ(to_stock(image(100000)), to_stock(message));
 }
 
 }  // namespace

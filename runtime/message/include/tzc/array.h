@@ -38,7 +38,9 @@ constexpr uninitialized_t uninitialized{0};
 /// trivially copyable; conversion to a vector is explicit; swap() keeps each object's binding; no allocator
 /// but std::allocator.
 ///
-/// *Thread-safety* as std::vector's: concurrent const access is safe, publishing and copying count as const.
+/// *Thread-safety* as std::vector's: concurrent const access is safe, publishing and copying count as const;
+/// so is concurrent access to different elements, also the first one after publishing: one thread copies, the
+/// others wait for it.
 /// *Errors*: std::length_error, std::out_of_range and std::bad_alloc where std::vector throws them.
 template <class T>
 class Array {

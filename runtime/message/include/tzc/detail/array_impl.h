@@ -9,8 +9,7 @@ namespace tzc {
 
 template <class T>
 void Array<T>::copy_from(const Array& other) {
-  if (other.storage_.is_shared()) return storage_.share_with(other.storage_);
-  assign(other.begin(), other.end());
+  if (!storage_.share_with(other.storage_)) assign(other.begin(), other.end());
 }
 
 template <class T>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <tzc/detail/sleep_lock.h>
 #include <tzc/guard.h>
 #include <tzc/memory.h>
 
@@ -8,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 namespace tzc {
@@ -27,7 +29,10 @@ struct ArrayBlock {
 ///   writable_ == null   shared with subscribers and copies (block_.begin != null), or no memory yet although
 ///                       capacity_ promises some (block_.begin == null): the next write makes memory first
 ///
-/// Only share() happens in const context (publishing); it may run in several threads at once.
+/// What several threads may do with a std::vector at once, they may do here: reading, writing to different elements
+/// ([container.requirements.dataraces]: operator[], data(), begin() and their like do not modify it), copying, publishing. So
+/// writable(), share() and share_with() may meet: they change hands under a lock, and the elements that writable() leaves stay
+/// readable until the next publish for who got at them before.
 template <class T>
 class ArrayStorage {
  public:
@@ -36,7 +41,7 @@ class ArrayStorage {
   ArrayStorage& operator=(const ArrayStorage&) = delete;
   ~ArrayStorage() { release(block_); }
 
-  const T* begin() const noexcept { return block_.begin; }
+  const T* begin() const noexcept { return element_pointer(block_.begin); }
   std::size_t size() const noexcept { return size_; }
   std::size_t capacity() const noexcept { return capacity_; }
   const BufferPtr& buffer() const noexcept { return block_.buffer; }
@@ -47,21 +52,24 @@ class ArrayStorage {
   /// What capacity() reports; never more than the memory behind writable elements.
   void set_capacity(std::size_t n) noexcept { capacity_ = n; }
 
-  bool is_writable() const noexcept { return __atomic_load_n(&writable_, __ATOMIC_RELAXED) != nullptr; }
-  bool is_shared() const noexcept { return block_.begin != nullptr && !is_writable(); }
+  bool is_writable() const noexcept { return element_pointer(writable_) != nullptr; }
+  bool is_shared() const noexcept { return begin() != nullptr && !is_writable(); }
 
   /// The elements for writing; copies them first if they are shared.
   T* writable() {
-    if (__builtin_expect(writable_ != nullptr, 1)) return writable_;
+    T* const elements = element_pointer(writable_);
+    if (__builtin_expect(elements != nullptr, 1)) return elements;
     return make_writable();
   }
 
   T* writable_or_null() noexcept { return writable_; }
 
-  /// From now on the elements are read by others; the next write through this object gets fresh memory.
-  void share() const noexcept {
-    if (block_.buffer && is_writable())
-      __atomic_store_n(&writable_, static_cast<T*>(nullptr), __ATOMIC_RELAXED);
+  /// From now on the elements are read by others; the next write through this object gets fresh memory. Returns them.
+  ArrayBlock<T> share() const noexcept {
+    const std::lock_guard<SleepLock> changing_hands(lock_);
+    left_ = nullptr;
+    if (block_.buffer) publish_pointer(writable_, static_cast<T*>(nullptr));
+    return block_;
   }
 
   /// Replaces the memory by fresh memory for `capacity` elements and keeps the first `kept` of them.
@@ -102,12 +110,14 @@ class ArrayStorage {
     size_ = 0;
   }
 
-  /// Refers to the same shared elements as `other`.
-  void share_with(const ArrayStorage& other) {
-    ArrayBlock<T> same = other.block_;
+  /// Refers to the same elements as `other`, if those are shared.
+  bool share_with(const ArrayStorage& other) {
+    ArrayBlock<T> same = other.shared_block();
+    if (same.begin == nullptr) return false;
     install(std::move(same));
     writable_ = nullptr;
     size_ = capacity_ = other.size_;
+    return true;
   }
 
   /// Exchanges elements, not the memory source.
@@ -116,6 +126,7 @@ class ArrayStorage {
     std::swap(writable_, other.writable_);
     std::swap(size_, other.size_);
     std::swap(capacity_, other.capacity_);
+    std::swap(left_, other.left_);
   }
 
   /// Later growth takes memory from `memory`, or from the heap when that is exhausted.
@@ -146,9 +157,38 @@ class ArrayStorage {
 
  private:
   T* make_writable() __attribute__((cold, noinline)) {
-    if (block_.begin != nullptr || capacity_ != 0) remake(capacity_, size_);
-    return writable_;
+    const std::lock_guard<SleepLock> changing_hands(lock_);
+    if (writable_ != nullptr) return writable_;  // another thread was faster
+    left_ = nullptr;
+    if (block_.begin == nullptr) {
+      if (capacity_ != 0) remake(capacity_, 0);
+      return writable_;
+    }
+    ArrayBlock<T> fresh = acquire(capacity_);
+    if (size_ != 0) std::memcpy(static_cast<void*>(fresh.begin), block_.begin, size_ * sizeof(T));
+    left_ = std::exchange(block_.buffer, std::move(fresh.buffer));
+    block_.capacity = fresh.capacity;
+    publish_pointer(block_.begin, fresh.begin);
+    publish_pointer(writable_, fresh.begin);
+    return fresh.begin;
   }
+
+  ArrayBlock<T> shared_block() const {
+    const std::lock_guard<SleepLock> changing_hands(lock_);
+    return is_writable() ? ArrayBlock<T>() : block_;
+  }
+
+  /// A pointer to elements that another thread may just have filled. What is read and written through it depends on the
+  /// address, which orders the two on every processor that ROS runs on; ThreadSanitizer wants to be told.
+  static T* element_pointer(T* const& pointer) noexcept { return __atomic_load_n(&pointer, pointer_order); }
+  static void publish_pointer(T*& pointer, T* elements) noexcept {
+    __atomic_store_n(&pointer, elements, __ATOMIC_RELEASE);
+  }
+#if defined(__SANITIZE_THREAD__)
+  static constexpr int pointer_order = __ATOMIC_ACQUIRE;
+#else
+  static constexpr int pointer_order = __ATOMIC_RELAXED;
+#endif
 
   ArrayBlock<T> acquire(std::size_t capacity) {
     // Room beside an array that was published meanwhile: writing there is right, but guard mode cannot tell.
@@ -182,6 +222,7 @@ class ArrayStorage {
   }
 
   void install(ArrayBlock<T>&& block) noexcept {
+    left_ = nullptr;
     release(block_);
     block_ = std::move(block);
     writable_ = block_.begin;
@@ -193,6 +234,7 @@ class ArrayStorage {
   }
 
   void forget() noexcept {
+    left_ = nullptr;
     writable_ = nullptr;
     size_ = capacity_ = 0;
   }
@@ -203,6 +245,8 @@ class ArrayStorage {
   ArrayBlock<T> block_;
   ArrayBlock<T> spare_;
   std::shared_ptr<MemorySource> memory_;
+  mutable SleepLock lock_;
+  mutable BufferPtr left_;  ///< what writable() has copied from
 };
 
 }  // namespace detail

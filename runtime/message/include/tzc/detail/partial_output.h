@@ -68,14 +68,13 @@ class PartialOutput : public ControlWriter {
   }
   template <class T>
   void next(const Array<T>& array) {
-    if (array.buffer() && !array.empty()) {
-      array.storage().share();
-      reference(array.data(), array.size(), sizeof(T), array.buffer());
-    } else {
-      if (__builtin_expect(guard::active, 0))
-        array.storage().share();  // its room may lie beside a published array
-      this->array(array.data(), array.size(), sizeof(T));
-    }
+    // The room of an empty array stays writable, but guard mode is told: it may lie beside a published array.
+    if (array.empty() && __builtin_expect(!guard::active, 1)) return this->array(nullptr, 0, sizeof(T));
+    const auto elements = array.storage().share();
+    if (elements.buffer && !array.empty())
+      reference(elements.begin, array.size(), sizeof(T), elements.buffer);
+    else
+      this->array(elements.begin, array.size(), sizeof(T));
   }
   template <class T, class Allocator>
   void next(const std::vector<T, Allocator>& vector) {
