@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/allocation_sites.h"
 
+#include <algorithm>
+
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/must_execute.h"
@@ -9,6 +11,9 @@
 
 namespace tzc::rewriter {
 namespace {
+
+constexpr const char* not_nameable =
+    "the expression that names it means something else, or nothing, where allocate would stand";
 
 /// The statement of a block that a node belongs to; null: it stands in the head of another statement.
 template <class Node>
@@ -36,11 +41,19 @@ bool names_a_part_without_arrays(clang::ASTContext& ast, const clang::Expr* ment
   return message ? !message->has_data_part : qualified_name_of(record) == "std::basic_string";
 }
 
-/// From the first to the last mention of a member in a function, and the first that may touch its arrays.
+/// What leads to a member: "frame_->", "slots_[i]."; empty for one of this object, and for a global.
+std::string way_to(const Unit& unit, const clang::Expr* mention) {
+  const auto* member = llvm::dyn_cast<clang::MemberExpr>(mention->IgnoreParenImpCasts());
+  const clang::Expr* base = member ? member->getBase()->IgnoreParenImpCasts() : nullptr;
+  if (!base || llvm::isa<clang::CXXThisExpr>(base)) return "";
+  return unit.text(base) + (member->isArrow() ? "->" : ".");
+}
+
+/// From the first to the last mention of a member of one object in a function, and the first that may touch its arrays.
 class Mentions : public AstVisitor {
  public:
-  Mentions(const Unit& unit, EntityTable& entities, const EntityId& id)
-      : unit_(unit), entities_(entities), id_(id) {}
+  Mentions(const Unit& unit, EntityTable& entities, const StandingMessage& member)
+      : unit_(unit), entities_(entities), id_(member.id), way_(way_to(unit, member.expr)) {}
   unsigned first = ~0U, first_of_arrays = ~0U, last = 0;
 
   bool VisitMemberExpr(clang::MemberExpr* member) override { return note(member, member->getMemberDecl()); }
@@ -51,6 +64,7 @@ class Mentions : public AstVisitor {
  private:
   bool note(const clang::Expr* expr, const clang::ValueDecl* decl) {
     if (!llvm::isa<clang::FieldDecl, clang::VarDecl>(decl) || entities_.declare(decl) != id_) return true;
+    if (way_to(unit_, expr) != way_) return true;
     const unsigned here = unit_.offset(expr->getBeginLoc());
     first = std::min(first, here);
     if (!names_a_part_without_arrays(unit_.ast(), expr)) first_of_arrays = std::min(first_of_arrays, here);
@@ -60,6 +74,7 @@ class Mentions : public AstVisitor {
   const Unit& unit_;
   EntityTable& entities_;
   const EntityId& id_;
+  std::string way_;
 };
 
 /// Where a publisher must be available for the edits of a site; none: it has none.
@@ -83,13 +98,20 @@ class Connector {
     const std::optional<unsigned> at = offset_of(site);
     if (!at || *at == 0) return;
     if (draft.function && site.record.empty() && !record_usr_of(draft.function).empty()) return;
+    const auto* inserted = std::get_if<InsertedAllocation>(&site.how);
+    std::ptrdiff_t own = 0;
     for (const PublisherMention& mention : mentions_) {
       if (mention.function != draft.function || mention.id.empty()) continue;
-      if (const std::optional<EarlyName> name = hoisting_.name_at(mention, *at))
-        site.publishers.push_back(
-            {mention.id, name->text, mention.pointer, name->guarded, mention.messages, name->callees});
-      else
+      const std::optional<EarlyName> name = hoisting_.name_at(mention, *at);
+      if (!name) {
         site.later.push_back(mention.id);
+        continue;
+      }
+      site.publishers.push_back(
+          {mention.id, name->text, mention.pointer, name->guarded, mention.messages, name->callees});
+      // The same member of several objects is one entity: a publisher that is given this one comes first.
+      if (inserted && mention.published == inserted->object)
+        std::rotate(site.publishers.begin() + own++, site.publishers.end() - 1, site.publishers.end());
     }
   }
 
@@ -209,6 +231,30 @@ std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::
   return draft;
 }
 
+namespace {
+
+/// Whether the value is made whenever the statement is executed, and whatever it ends in has it afterwards.
+bool is_always_made(const Unit& unit, const clang::Expr* made) {
+  for (const clang::DynTypedNode& node : ancestors(unit.ast(), *made)) {
+    const auto* expr = node.get<clang::Expr>();
+    const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(expr);
+    const auto* call = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(expr);
+    if (!expr) break;
+    if (llvm::isa<clang::AbstractConditionalOperator>(expr) ||
+        (op && (op->isLogicalOp() || op->isCommaOp())) || (call && call->getOperator() == clang::OO_Comma))
+      return false;
+  }
+  return true;
+}
+
+/// auto image = make_shared<Image>(), other = std::move(image);
+bool is_last_declared(const Unit& unit, const clang::VarDecl* variable) {
+  const auto* statement = parent_as<clang::DeclStmt>(unit.ast(), *variable);
+  return !statement || *std::prev(statement->decl_end()) == variable;
+}
+
+}  // namespace
+
 std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr* expr, const EntityId& id,
                                                               const FlowEnd& end) {
   const bool is_value = message_of(expr->getType()).has_value();
@@ -222,7 +268,12 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
   } else if (end.target && end.statement) {
     how.object = star + unit_.text(end.target->IgnoreImpCasts());
     place_behind(how, statement_around(unit_, *end.statement));
+    if (how.at && !Hoisting(unit_).names_the_same(end.target, draft.function, how.at->begin))
+      draft.site.refusal = not_nameable;
   }
+  if (!is_value && !is_always_made(unit_, expr)) draft.site.refusal = "it is made under a condition only";
+  if (!is_value && end.variable && !is_last_declared(unit_, end.variable))
+    draft.site.refusal = "other variables are declared behind it in the same statement";
   draft.site.how = how;
   return draft;
 }
@@ -260,12 +311,12 @@ const clang::Stmt* statement_of(const Unit& unit, const clang::Expr* mention, un
 
 }  // namespace
 
-/// In front of the first mention. Where other threads may be waited for between that and the first use of an array, the
-/// arrays may be theirs until then: in front of that use.
+/// In front of the first mention. Where that cannot be named there yet, or other threads may be waited for between there and the
+/// first use of an array (the arrays may be theirs until then): in front of that use.
 void AllocationCollector::place_before_mentions(AllocationSite& site, InsertedAllocation& how,
                                                 const StandingMessage& member) const {
   const clang::Stmt* body = member.function->getBody();
-  Mentions mentions(unit_, entities_, member.id);
+  Mentions mentions(unit_, entities_, member);
   mentions.TraverseStmt(const_cast<clang::Stmt*>(body));
   for (const unsigned first : {mentions.first, mentions.first_of_arrays}) {
     const clang::Stmt* statement = statement_of(unit_, member.expr, first, mentions.last);
@@ -273,10 +324,16 @@ void AllocationCollector::place_before_mentions(AllocationSite& site, InsertedAl
     if (!how.at) return;
     const NameParts nothing;
     Waits waits = MustExecute(unit_, nothing, body).waits_between(how.at->begin, mentions.first_of_arrays);
-    site.locked = waits.locks;
     site.callees = std::move(waits.callees);
-    if (!site.locked && site.callees.empty()) return;
+    site.refusal = waits.locks ? used_by_others : "";
+    if (!is_nameable(member, how.at->begin)) site.refusal = not_nameable;
+    if (site.refusal.empty() && site.callees.empty()) return;
   }
+}
+
+bool AllocationCollector::is_nameable(const StandingMessage& member, unsigned at) const {
+  return way_to(unit_, member.expr).empty() ||
+         Hoisting(unit_).names_the_same(member.expr, member.function, at);
 }
 
 std::optional<AllocationDraft> AllocationCollector::of_member(const StandingMessage& member) {

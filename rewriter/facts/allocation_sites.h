@@ -48,6 +48,7 @@ class AllocationCollector {
   void place_behind(InsertedAllocation& how, const clang::Stmt* statement) const;
   bool is_fresh(const FlowSources& sources) const;
   bool is_result(const FlowSources& sources) const;
+  bool is_nameable(const StandingMessage& member, unsigned at) const;
   void place_before_mentions(AllocationSite& site, InsertedAllocation& how,
                              const StandingMessage& member) const;
 

@@ -93,7 +93,7 @@ CallEffect CallEffects::into_package(const EntityId& id, const Passed& passed) {
     return CallEffect::done;
   }
   const clang::ParmVarDecl* parameter = passed.function->getParamDecl(passed.argument);
-  if (entities_.is_message(id) && !is_type_blind(passed.function, passed.argument))
+  if (entities_.is_message(id) && !is_type_blind(unit_, passed.function, passed.argument))
     entities_.add_obstacle(id, codes::TZC1001, "'" + name + "' asks for its type", passed.where);
   const EntityId received = entities_.declare(parameter);
   if (!received.empty())

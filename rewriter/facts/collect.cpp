@@ -83,6 +83,14 @@ class Dispatcher : public AstVisitor {
     to_.call(call);
     return true;
   }
+  bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* question) override {
+    to_.size_question(question->getTypeOfArgument(), question->getBeginLoc());
+    return true;
+  }
+  bool VisitOffsetOfExpr(clang::OffsetOfExpr* question) override {
+    to_.size_question(question->getTypeSourceInfo()->getType(), question->getBeginLoc());
+    return true;
+  }
   bool VisitLambdaExpr(clang::LambdaExpr* lambda) override {
     callbacks_.check_lambda(lambda);
     return true;

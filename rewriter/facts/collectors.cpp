@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
@@ -15,6 +16,7 @@
 #include "facts/lock_names.h"
 #include "facts/publish_sites.h"
 #include "facts/shared_mats.h"
+#include "model/codes.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -206,14 +208,29 @@ void Collectors::early_calls(const clang::Stmt* stmt) {
     for (const clang::Stmt* child : stmt->children()) early_calls(child);
 }
 
+void Collectors::size_question(clang::QualType type, clang::SourceLocation where) {
+  while (const clang::ArrayType* array = unit_.ast().getAsArrayType(type)) type = array->getElementType();
+  const clang::CXXRecordDecl* record = type->isDependentType() ? nullptr : type->getAsCXXRecordDecl();
+  if (!record || !record->hasDefinition() || !unit_.source.in_package(record->getLocation())) return;
+  record = record->getDefinition();
+  for (const clang::CXXBaseSpecifier& base : record->bases()) size_question(base.getType(), where);
+  for (const clang::FieldDecl* field : record->fields()) {
+    const EntityId id = message_of(field->getType()) ? entities_.declare(field) : EntityId();
+    if (!id.empty())
+      entities_.add_obstacle(id, codes::TZC1001, "the program asks for the size of a class that holds it",
+                             where);
+    size_question(field->getType(), where);
+  }
+}
+
 void Collectors::addressed(const clang::FunctionDecl* function) {
   facts_.addressed.insert(usr_of(pattern_of(function)));
 }
 
 Facts Collectors::finish() {
-  std::set<std::pair<EntityId, std::string>> seen;
+  std::set<std::tuple<EntityId, std::string, std::string>> seen;
   for (const StandingMessage& member : members_)
-    if (member.function && seen.insert({member.id, usr_of(member.function)}).second)
+    if (member.function && seen.insert({member.id, usr_of(member.function), unit_.text(member.expr)}).second)
       add(allocations_.of_member(member));
   for (AllocationDraft& draft : drafts_)
     facts_.allocations.push_back(connected(unit_, entities_.facts(), std::move(draft), publishers_));

@@ -4,6 +4,7 @@
 #include <clang/AST/DeclTemplate.h>
 
 #include "facts/escape_climb.h"
+#include "facts/hidden_calls.h"
 #include "facts/known_functions.h"
 #include "facts/type_blind.h"
 
@@ -101,6 +102,26 @@ bool CallSteps::into_array_method(const clang::MemberExpr* member, const clang::
   return done();
 }
 
+namespace {
+
+/// Whether a member function of a view may pass on where it points to: it is given another object to write that to, as swap and
+/// cv::Mat::assignTo are, or a function to call, as cv::Mat::forEach is.
+bool passes_on(const clang::CXXMemberCallExpr* call) {
+  const clang::CXXMethodDecl* method = call->getMethodDecl();
+  for (const clang::ParmVarDecl* parameter : method->parameters()) {
+    const clang::QualType type = parameter->getType();
+    const clang::QualType target = type->getPointeeType();
+    if (!target.isNull() && !target.isConstQualified() && may_hold_pointer(target)) return true;
+  }
+  return llvm::any_of(call->arguments(), [](const clang::Expr* argument) {
+    const clang::QualType type = argument->IgnoreImplicit()->getType();
+    const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+    return may_call_back(type) || type->isFunctionType() || (record && record->isLambda());
+  });
+}
+
+}  // namespace
+
 /// A function of an element, an iterator or a view.
 bool CallSteps::into_element_method(const clang::CXXMemberCallExpr* call) {
   const clang::CXXMethodDecl* method = call->getMethodDecl();
@@ -109,7 +130,8 @@ bool CallSteps::into_element_method(const clang::CXXMemberCallExpr* call) {
   const Keeping keeping = context_.keeping_of(name, at_.messages);
   if (keeping == Keeping::nothing_and_result_is_new) return done();
   const clang::QualType object = method->getThisType()->getPointeeType();
-  const bool is_known = is_view(object) || keeping == Keeping::nothing || !may_hold_pointer(object);
+  const bool is_known =
+      (is_view(object) && !passes_on(call)) || keeping == Keeping::nothing || !may_hold_pointer(object);
   return is_known ? into_result(call) : escape("is passed to '" + name + "'");
 }
 
@@ -172,7 +194,8 @@ bool CallSteps::into_call(const clang::CallExpr* call) {
   if (passes_through(callee) && name != "std::ref" && name != "std::cref" && name != "boost::ref" &&
       name != "boost::cref")
     return go_on(call);
-  if (at_.how == Reference::array && context_.unit.declares(callee) && !is_type_blind(callee, index))
+  if (at_.how == Reference::array && context_.unit.declares(callee) &&
+      !is_type_blind(context_.unit, callee, index))
     return escape("is not needed: '" + name + "' asks for the array's type", false);
   if (context_.unit.declares(callee) && analysis_.follow(callee, index, at_)) return done();
   const Keeping keeping = context_.keeping_of(name, at_.messages);

@@ -194,6 +194,13 @@ std::optional<EarlyName> Hoisting::name_at(const PublisherMention& publisher, un
   return name ? name : looked_up_at(publisher, at);
 }
 
+bool Hoisting::names_the_same(const clang::Expr* object, const clang::FunctionDecl* function,
+                              unsigned at) const {
+  const std::optional<EarlyName> name =
+      as_written_at({object, false, {}, {}, function, unit_.offset(object->getBeginLoc())}, at);
+  return name && !name->guarded;
+}
+
 std::optional<EarlyName> Hoisting::as_written_at(const PublisherMention& publisher, unsigned at) const {
   NameParts parts = parts_of(unit_, publisher.object);
   if (parts.has_effects || !means_the_same(unit_, publisher, parts, at)) return {};

@@ -25,6 +25,7 @@ struct PublisherMention {
   std::vector<EntityId> messages;       ///< that are published there
   const clang::FunctionDecl* function;  ///< around it
   unsigned begin;                       ///< offset of the call
+  std::string published = "";           ///< the message, as written
 };
 
 /// How a publisher can be named earlier than its mention does.
@@ -40,6 +41,8 @@ class Hoisting {
 
   /// The name at an offset of the function that mentions the publisher; none: it cannot be named there.
   std::optional<EarlyName> name_at(const PublisherMention& publisher, unsigned at) const;
+  /// Whether the expression names the same object at an offset of its function, can be evaluated there, and once more.
+  bool names_the_same(const clang::Expr* object, const clang::FunctionDecl* function, unsigned at) const;
 
  private:
   std::optional<EarlyName> as_written_at(const PublisherMention& publisher, unsigned at) const;

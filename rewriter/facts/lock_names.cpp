@@ -9,9 +9,18 @@ namespace tzc::rewriter {
 namespace {
 
 bool names_lock(llvm::StringRef name) {
-  if (name.ends_with("join") || name.starts_with("wait")) return true;
+  if (name.ends_with("join") || name.starts_with("wait") || name.contains("atomic") || name == "acquire")
+    return true;
   return name.contains_insensitive("lock") && !name.contains_insensitive("clock") &&
          !name.contains_insensitive("block") && !name.contains_insensitive("unlock");
+}
+
+/// Of std::atomic<T>, boost::atomic_flag, std::future<T>: what one thread leaves there another one takes.
+bool takes_over(const clang::FunctionDecl* callee) {
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
+  if (!method || !method->getParent()->getIdentifier()) return false;
+  const llvm::StringRef record = method->getParent()->getName();
+  return record.contains("atomic") || record.contains("future");
 }
 
 class Locks : public AstVisitor {
@@ -33,7 +42,7 @@ bool takes_lock(const clang::Stmt* stmt) {
   if (expr && !expr->getType().isNull() && expr->getType().isVolatileQualified()) return true;
   const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
   const clang::FunctionDecl* callee = call ? call->getDirectCallee() : nullptr;
-  return callee && callee->getIdentifier() && names_lock(callee->getName());
+  return callee && (takes_over(callee) || (callee->getIdentifier() && names_lock(callee->getName())));
 }
 
 bool takes_locks(const clang::FunctionDecl* definition) {

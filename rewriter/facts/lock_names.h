@@ -9,8 +9,8 @@
 
 namespace tzc::rewriter {
 
-/// scoped_lock lock(m), MutexLocker, mutex_.lock(), pthread_mutex_lock(), thread_.join(), ready_.wait(); also where a volatile
-/// is read.
+/// scoped_lock lock(m), MutexLocker, mutex_.lock(), pthread_mutex_lock(), thread_.join(), ready_.wait(), a member function or
+/// operator of std::atomic or std::future; also where a volatile is read.
 bool takes_lock(const clang::Stmt* stmt);
 
 /// Whether a statement of its body does, lambdas included.

@@ -94,9 +94,13 @@ std::optional<PublisherMention> describe_publisher(Publish& site, const Unit& un
   const FlowSources sources = flow.sources_of(receiver.expr);
   if (!sources.entities.empty()) site.publisher = sources.entities[0];
   site.publisher_text = unit.text(receiver.expr) + (receiver.pointer ? "->" : ".");
-  return PublisherMention{
-      receiver.expr,   receiver.pointer, site.publisher, site.messages, enclosing_function(unit.ast(), *call),
-      site.where.begin};
+  return PublisherMention{receiver.expr,
+                          receiver.pointer,
+                          site.publisher,
+                          site.messages,
+                          enclosing_function(unit.ast(), *call),
+                          site.where.begin,
+                          unit.text(call->getArg(0))};
 }
 
 std::vector<EntityId> messages_among(const Unit& unit, ValueFlow& flow, const clang::CallExpr* call) {

@@ -30,8 +30,19 @@ bool is_specialised(const clang::TemplateDecl* name) {
          });
 }
 
+/// Whether a class template keeps something for each type.
+bool has_statics(const clang::TemplateDecl* name) {
+  const auto* record = llvm::dyn_cast_or_null<clang::CXXRecordDecl>(name->getTemplatedDecl());
+  const clang::CXXRecordDecl* definition = record ? record->getDefinition() : nullptr;
+  return definition && llvm::any_of(definition->decls(), [](const clang::Decl* member) {
+           const auto* variable = llvm::dyn_cast<clang::VarDecl>(member);
+           return variable && !variable->isConstexpr();
+         });
+}
+
 class TypeQuestions : public AstVisitor {
  public:
+  explicit TypeQuestions(const Unit& unit) : unit_(unit) {}
   bool found = false;
 
   bool VisitIfStmt(clang::IfStmt* choice) override { return note(choice->isConstexpr()); }
@@ -41,8 +52,8 @@ class TypeQuestions : public AstVisitor {
   bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc) override { return note(true); }
   bool VisitVarDecl(clang::VarDecl* variable) override {
     const auto* made = variable->getType()->getAs<clang::TemplateSpecializationType>();
-    const bool is_choice =
-        made && made->isDependentType() && is_specialised(made->getTemplateName().getAsTemplateDecl());
+    const clang::TemplateDecl* name = made ? made->getTemplateName().getAsTemplateDecl() : nullptr;
+    const bool is_choice = name && made->isDependentType() && (has_statics(name) || is_specialised(name));
     return note(variable->isStaticLocal() || is_choice);
   }
   bool VisitDependentScopeDeclRefExpr(clang::DependentScopeDeclRefExpr* name) override {
@@ -52,25 +63,35 @@ class TypeQuestions : public AstVisitor {
     return note(!is_of_parameter(name.getTypePtr()->getQualifier()));
   }
   bool VisitUnresolvedLookupExpr(clang::UnresolvedLookupExpr* name) override {
-    return note(llvm::any_of(name->decls(), [](const clang::NamedDecl* decl) {
-      return llvm::isa<clang::VarTemplateDecl>(decl->getUnderlyingDecl());
+    return note(llvm::any_of(name->decls(), [&](const clang::NamedDecl* decl) {
+      return llvm::isa<clang::VarTemplateDecl>(decl->getUnderlyingDecl()) ||
+             (name->hasExplicitTemplateArgs() && is_own(decl));
     }));
+  }
+  bool VisitUnresolvedMemberExpr(clang::UnresolvedMemberExpr* name) override {
+    return note(name->hasExplicitTemplateArgs() &&
+                llvm::any_of(name->decls(), [&](const clang::NamedDecl* decl) { return is_own(decl); }));
   }
 
  private:
+  /// What counts by type (next<M>(), Registry<M>) may keep something for each.
+  bool is_own(const clang::NamedDecl* decl) const {
+    return unit_.source.in_package(decl->getUnderlyingDecl()->getLocation());
+  }
   bool note(bool question) {
     found |= question;
     return !found;
   }
+  const Unit& unit_;
 };
 
 }  // namespace
 
-bool is_type_blind(const clang::FunctionDecl* function, unsigned argument) {
+bool is_type_blind(const Unit& unit, const clang::FunctionDecl* function, unsigned argument) {
   const clang::FunctionDecl* pattern = function->getTemplateInstantiationPattern();
   if (!pattern || argument >= pattern->getNumParams()) return true;
   if (!pattern->getParamDecl(argument)->getType()->isDependentType()) return true;
-  TypeQuestions questions;
+  TypeQuestions questions(unit);
   questions.TraverseDecl(const_cast<clang::FunctionDecl*>(pattern));
   return !questions.found;
 }

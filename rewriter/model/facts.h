@@ -88,7 +88,8 @@ struct PublisherName {
   bool pointer = false;
   bool guarded = false;            ///< the pointer may be null here
   std::vector<EntityId> messages;  ///< with which it is named
-  std::set<std::string> callees;   ///< functions, none of which may take a lock, by USR; "": one that is not seen
+  std::set<std::string>
+      callees;  ///< functions, none of which may take a lock, by USR; "": one that is not seen
 };
 
 /// A statement that calls `allocate` is inserted.
@@ -112,6 +113,10 @@ struct FactoryAllocation {
   std::vector<Change> changes;  ///< use $PUB; none: the call cannot be changed
 };
 
+/// A refusal of an allocation: in front of a lock.
+constexpr const char* used_by_others =
+    "other threads may use it until a lock is taken, and allocate would come before that";
+
 /// Where a message comes into being, and how `allocate` is called for it.
 struct AllocationSite {
   EntityId entity;
@@ -120,8 +125,8 @@ struct AllocationSite {
   std::vector<EntityId> later;            ///< publishers that this function names later, and cannot name here
   std::string record;                     ///< USR of the class whose `this` is available here
   EntityId function;                      ///< result of the function around it
-  bool locked = false;            ///< other threads may use the message until a lock is taken behind the place
-  std::set<std::string> callees;  ///< functions, none of which may take a lock, by USR; "": one that is not seen
+  std::string refusal;            ///< why there is no place for allocate, where it is something special
+  std::set<std::string> callees;  ///< none of which may take a lock, by USR; "": one that is not seen
   Location where;
 };
 

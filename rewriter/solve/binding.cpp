@@ -111,8 +111,9 @@ bool Binder::is_in_factory(const AllocationSite& site) const {
 
 /// A site in a factory whose callers can name the publisher is bound to a parameter that the factory is given.
 std::optional<Decision> Binder::bind(const AllocationSite& site) {
-  if (site.locked || locks_.may_be_taken_in(site.callees))
-    return refused({codes::TZC1019, locked, site.where}, site.entity);
+  if (!site.refusal.empty()) return refused({codes::TZC1019, site.refusal, site.where}, site.entity);
+  if (locks_.may_be_taken_in(site.callees))
+    return refused({codes::TZC1019, used_by_others, site.where}, site.entity);
   const auto* call = std::get_if<FactoryAllocation>(&site.how);
   if (call && given_.count(call->factory) == 0) return {};
   const auto publisher = is_possible(site) ? available_at(site) : std::nullopt;

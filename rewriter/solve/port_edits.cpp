@@ -139,6 +139,7 @@ void PortEditor::add_call(const BoundAllocation& allocation, const InsertedAlloc
   const std::string space = how.own_line ? "\n" + how.indent : " ";
   const std::string text = how.before ? call + space : space + call;
   add({*how.at, text, "allocate", {}}, components_.of(allocation.site->entity)->id);
+  edits_.edits.back().statement = how.before;
 }
 
 void PortEditor::add_parameter(const GivenPublisher& given) {

@@ -44,6 +44,7 @@ struct Mat {
   }
   template <class T, class F>
   void forEach(const F&) {}
+  void assignTo(Mat& m, int type = -1) const;
   std::size_t total() const { return 0; }
   unsigned char* data = nullptr;
   int rows = 0, cols = 0;
