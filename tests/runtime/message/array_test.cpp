@@ -104,6 +104,19 @@ TEST_F(ArrayInMemory, overwriting_after_publish_copies_nothing) {
   EXPECT_EQ(allocations + 2, memory_->allocations);
 }
 
+TEST_F(ArrayInMemory, assignment_keeps_the_place_of_the_elements_where_there_is_room) {
+  const Bytes published = bound(100);
+  publish(published);
+  Bytes array(200);
+  std::uint8_t* const held = &array[10];
+  array = published;
+  EXPECT_EQ(held, &array[10]);
+  EXPECT_EQ(10, *held);
+  *held = 99;
+  EXPECT_EQ(10, published[10]);
+  EXPECT_EQ(100u, array.size());
+}
+
 TEST_F(ArrayInMemory, copies_share_only_what_is_published) {
   Bytes array = bound(100);
   const Bytes deep(array);

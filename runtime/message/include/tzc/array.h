@@ -32,7 +32,8 @@ constexpr uninitialized_t uninitialized{0};
 /// memory (copy-on-write), so no write reaches a subscriber. clear(), assign(), = and resize(n,
 /// uninitialized) copy nothing then; every other non-const access to elements, begin() and operator[]
 /// included, copies them all: read a published array through a const reference. Copies of a published array
-/// share its memory too; copies of any other array are deep and live on the heap.
+/// share its memory too, unless they are assigned to an array that has room of its own; copies of any other
+/// array are deep and live on the heap.
 ///
 /// *Differences from std::vector<T>*: publishing invalidates pointers, references and iterators; T must be
 /// trivially copyable; conversion to a vector is explicit; swap() keeps each object's binding; no allocator

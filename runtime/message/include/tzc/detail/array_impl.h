@@ -7,9 +7,11 @@
 
 namespace tzc {
 
+/// As with std::vector, the elements stay where they are when there is room: pointers to them may be held.
 template <class T>
 void Array<T>::copy_from(const Array& other) {
-  if (!storage_.share_with(other.storage_)) assign(other.begin(), other.end());
+  const bool has_room = storage_.is_writable() && other.size() <= capacity();
+  if (has_room || !storage_.share_with(other.storage_)) assign(other.begin(), other.end());
 }
 
 template <class T>
