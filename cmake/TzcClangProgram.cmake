@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# tzc_clang_program(NAME OUTPUT path [COMPILE flag...] [LINK flag...] [DEPENDS file...] SOURCES file...)
+# tzc_clang_program(NAME OUTPUT path [COMPILE flag...] [LINK flag...] [DEPENDS file...] SOURCES file... [TOGETHER file...])
 #
 # A test program that Clang builds, whatever compiler the project uses: for libFuzzer, and because Clang compiles much
-# generated code with sanitizers in half of GCC's time. Target NAME is part of ALL.
+# generated code with sanitizers in half of GCC's time. The files of TOGETHER are compiled as one, where CMAKE_UNITY_BUILD is
+# on. Target NAME is part of ALL.
 include(TzcLlvmVersions)
 list(TRANSFORM TZC_LLVM_VERSIONS PREPEND clang++- OUTPUT_VARIABLE names)
 find_program(TZC_CLANGXX NAMES ${names} clang++)
@@ -11,7 +12,16 @@ if(POLICY CMP0116)
 endif()
 
 function(tzc_clang_program name)
-  cmake_parse_arguments(PROGRAM "" "OUTPUT" "SOURCES;COMPILE;LINK;DEPENDS" ${ARGN})
+  cmake_parse_arguments(PROGRAM "" "OUTPUT" "SOURCES;TOGETHER;COMPILE;LINK;DEPENDS" ${ARGN})
+  if(PROGRAM_TOGETHER AND CMAKE_UNITY_BUILD)
+    set(unity ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir/together.cpp)
+    list(TRANSFORM PROGRAM_TOGETHER REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE includes)
+    string(CONCAT includes ${includes})
+    file(GENERATE OUTPUT ${unity} CONTENT "${includes}")
+    list(APPEND PROGRAM_SOURCES ${unity})
+  else()
+    list(APPEND PROGRAM_SOURCES ${PROGRAM_TOGETHER})
+  endif()
   set(depfiles ON)
   if(NOT CMAKE_GENERATOR MATCHES "Ninja" AND CMAKE_VERSION VERSION_LESS 3.20)
     set(depfiles OFF)

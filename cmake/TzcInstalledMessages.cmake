@@ -11,8 +11,10 @@ else()
 endif()
 file(MAKE_DIRECTORY ${TZC_MESSAGES_INCLUDE_DIR}/tzc)
 
+# A build with a sanitizer takes another build's generator, and does not compile its own.
+set(TZC_HOST_MSGGEN tzc-msggen CACHE STRING "The generator that the build runs: a program, or the target tzc-msggen")
 add_custom_target(tzc_installed_messages ALL
-  COMMAND tzc-msggen generate --installed --if-changed -o ${TZC_MESSAGES_INCLUDE_DIR}
+  COMMAND ${TZC_HOST_MSGGEN} generate --installed --if-changed -o ${TZC_MESSAGES_INCLUDE_DIR}
   COMMENT "TZC headers of the installed message packages"
   VERBATIM)
 

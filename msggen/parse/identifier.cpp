@@ -3,14 +3,13 @@
 
 #include <algorithm>
 
+#include "parse/text.h"
+
 namespace tzc::msggen {
 namespace {
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
 }
 
 // C++14's; what later standards added may be a name in the messages of a package that builds as C++14.

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "parse/library_hints.h"
+#include "parse/source.h"
 
 namespace tzc::msggen {
 namespace {
@@ -24,11 +25,6 @@ struct Name {
 Name split_name(const std::string& full_name) {
   const std::size_t slash = full_name.find('/');
   return {full_name.substr(0, slash), slash == std::string::npos ? "" : full_name.substr(slash + 1)};
-}
-
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
 }
 
 }  // namespace
@@ -113,7 +109,7 @@ bool Library::load_from(const std::string& package, const std::string& folder, c
   add_origin("Request", "srv");
   add_origin("Response", "srv");
   for (const fs::path& candidate : candidates) {
-    if (!is_file(candidate)) continue;
+    if (!is_file(candidate.string())) continue;
     const auto names = add_file(candidate.string(), package);
     if (std::find(names.begin(), names.end(), package + "/" + name) != names.end()) return true;
   }

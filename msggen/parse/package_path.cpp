@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "parse/source.h"
 #include "parse/text.h"
 
 namespace tzc::msggen {
@@ -29,11 +30,6 @@ std::vector<fs::path> entries(const fs::path& folder) {
 bool is_folder(const fs::path& path) {
   std::error_code ignored;
   return fs::is_directory(path, ignored);
-}
-
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
 }
 
 bool has_definitions(const fs::path& folder) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -59,6 +60,11 @@ std::optional<Source> decode(std::string file, std::string_view bytes, Diagnosti
     bytes.remove_prefix(3);
   }
   return Source{std::move(file), with_unix_newlines(bytes)};
+}
+
+bool is_file(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
 }
 
 std::optional<Source> read_source(const std::string& file, Diagnostics& diagnostics) {

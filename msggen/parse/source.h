@@ -31,6 +31,9 @@ struct Section {
 /// Checks that the bytes are text (UTF-8, no NUL, no byte order mark, of reasonable size).
 std::optional<Source> decode(std::string file, std::string_view bytes, Diagnostics& diagnostics);
 
+/// Whether the path is that of a file, links followed.
+bool is_file(const std::string& path);
+
 /// Reads and decodes a file.
 std::optional<Source> read_source(const std::string& file, Diagnostics& diagnostics);
 

@@ -8,6 +8,11 @@
 
 namespace tzc::msggen {
 
+/// An ASCII digit, in every locale.
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 /// Without white space at both ends; what counts is what Python's str.strip() takes, beyond ASCII too: genmsg
 /// uses it.
 std::string_view strip(std::string_view text);

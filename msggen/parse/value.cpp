@@ -10,12 +10,10 @@
 #include <cstdlib>
 #include <optional>
 
+#include "parse/text.h"
+
 namespace tzc::msggen {
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // Digits with single underscores between them, as Python allows; without the underscores.
 std::optional<std::string> plain_digits(std::string_view text) {

@@ -15,7 +15,7 @@ namespace channel {
 namespace {
 
 constexpr int accepts_per_event = 16;
-constexpr std::chrono::milliseconds pause_when_exhausted{100};
+constexpr std::chrono::milliseconds pause_before_accepting_again{100};
 
 /// What the service keeps in place of the entrance, which would otherwise listen for ever.
 class Doorman final : public Watcher {
@@ -128,7 +128,7 @@ void Entrance::accept_some() {
       case posix::AcceptResult::exhausted:
         count_accept_failure();
         service_.change(listener_.fd(), key_, false, false);
-        service_.set_deadline(key_, Service::Clock::now() + pause_when_exhausted);
+        service_.set_deadline(key_, Service::Clock::now() + pause_before_accepting_again);
         return;
     }
   }

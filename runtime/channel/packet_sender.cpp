@@ -12,7 +12,7 @@ namespace {
 
 using posix::SendResult;
 
-constexpr std::chrono::milliseconds pause_when_exhausted{20};
+constexpr std::chrono::milliseconds pause_before_sending_again{20};
 
 }  // namespace
 
@@ -102,7 +102,7 @@ void PacketSender::try_again(SendResult result) {
   if (full != writable_watched_) service_->change(socket(), key_, true, full);
   writable_watched_ = full;
   if (result == SendResult::exhausted)
-    service_->set_deadline(key_, Service::Clock::now() + pause_when_exhausted);
+    service_->set_deadline(key_, Service::Clock::now() + pause_before_sending_again);
   else if (full && ending_)
     service_->set_deadline(key_, deadline_);
 }

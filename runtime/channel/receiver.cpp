@@ -17,8 +17,8 @@ constexpr std::uint32_t nobody = ~std::uint32_t{0};
 constexpr std::chrono::seconds between_looks_at_all{1};
 constexpr std::chrono::milliseconds between_questions{1};  // to an end that may not be read yet
 
-std::atomic<Receiver*> current{nullptr};
-std::mutex start_mutex;
+std::atomic<Receiver*> running_receiver{nullptr};
+std::mutex receiver_start_mutex;
 
 thread_local bool reads_now = false;
 
@@ -52,14 +52,14 @@ void DoorbellNumber::end() {
 }
 
 Receiver* Receiver::running() {
-  Receiver* receiver = current.load(std::memory_order_acquire);
+  Receiver* receiver = running_receiver.load(std::memory_order_acquire);
   return receiver != nullptr && !posix::forked_since(receiver->epoch_) ? receiver : nullptr;
 }
 
 // A forked child starts a receiver of its own and leaves the parent's object alone: its locks may be in any state.
 Expected<Receiver*> Receiver::instance() {
   if (Receiver* receiver = running()) return receiver;
-  const std::lock_guard<std::mutex> lock(start_mutex);
+  const std::lock_guard<std::mutex> lock(receiver_start_mutex);
   if (Receiver* receiver = running()) return receiver;
   return start();
 }
@@ -76,7 +76,7 @@ Expected<Receiver*> Receiver::start() {
   auto thread = posix::start_thread("tzc-reader", [raw = receiver.get()] { raw->run(); });
   if (!thread) return thread.error();
   receiver->thread_ = std::move(*thread);
-  current.store(receiver.get(), std::memory_order_release);
+  running_receiver.store(receiver.get(), std::memory_order_release);
   return receiver.release();
 }
 

@@ -11,18 +11,18 @@ namespace tzc {
 namespace channel {
 namespace {
 
-std::atomic<Service*> current{nullptr};
-std::mutex start_mutex;
+std::atomic<Service*> running_service{nullptr};
+std::mutex service_start_mutex;
 
 }  // namespace
 
 // A forked child starts a service of its own and leaves the parent's object alone: its locks may be in any
 // state.
 Expected<Service*> Service::instance() {
-  Service* service = current.load(std::memory_order_acquire);
+  Service* service = running_service.load(std::memory_order_acquire);
   if (service != nullptr && !posix::forked_since(service->epoch_)) return service;
-  const std::lock_guard<std::mutex> lock(start_mutex);
-  service = current.load(std::memory_order_acquire);
+  const std::lock_guard<std::mutex> lock(service_start_mutex);
+  service = running_service.load(std::memory_order_acquire);
   if (service != nullptr && !posix::forked_since(service->epoch_)) return service;
   return start();
 }
@@ -34,7 +34,7 @@ Expected<Service*> Service::start() {
   auto thread = posix::start_thread("tzc-service", [raw = service.get()] { raw->run(); });
   if (!thread) return thread.error();
   service->thread_ = std::move(*thread);
-  current.store(service.get(), std::memory_order_release);
+  running_service.store(service.get(), std::memory_order_release);
   return service.release();
 }
 

@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Node camera() {
+Node camera_and_depth() {
   Connection shared, plain;
   shared.subscriber = "/viewer";
   shared.transport = Transport::shared;
@@ -29,19 +29,19 @@ Node camera() {
 }
 
 TEST(Explain, a_shared_connection_by_its_subscriber) {
-  EXPECT_THAT(explain({camera()}, "viewer", "image").sentences,
+  EXPECT_THAT(explain({camera_and_depth()}, "viewer", "image").sentences,
               ElementsAre("/camera sends /image to /viewer through shared memory."));
 }
 
 TEST(Explain, all_connections_of_a_publisher) {
-  EXPECT_THAT(explain({camera()}, "/camera", "/image").sentences,
+  EXPECT_THAT(explain({camera_and_depth()}, "/camera", "/image").sentences,
               ElementsAre("/camera sends /image to /viewer through shared memory.",
                           "/camera sends /image to /rviz over TCPROS: /rviz has not attached /image. It "
                           "subscribes by nh.subscribe: use tzc::subscribe or tzc::attach there."));
 }
 
 TEST(Explain, that_a_process_is_stopped) {
-  Node node = camera();
+  Node node = camera_and_depth();
   node.state = State::stopped;
   node.age_s = 12;
   node.topics[0].connections[0].is_stopped = true;
@@ -52,12 +52,13 @@ TEST(Explain, that_a_process_is_stopped) {
 }
 
 TEST(Explain, what_was_not_found) {
-  EXPECT_THAT(explain({camera()}, "/camera", "/depth").sentences,
+  EXPECT_THAT(explain({camera_and_depth()}, "/camera", "/depth").sentences,
               ElementsAre("/camera publishes /depth and has no subscriber."));
-  const Explanation no_connection = explain({camera()}, "/nobody", "/image");
+  const Explanation no_connection = explain({camera_and_depth()}, "/nobody", "/image");
   EXPECT_TRUE(no_connection.sentences.empty());
   EXPECT_EQ(no_connection.nothing, "/image is published by /camera, which has no connection to /nobody.");
-  EXPECT_THAT(explain({camera()}, "/viewer", "/none").nothing, HasSubstr("publishes /none with TZC"));
+  EXPECT_THAT(explain({camera_and_depth()}, "/viewer", "/none").nothing,
+              HasSubstr("publishes /none with TZC"));
 }
 
 TEST(Words, of_every_reason_that_the_upgrade_gives_have_advice) {

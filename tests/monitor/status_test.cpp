@@ -10,7 +10,7 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using testing::HasSubstr;
 
-Node camera() {
+Node viewed_camera() {
   Connection viewer;
   viewer.subscriber = "/viewer";
   viewer.transport = Transport::shared;
@@ -27,7 +27,7 @@ Node camera() {
 }
 
 TEST(Status, of_a_node_without_problems_is_ok) {
-  const auto all = statuses({camera()}, "robot");
+  const auto all = statuses({viewed_camera()}, "robot");
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].name, "tzc: /camera");
   EXPECT_EQ(all[0].level, DiagnosticStatus::OK);
@@ -39,7 +39,7 @@ TEST(Status, of_a_node_without_problems_is_ok) {
 }
 
 TEST(Status, is_the_worst_problem_and_names_all) {
-  Node node = camera();
+  Node node = viewed_camera();
   Connection rviz;
   rviz.subscriber = "/rviz";
   rviz.transport = Transport::tcpros;
@@ -55,7 +55,7 @@ TEST(Status, is_the_worst_problem_and_names_all) {
 }
 
 TEST(Status, of_a_stopped_subscriber_is_an_error_of_its_own) {
-  Node node = camera();
+  Node node = viewed_camera();
   node.topics[0].connections[0].is_stopped = true;
   const auto all = statuses({node}, "robot");
   ASSERT_EQ(all.size(), 2U);
@@ -65,7 +65,7 @@ TEST(Status, of_a_stopped_subscriber_is_an_error_of_its_own) {
 }
 
 TEST(Status, of_a_connection_that_stays_on_tcpros_is_ok) {
-  Node node = camera();
+  Node node = viewed_camera();
   node.topics[0].connections[0].transport = Transport::tcpros;
   node.topics[0].connections[0].reason = "it has no TZC";
   EXPECT_EQ(statuses({node}, "robot")[0].level, DiagnosticStatus::OK);

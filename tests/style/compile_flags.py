@@ -2,10 +2,27 @@
 """What an entry of compile_commands.json says of the language, without the file, its output and its dependencies, and
 without CMake's precompiled header: a file is to include what it uses."""
 import os
+import re
 import shlex
 
+_UNITY_FILE = re.compile(r"/Unity/unity_\d+_cxx\.cxx$")
+_INCLUDED = re.compile(r'^#include "([^"]+)"', re.M)
 _WITH_A_VALUE = {"-o", "-MF", "-MT", "-MQ"}
 _ALONE = {"-c", "-MD", "-MMD", "-MP", "-Winvalid-pch", "-fpch-preprocess"}
+
+
+def entries_of_files(entries):
+    """An entry for each file that people write, in place of those for CMake's unity files, which include several. Its
+    "together" tells whether it is compiled after another one."""
+    for entry in entries:
+        unity = entry["file"]
+        if not _UNITY_FILE.search(unity):
+            yield entry
+            continue
+        with open(unity, encoding="utf-8") as file:
+            included = _INCLUDED.findall(file.read())
+        for path in included:
+            yield {**entry, "file": path, "command": entry["command"].replace(unity, path), "together": path != included[0]}
 
 
 def flags_of(entry):

@@ -4,8 +4,9 @@
 
 Most of clang-tidy's time goes into headers, so files with the same compile flags are looked at together, as one
 translation unit that includes them. Files that define one name twice (two helpers) do not come together; those that
-do not compile together all the same are told apart by the errors. With the plugin own_declarations.cpp, clang-tidy does
-not look for anything in system headers.
+do not compile together all the same are told apart by the errors. Those that the build compiles together are looked at
+one by one: only then a missing #include is found. With the plugin own_declarations.cpp, clang-tidy does not look for
+anything in system headers.
 
 A clean file is not looked at again until its content, that of a header it includes from the repository or the build
 folder, its compile command, the checks, clang-tidy, or the plugin changes: BUILD_FOLDER/tidy/ has a mark for each. Remove
@@ -23,7 +24,7 @@ import re
 import subprocess
 import sys
 
-from compile_flags import flags_of, include_folders
+from compile_flags import entries_of_files, flags_of, include_folders
 from tree import cpp_files
 
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.M)
@@ -79,6 +80,7 @@ class Source:
         self.path = os.path.realpath(entry["file"])
         self.folder = entry["directory"]
         self.flags = tuple(flag for flag in flags_of(entry) if not flag.startswith(_NOT_LOOKED_AT))
+        self.alone = entry.get("together", False)
         self.configs = _configs(root, self.path)
         self.defines = frozenset(b"".join(names) for names in _DEFINED.findall(_content(self.path)))
 
@@ -113,9 +115,9 @@ def _configs(root, path):
 
 
 def _together(sources):
-    """Parts of `sources`: none is long, and none has two files that define the same name."""
+    """Parts of `sources`: none is long, none has two files that define the same name or one that is looked at alone."""
     parts = []
-    for source in sources:
+    for source in (source for source in sources if not source.alone):
         for part, names in parts:
             if len(part) < _FILES_TOGETHER and names.isdisjoint(source.defines):
                 part.append(source)
@@ -123,7 +125,7 @@ def _together(sources):
                 break
         else:
             parts.append(([source], set(source.defines)))
-    return [part for part, _ in parts]
+    return [part for part, _ in parts] + [[source] for source in sources if source.alone]
 
 
 def _version(program, plugin):
@@ -209,7 +211,7 @@ def _without_counts(text):
 def entries(root, build, wanted):
     """The compile command of each file of the tree that is built, one a file."""
     with open(os.path.join(build, "compile_commands.json"), encoding="utf-8") as file:
-        by_file = {os.path.realpath(entry["file"]): entry for entry in json.load(file)}
+        by_file = {os.path.realpath(entry["file"]): entry for entry in entries_of_files(json.load(file))}
     files = wanted or cpp_files(root)
     return [by_file[path] for path in (os.path.realpath(os.path.join(root, file)) for file in files) if path in by_file]
 

@@ -5,13 +5,13 @@
 
 #include <sstream>
 
+#include "roscpp/megabyte.h"
+
 namespace tzc {
 namespace detail {
 namespace {
 
 using Cause = AllocationError::Cause;
-
-constexpr std::size_t kMegabyte = std::size_t{1} << 20;
 
 /// What the queue and one subscriber use at once: the queue and the record that goes with it (decision 509), a message that
 /// is being filled, one in a callback and one that waits for it.

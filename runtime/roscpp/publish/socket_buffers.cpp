@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <fstream>
 
+#include "roscpp/megabyte.h"
+
 namespace tzc {
 namespace detail {
 namespace {
-
-constexpr std::size_t kMegabyte = std::size_t{1} << 20;
 
 /// The last of three numbers: "4096 131072 6291456".
 std::size_t most_bytes(const char* setting, std::size_t otherwise) {

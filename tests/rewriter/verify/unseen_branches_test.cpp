@@ -11,18 +11,18 @@
 namespace tzc::rewriter::test {
 namespace {
 
-const char* const node = "/p/node.cpp";
+const char* const branch_file = "/p/node.cpp";
 
 /// A node with the entity at line 2 and a branch that one of its units does not compile.
 class Branch {
  public:
   Branch(std::string text, Entity entity) : text_(std::move(text)) {
-    entity.where = {node, 2, 3};
-    facts_.facts.units_of_file = {{node, {"node"}}};
+    entity.where = {branch_file, 2, 3};
+    facts_.facts.units_of_file = {{branch_file, {"node"}}};
     facts_.add(entity);
   }
   Branch& units(std::set<std::string> names) {
-    facts_.facts.units_of_file[node] = std::move(names);
+    facts_.facts.units_of_file[branch_file] = std::move(names);
     return *this;
   }
 
@@ -33,9 +33,9 @@ class Branch {
     const auto begin = static_cast<unsigned>(text_.find("#if")),
                end = static_cast<unsigned>(text_.find("#endif"));
     const auto line = static_cast<unsigned>(1 + std::count(text_.begin(), text_.begin() + begin, '\n'));
-    const UnseenBranches branches({{node, begin, end, line, 1}}, facts_.facts, components,
+    const UnseenBranches branches({{branch_file, begin, end, line, 1}}, facts_.facts, components,
                                   [this](const std::string&) { return text_; });
-    const auto found = branches.users_of({{node, 0, 0, "x", component, "rule"}});
+    const auto found = branches.users_of({{branch_file, 0, 0, "x", component, "rule"}});
     return found.empty() ? "" : found.at(component).code;
   }
 

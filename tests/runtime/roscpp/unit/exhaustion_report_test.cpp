@@ -8,13 +8,13 @@
 #include <memory>
 #include <string>
 
+#include "support/text.h"
+
 namespace tzc {
 namespace detail {
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using test::has;
 
 MemoryOptions options_of(std::size_t size) {
   MemoryOptions options;

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/text.h"
+
 namespace tzc {
 namespace detail {
 namespace {
+
+using test::has;
 
 struct Parsed {
   Settings settings;
@@ -24,10 +28,6 @@ std::string warning(const std::string& name, const std::string& text) {
   const Parsed parsed = parse({{name, text}});
   EXPECT_EQ(parsed.warnings.size(), 1u) << name << " " << text;
   return parsed.warnings.empty() ? std::string() : parsed.warnings.front();
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(Settings, nothing_set_is_nothing_overridden) {
