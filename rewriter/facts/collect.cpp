@@ -7,6 +7,7 @@
 #include "facts/callbacks.h"
 #include "facts/collectors.h"
 #include "facts/message_type.h"
+#include "facts/size_questions.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -15,7 +16,7 @@ namespace {
 /// The dispatch table: passes each kind of node to its collector.
 class Dispatcher : public AstVisitor {
  public:
-  explicit Dispatcher(const Unit& unit) : to_(unit), callbacks_(unit, to_.entities()) {}
+  explicit Dispatcher(const Unit& unit) : unit_(unit), to_(unit), callbacks_(unit, to_.entities()) {}
   bool shouldVisitTemplateInstantiations() const override { return true; }
 
   bool VisitVarDecl(clang::VarDecl* variable) override {
@@ -84,11 +85,12 @@ class Dispatcher : public AstVisitor {
     return true;
   }
   bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* question) override {
-    to_.size_question(question->getTypeOfArgument(), question->getBeginLoc());
+    note_size_question(unit_, to_.entities(), question->getTypeOfArgument(), question->getBeginLoc());
     return true;
   }
   bool VisitOffsetOfExpr(clang::OffsetOfExpr* question) override {
-    to_.size_question(question->getTypeSourceInfo()->getType(), question->getBeginLoc());
+    note_size_question(unit_, to_.entities(), question->getTypeSourceInfo()->getType(),
+                       question->getBeginLoc());
     return true;
   }
   bool VisitLambdaExpr(clang::LambdaExpr* lambda) override {
@@ -108,6 +110,7 @@ class Dispatcher : public AstVisitor {
     if (callbacks_.check_address_taken(function, reference)) to_.addressed(function);
   }
 
+  const Unit& unit_;
   Collectors to_;
   CallbackPins callbacks_;
   std::vector<const clang::FunctionDecl*> functions_;

@@ -16,7 +16,6 @@
 #include "facts/lock_names.h"
 #include "facts/publish_sites.h"
 #include "facts/shared_mats.h"
-#include "model/codes.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -206,21 +205,6 @@ void Collectors::early_calls(const clang::Stmt* stmt) {
     facts_.early.insert(usr_of(pattern_of(call->getDirectCallee())));
   if (stmt)
     for (const clang::Stmt* child : stmt->children()) early_calls(child);
-}
-
-void Collectors::size_question(clang::QualType type, clang::SourceLocation where) {
-  while (const clang::ArrayType* array = unit_.ast().getAsArrayType(type)) type = array->getElementType();
-  const clang::CXXRecordDecl* record = type->isDependentType() ? nullptr : type->getAsCXXRecordDecl();
-  if (!record || !record->hasDefinition() || !unit_.source.in_package(record->getLocation())) return;
-  record = record->getDefinition();
-  for (const clang::CXXBaseSpecifier& base : record->bases()) size_question(base.getType(), where);
-  for (const clang::FieldDecl* field : record->fields()) {
-    const EntityId id = message_of(field->getType()) ? entities_.declare(field) : EntityId();
-    if (!id.empty())
-      entities_.add_obstacle(id, codes::TZC1001, "the program asks for the size of a class that holds it",
-                             where);
-    size_question(field->getType(), where);
-  }
 }
 
 void Collectors::addressed(const clang::FunctionDecl* function) {

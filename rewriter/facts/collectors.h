@@ -45,8 +45,6 @@ class Collectors {
   void escapes(const std::vector<const clang::FunctionDecl*>& functions,
                const std::vector<const clang::MemberExpr*>& arrays);
   void early_calls(const clang::Stmt* stmt);
-  /// sizeof, alignof or offsetof a class: the messages in it may not change theirs.
-  void size_question(clang::QualType type, clang::SourceLocation where);
   /// The function may be called at any time: something else than a call names it.
   void addressed(const clang::FunctionDecl* function);
   Facts finish();
