@@ -4,7 +4,6 @@
 #include <clang/AST/DeclTemplate.h>
 
 #include "facts/escape_climb.h"
-#include "facts/hidden_calls.h"
 #include "facts/known_functions.h"
 #include "facts/type_blind.h"
 
@@ -105,19 +104,18 @@ bool CallSteps::into_array_method(const clang::MemberExpr* member, const clang::
 namespace {
 
 /// Whether a member function of a view may pass on where it points to: it is given another object to write that to, as swap and
-/// cv::Mat::assignTo are, or a function to call, as cv::Mat::forEach is.
-bool passes_on(const clang::CXXMemberCallExpr* call) {
-  const clang::CXXMethodDecl* method = call->getMethodDecl();
-  for (const clang::ParmVarDecl* parameter : method->parameters()) {
-    const clang::QualType type = parameter->getType();
-    const clang::QualType target = type->getPointeeType();
-    if (!target.isNull() && !target.isConstQualified() && may_hold_pointer(target)) return true;
-  }
-  return llvm::any_of(call->arguments(), [](const clang::Expr* argument) {
-    const clang::QualType type = argument->IgnoreImplicit()->getType();
-    const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-    return may_call_back(type) || type->isFunctionType() || (record && record->isLambda());
+/// cv::Mat::assignTo are.
+bool passes_on(const clang::CXXMethodDecl* method) {
+  return llvm::any_of(method->parameters(), [](const clang::ParmVarDecl* parameter) {
+    const clang::QualType target = parameter->getType()->getPointeeType();
+    return !target.isNull() && !target.isConstQualified() && may_hold_pointer(target);
   });
+}
+
+/// x != x.end() of sensor_msgs::PointCloud2Iterator
+bool is_of_view(const clang::FunctionDecl* function) {
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
+  return method && is_view(method->getThisType()->getPointeeType());
 }
 
 }  // namespace
@@ -130,8 +128,9 @@ bool CallSteps::into_element_method(const clang::CXXMemberCallExpr* call) {
   const Keeping keeping = context_.keeping_of(name, at_.messages);
   if (keeping == Keeping::nothing_and_result_is_new) return done();
   const clang::QualType object = method->getThisType()->getPointeeType();
+  if (is_view(object)) check_callables(call);
   const bool is_known =
-      (is_view(object) && !passes_on(call)) || keeping == Keeping::nothing || !may_hold_pointer(object);
+      (is_view(object) && !passes_on(method)) || keeping == Keeping::nothing || !may_hold_pointer(object);
   return is_known ? into_result(call) : escape("is passed to '" + name + "'");
 }
 
@@ -173,7 +172,8 @@ bool CallSteps::into_operator(const clang::CXXOperatorCallExpr* call) {
     return done();
   }
   const bool is_value = at_.expr->isPRValue() && !may_hold_pointer(at_.expr->getType());
-  if (is_value || (call->isComparisonOp() && callee->isInStdNamespace())) return done();
+  if (is_value || (call->isComparisonOp() && (callee->isInStdNamespace() || is_of_view(callee))))
+    return done();
   const clang::CXXRecordDecl* record = at_.expr->getType()->getAsCXXRecordDecl();
   const bool of_iterator = at_.how == Reference::elements && record && is_view(at_.expr->getType());
   return of_iterator ? into_result(call) : into_call(call);

@@ -41,7 +41,7 @@ class Node {
 //--- expected
 // publish src/node.cpp:13 sensor_msgs/Image one_copy '1' TZC1003 a pointer into its data is passed to 'cv::Mat::assignTo'
 // publish src/node.cpp:21 sensor_msgs/Image one_copy '2' TZC1003 a pointer into its data is passed to 'std::pair::swap'
-// publish src/node.cpp:29 sensor_msgs/Image one_copy '3' TZC1003 a pointer into its data is passed to 'cv::Mat::forEach'
+// publish src/node.cpp:29 sensor_msgs/Image one_copy '3' TZC1003 a pointer into its data is kept in 'pixel_'
 // advertise src/node.cpp:35 sensor_msgs/Image one_copy '1'
 // advertise src/node.cpp:36 sensor_msgs/Image one_copy '2'
 // advertise src/node.cpp:37 sensor_msgs/Image one_copy '3'
