@@ -23,7 +23,7 @@ bool takes_over(const clang::FunctionDecl* callee) {
   return record.contains("atomic") || record.contains("future");
 }
 
-class Locks : public AstVisitor {
+class LockFinder : public AstVisitor {
  public:
   bool found = false;
   bool VisitStmt(clang::Stmt* stmt) override {
@@ -46,7 +46,7 @@ bool takes_lock(const clang::Stmt* stmt) {
 }
 
 bool takes_locks(const clang::FunctionDecl* definition) {
-  Locks locks;
+  LockFinder locks;
   locks.TraverseStmt(definition->getBody());
   return locks.found;
 }

@@ -9,8 +9,6 @@ namespace tzc::rewriter {
 namespace {
 
 constexpr const char* nowhere = "it is built where its publisher cannot be named";
-constexpr const char* locked =
-    "other threads may use it until a lock is taken, and allocate would come before that";
 
 bool is_filled(const AllocationSite& site) {
   const auto* inserted = std::get_if<InsertedAllocation>(&site.how);

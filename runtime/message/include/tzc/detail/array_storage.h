@@ -12,6 +12,18 @@
 #include <mutex>
 #include <utility>
 
+// GCC has a macro for it, Clang a feature.
+#if defined(__SANITIZE_THREAD__)
+#define TZC_THREAD_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define TZC_THREAD_SANITIZER 1
+#endif
+#endif
+#ifndef TZC_THREAD_SANITIZER
+#define TZC_THREAD_SANITIZER 0
+#endif
+
 namespace tzc {
 namespace detail {
 
@@ -184,11 +196,7 @@ class ArrayStorage {
   static void publish_pointer(T*& pointer, T* elements) noexcept {
     __atomic_store_n(&pointer, elements, __ATOMIC_RELEASE);
   }
-#if defined(__SANITIZE_THREAD__)
-  static constexpr int pointer_order = __ATOMIC_ACQUIRE;
-#else
-  static constexpr int pointer_order = __ATOMIC_RELAXED;
-#endif
+  static constexpr int pointer_order = TZC_THREAD_SANITIZER ? __ATOMIC_ACQUIRE : __ATOMIC_RELAXED;
 
   ArrayBlock<T> acquire(std::size_t capacity) {
     // Room beside an array that was published meanwhile: writing there is right, but guard mode cannot tell.
@@ -251,3 +259,5 @@ class ArrayStorage {
 
 }  // namespace detail
 }  // namespace tzc
+
+#undef TZC_THREAD_SANITIZER
