@@ -43,6 +43,14 @@ bool loses_const(clang::QualType before, clang::QualType after) {
   return false;
 }
 
+template <class Call>
+unsigned count_written(const Call* call) {
+  const auto is_written = [](const clang::Expr* argument) {
+    return !llvm::isa<clang::CXXDefaultArgExpr>(argument);
+  };
+  return static_cast<unsigned>(llvm::count_if(call->arguments(), is_written));
+}
+
 }  // namespace
 
 Receiver receiver_of(const clang::CXXMemberCallExpr* call) {
@@ -92,10 +100,11 @@ std::vector<Change> receiver_first(const Unit& unit, const clang::CXXMemberCallE
 }
 
 unsigned written_arguments(const clang::CallExpr* call) {
-  unsigned count = 0;
-  for (const clang::Expr* argument : call->arguments())
-    if (!llvm::isa<clang::CXXDefaultArgExpr>(argument)) ++count;
-  return count;
+  return count_written(call);
+}
+
+unsigned written_arguments(const clang::CXXConstructExpr* construct) {
+  return count_written(construct);
 }
 
 bool passes_through(const clang::FunctionDecl* function) {

@@ -16,6 +16,7 @@ namespace tzc::rewriter {
 
 /// Without default arguments.
 unsigned written_arguments(const clang::CallExpr* call);
+unsigned written_arguments(const clang::CXXConstructExpr* construct);
 /// An argument as it is written; none: it is not.
 std::optional<std::string> written_text(const Unit& unit, const clang::CallExpr* call, unsigned index);
 /// As written between < and >; empty: none written.

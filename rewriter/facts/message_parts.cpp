@@ -20,7 +20,7 @@ const clang::Expr* same_object(const clang::Expr* expr) {
                                                                                      : nullptr;
   const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expr);
   const bool is_pointer = made && !pointee_of(made->getType()).isNull();
-  return is_pointer && made->getNumArgs() == 1 ? made->getArg(0) : nullptr;
+  return is_pointer && written_arguments(made) == 1 ? made->getArg(0) : nullptr;
 }
 
 bool is_assigned(const FunctionView& view, const clang::DeclRefExpr* use) {

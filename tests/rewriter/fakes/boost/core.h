@@ -15,8 +15,10 @@ class shared_ptr {
   explicit shared_ptr(U* p) : p_(p) {}
   template <class U, class D>
   shared_ptr(U* p, D deleter) : p_(p, deleter) {}
-  template <class U, class = typename std::enable_if<std::is_convertible<U*, T*>::value>::type>
-  shared_ptr(const shared_ptr<U>& other) : p_(other.p_) {}
+  template <class U>  // with a second parameter, as boost has it
+  shared_ptr(const shared_ptr<U>& other,
+             typename std::enable_if<std::is_convertible<U*, T*>::value, int>::type = 0)
+      : p_(other.p_) {}
   T* operator->() const { return p_.get(); }
   typename std::add_lvalue_reference<T>::type operator*() const { return *p_; }
   T* get() const { return p_.get(); }
