@@ -35,7 +35,7 @@ def parse_arguments():
     parser.add_argument("config")
     parser.add_argument("folder")
     parser.add_argument("--seed", default="1")
-    parser.add_argument("--adversarial", action="store_true", help="programs that point into their messages")
+    parser.add_argument("--adversarial", action="store_true", help="programs that attack the analysis")
     parser.add_argument("--programs", type=int, default=50)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--only", help="these programs alone, by number")

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The fuzzer's own promises: programs are reproducible, every pattern occurs, and what differs is noticed."""
 import os
-import re
+import random
 import sys
 import tempfile
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from execution import differences, last_program  # noqa: E402
-from grammar import attacks, builders, keepers, libraries, outputs, owners, package, pointers  # noqa: E402
-from grammar import publishers, subscribers, times  # noqa: E402
+from grammar import attacks, builders, keepers, libraries, messages, outputs, owners, package  # noqa: E402
+from grammar import pointers, publishers, subscribers, times  # noqa: E402
+from grammar.program import Program  # noqa: E402
 from port import check_levels, check_sites  # noqa: E402
 from toolchain import Failure  # noqa: E402
 
@@ -33,10 +34,11 @@ class Programs(unittest.TestCase):
 
     def test_every_attack_occurs(self):
         seen = set()
-        for index in range(1000):
+        for index in range(1500):
             seen.update(package.make_program("1", index, adversarial=True).traits)
         ways = [("owner", owners.OWNERS), ("store", pointers.STORES + keepers.STORES), ("transfer", owners.TRANSFERS),
-                ("output", outputs.PLAIN + outputs.HIDDEN), ("time", [*times.ONCE, *times.ANEW, attacks.in_next_step])]
+                ("output", outputs.PLAIN + outputs.HIDDEN), ("time", [*times.ONCE, *times.ANEW, attacks.in_next_step]),
+                *attacks.REACHES.items()]
         self.assertEqual({f"{kind}: {way.__name__}" for kind, some in ways for way in some} - seen, set())
 
     def test_what_writes_when_it_ends_does_not_outlive_the_elements(self):
@@ -48,17 +50,16 @@ class Programs(unittest.TestCase):
 
     def test_a_pointer_that_is_made_once_never_becomes_null(self):
         """The next step follows it."""
-        swapped = 0
-        for index in range(2000):
-            program = package.make_program("1", index, adversarial=True)
-            text = "\n".join("\n".join(part) for part in program.render())
-            made_once = set(re.findall(r"(\w+) = boost::make_shared", "\n".join(program.setup)))
-            for other, pointer in re.findall(r"(\w+)\.swap\((\w+)\);", text):
-                if pointer in made_once:
-                    swapped += 1
-                    filled = rf"Ptr {other} = boost::make_shared<.*\n *{other}\.swap\({pointer}\)"
-                    self.assertTrue(re.search(filled, text), f"{program.name}: {pointer}")
-        self.assertGreater(swapped, 0)
+        made_once = 0
+        for owner in owners.OWNERS:
+            program = Program(random.Random(1), 1)
+            owned = owner(program, messages.IMAGE)
+            if f"{owned.argument} = boost::make_shared<sensor_msgs::Image>();" in program.setup:
+                made_once += 1
+                lines, _ = owners.by_swapped_pointer(messages.IMAGE, owned)
+                self.assertEqual(lines, ["sensor_msgs::ImagePtr next = boost::make_shared<sensor_msgs::Image>();",
+                                         f"next.swap({owned.argument});"])
+        self.assertGreater(made_once, 0)
 
 
 class Comparison(unittest.TestCase):

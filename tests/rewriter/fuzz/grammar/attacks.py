@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Adversarial programs: who points into a message's data, how that is stored, and when it is used, composed with
 publishing. What is written through an old pointer after a publish shows in the next message, which must be the same
-before and after the port; messages that subscribers keep must not change."""
-from . import keepers, messages, outputs, owners, pointers, subscribers, times
+before and after the port; messages that subscribers keep must not change. And what is inserted for the port: messages that are not there in every step, that are named by
+expressions which do something, that other threads fill."""
+from . import absent, effects, keepers, messages, outputs, owners, pointers, subscribers, times, waits
 from .publishers import in_block
+from .uses import Use
 
 COUNT = 20
 PLAIN = [message for message in messages.ALL if not message.arrays[0][1].fields and "." not in message.arrays[0][0]]
@@ -88,7 +90,7 @@ def attack(program):
     owner, store, transfer, output, time = choose(program)
     one = Attack(program, owner, store, transfer, output)
     program.steps += somewhere(program, one.declare + one.fill + time(one))
-    note(program, one, {"owner": owner, "store": store, "transfer": transfer, "output": output, "time": time})
+    label(program, one.topics(), {"owner": owner, "store": store, "transfer": transfer, "output": output, "time": time})
 
 
 def in_next_step(program):
@@ -102,24 +104,44 @@ def in_next_step(program):
     else:
         fill = use + [f"if (!{known}) {{"] + ["  " + line for line in one.fill] + ["}"]
     program.steps += somewhere(program, one.declare + fill + one.send() + one.make() + [f"{known} = true;"])
-    note(program, one, {"owner": owner, "output": output, "time": in_next_step})
+    label(program, one.topics(), {"owner": owner, "output": output, "time": in_next_step})
 
 
-def note(program, one, chosen):
+REACHES = {"made": absent.MADE, "held": absent.HELD, "effect": effects.WAYS, "wait": waits.WAYS}
+
+
+def reach(program):
+    """A message that is made, held, named or waited for as the port must respect it."""
+    kind = program.rng.choice(list(REACHES))
+    way = program.rng.choice(REACHES[kind])
+    output = outputs.directly
+    if program.rng.random() < 0.6:
+        output = program.rng.choice(outputs.PLAIN if program.rng.random() < 0.6 else outputs.HIDDEN)
+    published = len(program.topics)
+    use = Use(program, program.rng.choice(PLAIN), output)
+    program.steps += somewhere(program, way(use))
+    label(program, program.topics[published:], {kind: way, "output": output})
+
+
+def label(program, topics, chosen):
     names = [f"{what}: {which.__name__}" for what, which in chosen.items()]
     program.traits += names
-    for topic in one.topics():
+    for topic in topics:
         topic.traits = names
 
 
-STANDARD = {"any", "array", "atomic", "functional", "memory", "optional", "thread", "tuple", "utility"}
+STANDARD = {"any", "array", "atomic", "boost/thread.hpp", "boost/weak_ptr.hpp", "condition_variable", "deque", "functional",
+            "future", "list", "memory", "mutex", "optional", "sstream", "thread", "tuple", "utility", "variant"}
 
 
 def make(program):
     program.includes |= STANDARD
     for _ in range(program.rng.choice([2, 3])):
-        if program.rng.random() < 0.12:
+        chance = program.rng.random()
+        if chance < 0.08:
             in_next_step(program)
+        elif chance < 0.45:
+            reach(program)
         else:
             attack(program)
     for topic in program.topics:

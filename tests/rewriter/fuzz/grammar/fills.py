@@ -133,11 +133,28 @@ def emplace_back(rng, array, element, n):
     return [f"for (int i = 0; i < {n}; ++i) {array}.emplace_back({element.value()});"]
 
 
+def read_behind_resize(rng, array, element, n):
+    """What a message of the step before has left there, or zero."""
+    return [f"{array}.resize({n} + 3);", f"{array}[0] = {array}[1];", f"{array}[{n} + 1] = {array}[{n}];",
+            f"{element.put(array + '[1]', '1')}"]
+
+
+def insert_at_begin(rng, array, element, n):
+    return [f"if ({array}.size() > 300) {array}.clear();", f"{array}.insert({array}.begin(), {element.value('2')});",
+            f"if ({array}.size() > 3) std::rotate({array}.begin(), {array}.begin() + 2, {array}.end());"]
+
+
+def erase_some(rng, array, element, n):
+    return [f"{array}.resize({n} + 4);", f"{element.put(array + '[2]', '2')}",
+            f"{array}.erase({array}.begin(), {array}.begin() + 2);"]
+
+
 WAYS = {resize_and_index: 6, resize_one_line: 2, resize_and_part: 3, resize_only: 1, resize_and_copy: 3,
         resize_and_copy_part: 2, push_back: 4, clear_reserve_push: 2, assign_value: 2, assign_range: 2, whole_vector: 3,
         swap_vector: 1, insert_range: 1, shrinks: 2, raw_pointer: 2, iterator_loop: 1, range_loop: 1, transform: 1,
         loop_over_vector: 2, loop_of_numbers: 1, back_inserter: 1, at_and_back: 1, reference_to_array: 1,
-        vector_reference: 1, library_takes_vector: 1, emplace_back: 1}
+        vector_reference: 1, library_takes_vector: 1, emplace_back: 1, read_behind_resize: 2, insert_at_begin: 1,
+        erase_some: 1}
 
 
 def in_block(lines):

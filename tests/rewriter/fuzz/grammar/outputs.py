@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How adversarial programs publish: directly, and through all that may hide a publish call. Each output is made for a
 topic and returns the statements that publish a message."""
-from . import publishers
+from . import libraries, messages, publishers
 from .publishers import in_block
 
 
@@ -20,7 +20,10 @@ def stored(program, message):
     """A publisher as ordinary programs have it."""
     homes = [publishers.member, publishers.member, publishers.initialized_member, publishers.in_vector,
              publishers.in_map, publishers.in_array, publishers.by_shared_pointer, publishers.in_struct]
-    publisher = program.rng.choice(homes)(program, program.topic(message))[0]
+    topic = program.topic(message)
+    if message is messages.IMAGE and program.rng.random() < 0.3:
+        return libraries.transport(program, topic)
+    publisher = program.rng.choice(homes)(program, topic)[0]
     if program.rng.random() < 0.4:
         return publisher
     # Nothing of a library stands behind the publish call.

@@ -222,6 +222,10 @@ void call(const std::function<void()>& function) {
   function();
 }
 
+void pause() {
+  ros::WallDuration(0.002).sleep();
+}
+
 void later(const std::function<void()>& function) {
   ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<Later>(function));
 }

@@ -60,6 +60,8 @@ void fill(std::vector<T>& array, int count, int k) {
 /// @{
 const std::vector<int> once = {1};
 void call(const std::function<void()>& function);
+/// Long enough for another thread to come first.
+void pause();
 /// At the next spinOnce().
 void later(const std::function<void()>& function);
 /// @}
