@@ -11,7 +11,6 @@ import json
 import os
 import shutil
 import signal
-import stat
 import sys
 import tempfile
 import time
@@ -19,18 +18,11 @@ import unittest
 import xmlrpc.client
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "support"))
+from leftovers import left_behind  # noqa: E402
 from ros_session import RosSession  # noqa: E402
 
 NODES = os.environ.get("TZC_TEST_NODES", ".")
 TZC_RUN = [os.environ.get("TZC_RUN", "tzc-run")]
-
-
-def left_behind():
-    """What a runtime could have left for others to trip over: shared memory files, sockets."""
-    files = {f"/dev/shm/{name}" for name in os.listdir("/dev/shm") if "tzc" in name}
-    sockets = {entry.path for entry in os.scandir(tempfile.gettempdir()) if "tzc" in entry.name and
-               stat.S_ISSOCK(entry.stat(follow_symlinks=False).st_mode)}
-    return files | sockets
 
 
 class Listener:
