@@ -7,8 +7,7 @@ import tempfile
 
 def left_behind():
     """Shared memory files and sockets of TZC, by path."""
-    folders = ("/dev/shm", lambda path: True), (tempfile.gettempdir(), is_socket)
-    return {path for folder, is_meant in folders for path in tzc_paths(folder) if is_meant(path)}
+    return {*tzc_paths("/dev/shm"), *filter(is_socket, tzc_paths(tempfile.gettempdir()))}
 
 
 def tzc_paths(folder):

@@ -2,6 +2,7 @@
 """The fuzzer's own promises: programs are reproducible, every pattern occurs, and what differs is noticed."""
 import os
 import random
+import re
 import sys
 import tempfile
 import unittest
@@ -34,7 +35,7 @@ class Programs(unittest.TestCase):
 
     def test_every_attack_occurs(self):
         seen = set()
-        for index in range(1500):
+        for index in range(1000):
             seen.update(package.make_program("1", index, adversarial=True).traits)
         ways = [("owner", owners.OWNERS), ("store", pointers.STORES + keepers.STORES), ("transfer", owners.TRANSFERS),
                 ("output", outputs.PLAIN + outputs.HIDDEN), ("time", [*times.ONCE, *times.ANEW, attacks.in_next_step]),
@@ -60,6 +61,16 @@ class Programs(unittest.TestCase):
                 self.assertEqual(lines, ["sensor_msgs::ImagePtr next = boost::make_shared<sensor_msgs::Image>();",
                                          f"next.swap({owned.argument});"])
         self.assertGreater(made_once, 0)
+
+    def test_no_program_swaps_a_pointer_that_is_made_once_with_an_empty_one(self):
+        for index in range(2000):
+            program = package.make_program("1", index, adversarial=True)
+            text = "\n".join("\n".join(part) for part in program.render())
+            made_once = set(re.findall(r"(\w+) = boost::make_shared", "\n".join(program.setup)))
+            for other, pointer in re.findall(r"(\w+)\.swap\((\w+)\);", text):
+                if pointer in made_once and other not in made_once:
+                    filled = rf"Ptr {other} = boost::make_shared<.*\n *{other}\.swap\({pointer}\)"
+                    self.assertTrue(re.search(filled, text), f"{program.name}: {pointer}")
 
 
 class Comparison(unittest.TestCase):

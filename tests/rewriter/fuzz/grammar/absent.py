@@ -78,9 +78,9 @@ def by_helper_that_may_not(use):
 
 
 def by_factory_that_may_not(use):
-    body = use.rng.choice([f"return k % 2 ? {use.make()} : {use.pointer}();", f"if (k % 2) return {use.make()};"])
-    lines = [body] if body.startswith("return") else [body, f"return {use.pointer}();"]
-    name = use.program.helper(use.pointer, "make", "int k", lines, pure=True)
+    body = use.rng.choice([[f"return k % 2 ? {use.make()} : {use.pointer}();"],
+                           [f"if (k % 2) return {use.make()};", f"return {use.pointer}();"]])
+    name = use.program.helper(use.pointer, "make", "int k", body, pure=True)
     return [f"{use.pointer} msg = {name}(k);"] + within("if (msg) {", use.whole_pointer("msg"))
 
 
@@ -224,7 +224,8 @@ def beside_another(use):
 def front_of_queue(use):
     frames = use.program.variable(f"std::deque<{use.message.cpp}>", "frames")
     front = f"{frames}.front()"
-    whole = use.rng.choice([[f"{use.message.cpp}& msg = {front};"] + use.whole("msg.", "msg"), use.whole(f"{front}.", front)])
+    named = [f"{use.message.cpp}& msg = {front};"] + use.whole("msg.", "msg")
+    whole = use.rng.choice([named, use.whole(f"{front}.", front)])
     return ([f"if (k % 2) {frames}.emplace_back();"] +
             within(f"if (!{frames}.empty()) {{", whole + [f"{frames}.pop_front();"]))
 

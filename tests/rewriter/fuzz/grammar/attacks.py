@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Adversarial programs: who points into a message's data, how that is stored, and when it is used, composed with
 publishing. What is written through an old pointer after a publish shows in the next message, which must be the same
-before and after the port; messages that subscribers keep must not change. And what is inserted for the port: messages that are not there in every step, that are named by
-expressions which do something, that other threads fill."""
+before and after the port; messages that subscribers keep must not change. Others attack what is inserted for the port, by messages that are not there in every step, that are
+named by expressions which do something, or that other threads fill."""
 from . import absent, effects, keepers, messages, outputs, owners, pointers, subscribers, times, waits
 from .publishers import in_block
 from .uses import Use

@@ -2,10 +2,7 @@
 """When a handle is used, in the order of the publishes. Each is given the attack and returns its statements: those that
 make the handle are `attack.make()`, those that publish are `attack.send()`."""
 from .fills import in_block
-
-
-def indented(lines):
-    return ["  " + line for line in lines]
+from .program import indented
 
 
 # The handle is made once, and what takes the elements over may follow it

@@ -2,6 +2,7 @@
 """What a program does with a message where it has it: fills it and publishes it, once or again."""
 from .builders import contents
 from .fills import change, in_block
+from .program import indented
 
 
 class Use:
@@ -66,10 +67,6 @@ class Use:
         self.program.prelude += [f"struct {kind} {{", f"  {self.message.cpp} message;", "  int count = 0;"]
         self.program.prelude += [f"  {line.replace('KIND', kind)}" for line in more] + ["};"]
         return kind
-
-
-def indented(lines):
-    return ["  " + line for line in lines]
 
 
 def within(begin, lines, end="}"):
