@@ -12,7 +12,7 @@ namespace bench {
 /// Bytes that one process has moved through the calls that counted_calls.cpp counts. Lies in shared memory: the
 /// process adds, another one reads.
 struct Counts {
-  std::atomic<std::uint64_t> sent;      // taken by send, sendto, sendmsg
+  std::atomic<std::uint64_t> sent;      // taken by send, sendto, sendmsg; what was received is counted
   std::atomic<std::uint64_t> received;  // given by recv, recvfrom, recvmsg
   std::atomic<std::uint64_t> copied;    // by memcpy and memmove, in calls of least_copy_bytes or more
   std::atomic<std::uint64_t>

@@ -42,6 +42,31 @@ ssize_t count(std::atomic<std::uint64_t> Counts::* sum, ssize_t bytes) {
   return bytes;
 }
 
+// Bytes that a call is about to send. They are counted before the call, because who receives them may look at once;
+// what was not taken is subtracted afterwards.
+class SentBytes {
+ public:
+  explicit SentBytes(std::size_t offered) : counts_(counted), offered_(offered) {
+    if (counts_ != nullptr) counts_->sent.fetch_add(offered_, std::memory_order_relaxed);
+  }
+  ssize_t taken(ssize_t bytes) const {
+    const std::size_t taken = bytes > 0 ? static_cast<std::size_t>(bytes) : 0;
+    if (counts_ != nullptr && taken < offered_)
+      counts_->sent.fetch_sub(offered_ - taken, std::memory_order_relaxed);
+    return bytes;
+  }
+
+ private:
+  Counts* const counts_;
+  const std::size_t offered_;
+};
+
+std::size_t bytes_of(const msghdr& message) {
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < message.msg_iovlen; ++i) bytes += message.msg_iov[i].iov_len;
+  return bytes;
+}
+
 void count_copy(std::size_t bytes) {
   if (bytes >= tzc::bench::least_copy_bytes) count(&Counts::copied, static_cast<ssize_t>(bytes));
 }
@@ -110,18 +135,18 @@ void* memmove(void* to, const void* from, std::size_t size) noexcept {
 
 ssize_t send(int socket, const void* data, std::size_t size, int flags) {
   static const auto call = libc<decltype(&::send)>("send");
-  return count(&Counts::sent, call(socket, data, size, flags));
+  return SentBytes(size).taken(call(socket, data, size, flags));
 }
 
 ssize_t sendto(int socket, const void* data, std::size_t size, int flags, const sockaddr* address,
                socklen_t length) {
   static const auto call = libc<decltype(&::sendto)>("sendto");
-  return count(&Counts::sent, call(socket, data, size, flags, address, length));
+  return SentBytes(size).taken(call(socket, data, size, flags, address, length));
 }
 
 ssize_t sendmsg(int socket, const msghdr* message, int flags) {
   static const auto call = libc<decltype(&::sendmsg)>("sendmsg");
-  return count(&Counts::sent, call(socket, message, flags));
+  return SentBytes(bytes_of(*message)).taken(call(socket, message, flags));
 }
 
 ssize_t recv(int socket, void* data, std::size_t size, int flags) {

@@ -8,6 +8,8 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <string>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -66,6 +68,44 @@ TEST(Cost, has_the_bytes_that_went_through_sockets_and_no_others) {
   const Cost spent = counting.spent();
   EXPECT_EQ(spent.sent_bytes, 70u);
   EXPECT_EQ(spent.received_bytes, 70u);
+  ::close(ends[0]);
+  ::close(ends[1]);
+}
+
+TEST(Cost, has_of_what_was_offered_what_the_socket_took) {
+  int ends[2];
+  ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends), 0);
+  std::vector<char> bytes(1 << 20);
+  iovec part{bytes.data(), bytes.size()};
+  msghdr message{};
+  message.msg_iov = &part;
+  message.msg_iovlen = 1;
+  const Counting counting;
+  const ssize_t taken = ::sendmsg(ends[0], &message, MSG_DONTWAIT);
+  ASSERT_GT(taken, 0);
+  ASSERT_LT(taken, 1 << 20);
+  EXPECT_EQ(::send(ends[0], bytes.data(), bytes.size(), MSG_DONTWAIT), -1);
+  EXPECT_EQ(counting.spent().sent_bytes, static_cast<std::uint64_t>(taken));
+  ::close(ends[0]);
+  ::close(ends[1]);
+}
+
+TEST(Cost, has_whatever_was_received) {
+  int ends[2];
+  ASSERT_EQ(::socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends), 0);
+  constexpr std::uint64_t packets = 20000;
+  const Counting counting;
+  std::thread sender([&] {
+    const char byte = 0;
+    for (std::uint64_t i = 0; i < packets; ++i) ::send(ends[0], &byte, 1, 0);
+  });
+  std::uint64_t missing = 0;
+  char byte;
+  for (std::uint64_t i = 1; i <= packets && ::recv(ends[1], &byte, 1, 0) == 1; ++i)
+    if (counting.counts.sent < i) ++missing;
+  sender.join();
+  EXPECT_EQ(missing, 0u);
+  EXPECT_EQ(counting.spent().sent_bytes, packets);
   ::close(ends[0]);
   ::close(ends[1]);
 }
