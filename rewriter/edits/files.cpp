@@ -106,15 +106,17 @@ Expected<void> check_unchanged(const std::string& package_dir, const Snapshot& s
                "run tzc-rewrite again"};
 }
 
+std::string common_folder(const std::vector<std::string>& folders) {
+  fs::path common = folders.front();
+  for (const std::string& folder : folders)
+    while (common.string() != folder && !is_below(folder, common)) common = common.parent_path();
+  return common;
+}
+
 std::string canonical_path(const std::string& path) {
   std::error_code failed;
   const fs::path found = fs::canonical(path, failed);
   return failed ? fs::path(path).lexically_normal().string() : found.string();
-}
-
-bool is_below(const std::string& path, const std::string& folder) {
-  return path.size() > folder.size() && path.compare(0, folder.size(), folder) == 0 &&
-         (folder.back() == '/' || path[folder.size()] == '/');
 }
 
 }  // namespace tzc::rewriter

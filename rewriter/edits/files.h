@@ -5,9 +5,11 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/edit.h"
 #include "model/expected.h"
+#include "model/folder_set.h"
 
 namespace tzc::rewriter {
 
@@ -29,10 +31,10 @@ Snapshot snapshot(const std::string& package_dir);
 /// An error that names the first file that changed, appeared or vanished since.
 Expected<void> check_unchanged(const std::string& package_dir, const Snapshot& since);
 
+/// The deepest folder that is or holds each of them; at least one.
+std::string common_folder(const std::vector<std::string>& folders);
+
 /// `path` without symbolic links; as it is, made normal, where it does not exist.
 std::string canonical_path(const std::string& path);
-
-/// Whether a path lies in a folder (both canonical).
-bool is_below(const std::string& path, const std::string& folder);
 
 }  // namespace tzc::rewriter

@@ -210,8 +210,8 @@ class ApiCalls : public AstVisitor {
 
 }  // namespace
 
-std::set<ApiCall> api_calls(clang::ASTContext& ast, const std::string& package_dir) {
-  const Source source(ast, package_dir);
+std::set<ApiCall> api_calls(clang::ASTContext& ast, const FolderSet& packages) {
+  const Source source(ast, packages);
   ApiCalls visitor(source);
   for (clang::Decl* decl : ast.getTranslationUnitDecl()->decls())
     if (source.in_package(decl->getLocation())) visitor.TraverseDecl(decl);

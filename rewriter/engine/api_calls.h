@@ -5,6 +5,7 @@
 #include <string>
 
 #include "model/api_call.h"
+#include "model/folder_set.h"
 
 namespace clang {
 class ASTContext;
@@ -15,6 +16,6 @@ namespace tzc::rewriter {
 /// Every call in the package that advertises, publishes or subscribes, with roscpp's and image_transport's
 /// functions or TZC's. Independent of the collectors of facts (both share only the AST), so it finds a call
 /// that they overlook.
-std::set<ApiCall> api_calls(clang::ASTContext& ast, const std::string& package_dir);
+std::set<ApiCall> api_calls(clang::ASTContext& ast, const FolderSet& packages);
 
 }  // namespace tzc::rewriter

@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "model/folder_set.h"
 #include "report/output.h"
 
 namespace tzc::rewriter {
@@ -29,6 +30,7 @@ Expected<void> check_complete(const Report& report, const std::set<ApiCall>& cal
   for (const Site& site : report.sites) reported[order_of(site.kind, site.where)].insert(site.message_type);
   std::set<Spot> spots;
   for (const ApiCall& call : calls) {
+    if (!is_below(call.where.file, report.package_dir)) continue;
     const Spot spot = order_of(call.kind, call.where);
     spots.insert(spot);
     const auto found = reported.find(spot);

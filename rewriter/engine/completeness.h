@@ -9,7 +9,7 @@
 
 namespace tzc::rewriter {
 
-/// Whether the sites of the report are exactly the calls of the package. An error names the call's file, line
+/// Whether the sites of the report are exactly those calls that lie in its package. An error names the call's file, line
 /// and column; it is a defect of tzc-rewrite.
 Expected<void> check_complete(const Report& report, const std::set<ApiCall>& calls);
 

@@ -32,7 +32,7 @@ Expected<void> DemotionLoop::verify(Attempt& attempt, const std::set<std::string
   const auto progress = [&](unsigned done, unsigned total) {
     if (options_.progress)
       options_.progress->step(round_ == 0 ? "verifying" : "verifying again", done, total,
-                              options_.package_dir);
+                              *options_.packages.begin());
   };
   Expected<Verification> verification = verifier_.run({attempt.result.plan.edits, only, judge, progress});
   if (!verification) return verification.error();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/engine.h"
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
 #include <mutex>
@@ -13,6 +14,7 @@
 #include "engine/demotion_loop.h"
 #include "engine/notes.h"
 #include "engine/pending_sites.h"
+#include "engine/plan_splitter.h"
 #include "engine/read_unit.h"
 #include "engine/trusted_functions.h"
 #include "model/codes.h"
@@ -32,23 +34,23 @@ std::optional<std::string> read_file(const std::string& path) {
 
 class PortPlanner {
  public:
-  PortPlanner(const EngineOptions& options, std::vector<CompileUnit> units, TrustedFunctions trusted)
-      : options_(options),
-        units_(std::move(units)),
-        rules_(all_rules(options.without_rules)),
-        trusted_(std::move(trusted)) {}
+  explicit PortPlanner(const EngineOptions& options)
+      : options_(options), rules_(all_rules(options.without_rules)) {}
 
-  Expected<PortPlan> run();
+  Expected<PortPlans> run();
 
  private:
+  Expected<void> load();
   std::optional<Error> collect();
+  std::optional<Error> lacks_units() const;
   std::optional<Error> sort_out(const CompileUnit& unit, const Diagnostic& error);
   std::vector<std::string> include_dirs() const;
   void step(const std::string& stage, unsigned done, const std::string& what);
-  PortPlan finish(const Components& components, DemotionLoop::Result result) const;
+  PortPlans finish(const Components& components, DemotionLoop::Result result) const;
 
   const EngineOptions& options_;
   std::vector<CompileUnit> units_;
+  UnitOwners owners_;
   RuleSet rules_;
   TrustedFunctions trusted_;
   UnitReading reading_;
@@ -75,9 +77,18 @@ Error does_not_parse(const Diagnostic& error, const CompileUnit& unit) {
 }
 
 /// Folders of headers that other packages may include.
-std::set<std::string> exported_dirs(const std::string& package_dir) {
-  const Expected<CmakeProject> project = load_cmake_project(package_dir);
-  return project ? exported_folders(*project, package_dir) : std::set<std::string>();
+std::set<std::string> exported_dirs(const FolderSet& packages) {
+  std::set<std::string> folders;
+  for (const std::string& package : packages)
+    if (const Expected<CmakeProject> project = load_cmake_project(package))
+      folders.merge(exported_folders(*project, package));
+  return folders;
+}
+
+FolderSet build_dirs(const EngineOptions& options) {
+  std::vector<std::string> folders;
+  for (const auto& item : options.build_dirs) folders.push_back(item.second);
+  return FolderSet(std::move(folders));
 }
 
 /// Lines that look like a site, for a file that was not parsed.
@@ -122,9 +133,9 @@ std::optional<Error> PortPlanner::collect() {
   std::atomic<bool> failed{false};  // what remains need not be read: large packages take minutes
   unsigned done = 0;
   CollectOptions options{
-      options_.package_dir,
-      options_.build_dir,
-      options_.headers_in_use ? *options_.headers_in_use : exported_dirs(options_.package_dir),
+      options_.packages,
+      build_dirs(options_),
+      options_.headers_in_use ? *options_.headers_in_use : exported_dirs(options_.packages),
       &rules_,
       include_dirs(),
       trusted_};
@@ -143,66 +154,81 @@ std::optional<Error> PortPlanner::collect() {
     reading_.merge(std::move(readings[i]));
   }
   leave_light_types(reading_.facts, options_.small);
-  if (!failure && parsed_.empty())
-    failure =
-        Error{"no unit of the package compiles: " + left_out_.front().text, left_out_.front().where->file,
-              misses_header(left_out_.front().text)
-                  ? "Build the package first (generated headers must be there), then run again."
-                  : "Repair the package until its own compiler accepts it, then run again."};
-  return failure;
+  return failure ? failure : lacks_units();
 }
 
-PortPlan PortPlanner::finish(const Components& components, DemotionLoop::Result result) const {
-  PortPlan plan;
-  plan.edits = std::move(result.plan.edits);
-  plan.contents = result.contents;
-  for (const auto& item : result.plan.headers)
-    plan.needed_headers.insert(item.second.begin(), item.second.end());
-  plan.report.package_dir = options_.package_dir;
-  plan.report.package = options_.package_dir.substr(options_.package_dir.find_last_of('/') + 1);
-  plan.report.sites = describe_sites(reading_.facts, components, options_, result.solution);
-  mark_pending(plan.report.sites, reading_.facts, components, plan.edits);
-  plan.report.notes = notes_of(reading_, units_, options_);
-  plan.report.notes.insert(plan.report.notes.end(), left_out_.begin(), left_out_.end());
-  for (const std::string& header : plan.needed_headers)
-    if (const std::size_t slash = header.find('/', 4); slash != std::string::npos)
-      plan.tzc_types.insert(header.substr(4, header.size() - 6));
-  for (const auto& item : reading_.facts.units_of_file) plan.parsed_files.push_back(item.first);
-  for (const auto& item : result.contents) {
-    const auto units = reading_.facts.units_of_file.find(item.first);
-    if (units != reading_.facts.units_of_file.end())
-      plan.ported_targets_files.insert(units->second.begin(), units->second.end());
+std::optional<Error> PortPlanner::lacks_units() const {
+  for (const std::string& package : options_.packages) {
+    const auto belongs = [&](const std::string& unit) { return owners_.at(unit) == package; };
+    if (std::any_of(parsed_.begin(), parsed_.end(), [&](auto& unit) { return belongs(unit.file); })) continue;
+    const auto first = std::find_if(left_out_.begin(), left_out_.end(),
+                                    [&](const Note& note) { return belongs(note.where->file); });
+    return Error{"no unit of the package compiles: " + first->text, first->where->file,
+                 misses_header(first->text)
+                     ? "Build the package first (generated headers must be there), then run again."
+                     : "Repair the package until its own compiler accepts it, then run again."};
   }
-  return plan;
+  return {};
 }
 
-Expected<PortPlan> PortPlanner::run() {
+PortPlans PortPlanner::finish(const Components& components, DemotionLoop::Result result) const {
+  std::vector<Site> sites = describe_sites(reading_.facts, components, options_, result.solution);
+  mark_pending(sites, reading_.facts, components, result.plan.edits);
+  std::vector<Note> notes = notes_of(reading_, units_, options_);
+  notes.insert(notes.end(), left_out_.begin(), left_out_.end());
+  PlanSplitter splitter(options_.packages, owners_, reading_.facts.units_of_file);
+  splitter.add(std::move(sites));
+  splitter.add(std::move(notes));
+  splitter.add(result.plan, result.contents);
+  return splitter.plans();
+}
+
+Expected<void> PortPlanner::load() {
+  for (const auto& [package, build_dir] : options_.build_dirs) {
+    Expected<std::vector<CompileUnit>> units = load_units(package, build_dir);
+    if (!units) return units.error();
+    for (CompileUnit& unit : *units) {
+      owners_.emplace(unit.file, package);
+      units_.push_back(std::move(unit));
+    }
+  }
+  Expected<TrustedFunctions> trusted = load_trusted_functions(options_.packages);
+  if (!trusted) return trusted.error();
+  trusted_ = std::move(*trusted);
+  return {};
+}
+
+Expected<PortPlans> PortPlanner::run() {
+  if (Expected<void> loaded = load(); !loaded) return loaded.error();
   if (std::optional<Error> failure = collect()) return *failure;
   const Components components(reading_.facts, options_.without_rules.count("all-or-nothing") == 0);
   ParseOptions parse_options;
   parse_options.include_dirs = include_dirs();
   parse_options.accesses = options_.accesses;
-  Verifier verifier({parsed_, reading_.facts, reading_.calls, components, options_.package_dir},
-                    parse_options, options_.jobs, read_file, options_.judges);
+  Verifier verifier({parsed_, reading_.facts, reading_.calls, components, options_.packages}, parse_options,
+                    options_.jobs, read_file, options_.judges);
   const UnseenBranches unseen(reading_.skipped, reading_.facts, components, read_file);
   Expected<DemotionLoop::Result> result =
       DemotionLoop(reading_.facts, components, options_, unseen, verifier, read_file).run();
   if (!result) return result.error();
-  PortPlan plan = finish(components, std::move(*result));
-  if (options_.without_rules.count("completeness")) return plan;
-  if (Expected<void> complete = check_complete(plan.report, reading_.api_calls); !complete)
-    return complete.error();
-  return plan;
+  PortPlans plans = finish(components, std::move(*result));
+  if (options_.without_rules.count("completeness")) return plans;
+  for (const auto& [package, plan] : plans)
+    if (Expected<void> complete = check_complete(plan.report, reading_.api_calls); !complete)
+      return complete.error();
+  return plans;
 }
 
 }  // namespace
 
+Expected<PortPlans> plan_ports(const EngineOptions& options) {
+  return PortPlanner(options).run();
+}
+
 Expected<PortPlan> plan_port(const EngineOptions& options) {
-  Expected<std::vector<CompileUnit>> units = load_units(options.package_dir, options.build_dir);
-  if (!units) return units.error();
-  Expected<TrustedFunctions> trusted = load_trusted_functions(options.package_dir);
-  if (!trusted) return trusted.error();
-  return PortPlanner(options, std::move(*units), std::move(*trusted)).run();
+  Expected<PortPlans> plans = plan_ports(options);
+  if (!plans) return plans.error();
+  return std::move(plans->begin()->second);
 }
 
 }  // namespace tzc::rewriter

@@ -43,19 +43,23 @@ void note_branches(const std::vector<Place>& skipped, std::vector<Note>& notes) 
   }
 }
 
-void note_sources(const std::vector<CompileUnit>& units, const EngineOptions& options,
-                  std::vector<Note>& notes) {
+std::set<std::string> compiled_by(const std::vector<CompileUnit>& units) {
   std::set<std::string> compiled;
   for (const CompileUnit& unit : units) {
     compiled.insert(unit.file);
     for (const std::string& source : unity_sources(unit.file)) compiled.insert(source);
   }
+  return compiled;
+}
+
+void note_sources(const std::string& package, const std::string& build_dir,
+                  const std::set<std::string>& compiled, std::vector<Note>& notes) {
   std::error_code failed;
-  fs::recursive_directory_iterator entry(options.package_dir, failed), end;
+  fs::recursive_directory_iterator entry(package, failed), end;
   for (; !failed && entry != end; entry.increment(failed)) {
     const std::string path = entry->path().string();
     const std::string name = entry->path().filename().string();
-    if (entry->is_directory() && (path == options.build_dir || name[0] == '.')) {
+    if (entry->is_directory() && (path == build_dir || name[0] == '.')) {
       entry.disable_recursion_pending();
     } else if (entry->is_regular_file() && is_source(entry->path()) && compiled.count(path) == 0) {
       notes.push_back(
@@ -70,7 +74,9 @@ std::vector<Note> notes_of(const UnitReading& reading, const std::vector<Compile
                            const EngineOptions& options) {
   std::vector<Note> notes;
   note_branches(reading.skipped, notes);
-  note_sources(units, options, notes);
+  const std::set<std::string> compiled = compiled_by(units);
+  for (const auto& [package, build_dir] : options.build_dirs)
+    note_sources(package, build_dir, compiled, notes);
   return notes;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -14,11 +15,11 @@
 namespace tzc::rewriter {
 
 struct EngineOptions : SolveOptions {
-  std::string build_dir;                        ///< holds compile_commands.json
-  bool dual = false;                            ///< output that still builds without TZC
-  unsigned jobs = 0;                            ///< 0: one per processor
-  std::string tzc_include;                      ///< TZC's own headers and the twins of installed messages
-  std::vector<std::string> extra_include_dirs;  ///< generated twins of the package's own messages
+  std::map<std::string, std::string> build_dirs;  ///< package -> the folder of its compile_commands.json
+  bool dual = false;                              ///< output that still builds without TZC
+  unsigned jobs = 0;                              ///< 0: one per processor
+  std::string tzc_include;                        ///< TZC's own headers and the twins of installed messages
+  std::vector<std::string> extra_include_dirs;    ///< generated twins of the package's own messages
   /// Rules that are not applied, so that a test can show that each is needed; also "verification",
   /// "all-or-nothing", "completeness".
   std::set<std::string> without_rules;
@@ -26,7 +27,7 @@ struct EngineOptions : SolveOptions {
   Judges judges;
   Progress* progress = nullptr;
   FileAccesses* accesses = nullptr;  ///< told what the parses read; may be null
-  /// Headers of the package that other code includes, whose declarations stay; none: all in exported folders.
+  /// Headers of the packages that other code includes, whose declarations stay; none: all in exported folders.
   std::optional<std::set<std::string>> headers_in_use;
 };
 

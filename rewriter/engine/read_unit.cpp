@@ -10,14 +10,10 @@
 namespace tzc::rewriter {
 namespace {
 
-bool lies_in(const std::string& file, const std::string& dir) {
-  return file.rfind(dir + "/", 0) == 0;
-}
-
-std::vector<Place> skipped_in_package(const ParseResult& parsed, const CollectOptions& options) {
+std::vector<Place> skipped_in_packages(const ParseResult& parsed, const CollectOptions& options) {
   std::vector<Place> skipped;
   for (const SkippedBranch& branch : parsed.skipped)
-    if (lies_in(branch.file, options.package_dir) && !lies_in(branch.file, options.build_dir))
+    if (options.packages.hold(branch.file) && !options.build_dirs.hold(branch.file))
       skipped.push_back({branch.file, branch.begin, branch.end, branch.line, 1});
   return skipped;
 }
@@ -42,14 +38,14 @@ UnitReading read_unit(const CompileUnit& unit, const CollectOptions& options, Fi
   ParseOptions parse_options;
   parse_options.accesses = accesses;
   parse_options.include_dirs = options.include_dirs;
-  parse_options.skip_bodies_outside = options.package_dir;
+  parse_options.skip_system_bodies = true;
   ParseResult parsed = parse(unit, parse_options, [&](clang::ASTContext& ast) {
     if (ast.getDiagnostics().hasErrorOccurred()) return;
     reading.facts = collect_unit(ast, unit, options);
-    reading.api_calls = api_calls(ast, options.package_dir);
-    reading.calls[unit.id()] = package_calls(ast, options.package_dir);
+    reading.api_calls = api_calls(ast, options.packages);
+    reading.calls[unit.id()] = package_calls(ast, options.packages);
   });
-  reading.skipped = skipped_in_package(parsed, options);
+  reading.skipped = skipped_in_packages(parsed, options);
   reading.errors = std::move(parsed.errors);
   return reading;
 }

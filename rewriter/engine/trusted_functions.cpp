@@ -94,9 +94,7 @@ Expected<TrustedFunctions> parse(const std::string& text, const std::string& fil
   return trusted;
 }
 
-}  // namespace
-
-Expected<TrustedFunctions> load_trusted_functions(const std::string& package_dir) {
+Expected<TrustedFunctions> trusted_in(const std::string& package_dir) {
   const std::optional<std::filesystem::path> path = find_file(package_dir);
   if (!path) return TrustedFunctions();
   std::ifstream stream(*path);
@@ -104,6 +102,18 @@ Expected<TrustedFunctions> load_trusted_functions(const std::string& package_dir
   if (!stream || !(text << stream.rdbuf()))
     return Error{"cannot be read", path->string(), "Make it a file that you may read, or remove it."};
   return parse(text.str(), path->string());
+}
+
+}  // namespace
+
+Expected<TrustedFunctions> load_trusted_functions(const FolderSet& packages) {
+  TrustedFunctions all;
+  for (const std::string& package : packages) {
+    Expected<TrustedFunctions> trusted = trusted_in(package);
+    if (!trusted) return trusted.error();
+    all.merge(*trusted);
+  }
+  return all;
 }
 
 }  // namespace tzc::rewriter

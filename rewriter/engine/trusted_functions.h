@@ -5,14 +5,15 @@
 #include <string>
 
 #include "model/expected.h"
+#include "model/folder_set.h"
 
 namespace tzc::rewriter {
 
 /// Qualified names of functions that keep no pointer which they are given, and why that is so.
 using TrustedFunctions = std::map<std::string, std::string>;
 
-/// Reads the nearest `.tzc-rewrite.yaml` in the package's folder or above it; empty when there is none. The error
+/// Reads for each package the nearest `.tzc-rewrite.yaml` in its folder or above it; empty when there is none. The error
 /// names the line.
-Expected<TrustedFunctions> load_trusted_functions(const std::string& package_dir);
+Expected<TrustedFunctions> load_trusted_functions(const FolderSet& packages);
 
 }  // namespace tzc::rewriter

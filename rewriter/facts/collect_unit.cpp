@@ -9,11 +9,7 @@
 namespace tzc::rewriter {
 namespace {
 
-bool lies_in(const std::string& file, const std::string& dir) {
-  return file.rfind(dir + "/", 0) == 0;
-}
-
-/// The files of the package that the unit includes.
+/// The files of the packages that the unit includes.
 std::set<std::string> files_of(const Unit& unit, const CollectOptions& options) {
   std::set<std::string> files;
   const clang::SourceManager& manager = unit.source.manager();
@@ -24,7 +20,7 @@ std::set<std::string> files_of(const Unit& unit, const CollectOptions& options) 
     if (!entry.isFile()) continue;
     const std::string path =
         unit.source.file_of(clang::SourceLocation::getFromRawEncoding(entry.getOffset()));
-    if (lies_in(path, options.package_dir) && !lies_in(path, options.build_dir)) files.insert(path);
+    if (options.packages.hold(path) && !options.build_dirs.hold(path)) files.insert(path);
   }
   return files;
 }
@@ -83,7 +79,7 @@ std::vector<std::string> include_dirs_of(const CompileUnit& unit, const CollectO
 }  // namespace
 
 Facts collect_unit(clang::ASTContext& ast, const CompileUnit& unit, const CollectOptions& options) {
-  const Unit parsed{Source(ast, options.package_dir), *options.rules, options.exported_dirs,
+  const Unit parsed{Source(ast, options.packages), *options.rules, options.exported_dirs,
                     include_dirs_of(unit, options), options.trusted};
   limit_to_package(parsed);
   Facts facts = collect(parsed);

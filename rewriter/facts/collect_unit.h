@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/facts.h"
+#include "model/folder_set.h"
 #include "parse/compile_commands.h"
 #include "rules/rule.h"
 
@@ -17,8 +18,8 @@ class ASTContext;
 namespace tzc::rewriter {
 
 struct CollectOptions {
-  std::string package_dir;
-  std::string build_dir;
+  FolderSet packages;
+  FolderSet build_dirs;
   std::set<std::string> exported_dirs;  ///< folders and headers that others may include
   const RuleSet* rules;
   std::vector<std::string> include_dirs;  ///< TZC's: the package may already be ported, but not built since

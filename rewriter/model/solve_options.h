@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "model/folder_set.h"
 #include "model/level.h"
 #include "model/site.h"
 
@@ -13,7 +14,7 @@ namespace tzc::rewriter {
 
 /// The user's options that solving reads.
 struct SolveOptions {
-  std::string package_dir;             ///< absolute, canonical
+  FolderSet packages;                  ///< that are ported as one
   Level max_level = Level::zero_copy;  ///< zero_copy, one_copy or plain: how far publishers are ported
   OnExhausted on_exhausted = OnExhausted::deliver;
   std::uint64_t small = 4096;  ///< --small: messages whose arrays hold fewer bytes stay as they are

@@ -85,7 +85,7 @@ class Consumer : public clang::ASTConsumer {
   void HandleTranslationUnit(clang::ASTContext& ast) override { then_(ast); }
 
   bool shouldSkipFunctionBody(clang::Decl* decl) override {
-    if (options_.skip_bodies_outside.empty() || decl->isTemplated()) return false;
+    if (!options_.skip_system_bodies || decl->isTemplated()) return false;
     const clang::SourceManager& manager = decl->getASTContext().getSourceManager();
     return manager.isInSystemHeader(manager.getExpansionLoc(decl->getLocation()));
   }
@@ -104,7 +104,7 @@ class Action : public clang::ASTFrontendAction {
                                                         llvm::StringRef) override {
     compiler.getPreprocessor().addPPCallbacks(
         std::make_unique<Branches>(compiler.getSourceManager(), result_.skipped));
-    compiler.getFrontendOpts().SkipFunctionBodies = !options_.skip_bodies_outside.empty();
+    compiler.getFrontendOpts().SkipFunctionBodies = options_.skip_system_bodies;
     return std::make_unique<Consumer>(options_, then_);
   }
 

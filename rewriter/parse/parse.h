@@ -37,7 +37,7 @@ struct ParseResult {
 struct ParseOptions {
   FileContents overlay;                   ///< path -> content that stands for the file's own
   std::vector<std::string> include_dirs;  ///< searched last
-  std::string skip_bodies_outside;  ///< function bodies outside this folder are not parsed; empty: all are
+  bool skip_system_bodies = false;        ///< function bodies of system headers are not parsed
   bool all_errors = false;
   FileAccesses* accesses = nullptr;  ///< told what the parse asks of the disk; may be null
 };

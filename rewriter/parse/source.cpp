@@ -17,15 +17,10 @@ std::string canonical(llvm::StringRef path) {
   return result;
 }
 
-std::string with_slash(std::string path) {
-  if (path.empty() || path.back() != '/') path += '/';
-  return path;
-}
-
 }  // namespace
 
-Source::Source(clang::ASTContext& ast, std::string package_dir)
-    : ast_(ast), manager_(ast.getSourceManager()), package_dir_(with_slash(std::move(package_dir))) {}
+Source::Source(clang::ASTContext& ast, FolderSet packages)
+    : ast_(ast), manager_(ast.getSourceManager()), packages_(std::move(packages)) {}
 
 const std::string& Source::file_of(clang::SourceLocation location) const {
   const clang::FileID id = manager_.getFileID(manager_.getExpansionLoc(location));
@@ -42,7 +37,7 @@ const std::string& Source::file_of(clang::SourceLocation location) const {
 
 bool Source::in_package(clang::SourceLocation location) const {
   if (location.isInvalid()) return false;
-  return llvm::StringRef(file_of(location)).starts_with(package_dir_);
+  return packages_.hold(file_of(location));
 }
 
 Place Source::make(clang::SourceLocation begin, unsigned length) const {

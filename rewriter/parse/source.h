@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "model/folder_set.h"
 #include "model/location.h"
 
 namespace tzc::rewriter {
@@ -15,9 +16,9 @@ namespace tzc::rewriter {
 /// The text of one translation unit in terms of files: places, spelled text, lines.
 class Source {
  public:
-  Source(clang::ASTContext& ast, std::string package_dir);
+  Source(clang::ASTContext& ast, FolderSet packages);
 
-  /// The file bytes of a token range; none when they come from a macro or lie outside the package.
+  /// The file bytes of a token range; none when they come from a macro or lie outside the packages.
   std::optional<Place> place(clang::SourceRange tokens) const;
   /// The empty place in front of a token.
   std::optional<Place> before(clang::SourceLocation location) const;
@@ -47,7 +48,7 @@ class Source {
 
   clang::ASTContext& ast_;
   const clang::SourceManager& manager_;
-  std::string package_dir_;  // with a slash at the end
+  const FolderSet packages_;
   mutable std::map<clang::FileID, std::string> files_;
   mutable std::map<std::string, clang::FileID> ids_;
 };

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 #include "edits/files.h"
@@ -73,9 +74,11 @@ bool is_known(const CompilerError& error, const std::vector<CompilerError>& know
 
 Expected<void> OwnCompiler::read_commands() {
   if (!commands_.empty()) return {};
-  Expected<std::vector<CompileCommand>> commands = read_compile_commands(setup_.build_dir);
-  if (!commands) return commands.error();
-  commands_ = std::move(*commands);
+  for (const std::string& build_dir : setup_.build_dirs) {
+    Expected<std::vector<CompileCommand>> commands = read_compile_commands(build_dir);
+    if (!commands) return commands.error();
+    std::move(commands->begin(), commands->end(), std::back_inserter(commands_));
+  }
   return {};
 }
 
@@ -84,8 +87,8 @@ Expected<void> OwnCompiler::make_copy() {
   Expected<ScratchFolder> folder = ScratchFolder::make();
   if (!folder) return folder.error();
   folder_ = std::make_unique<ScratchFolder>(std::move(*folder));
-  copy_ = std::make_unique<ScratchWorkspace>(setup_.root, std::vector<std::string>{setup_.package_dir},
-                                             *folder_ / "src", std::vector<std::string>{setup_.build_dir});
+  copy_ =
+      std::make_unique<ScratchWorkspace>(setup_.root, setup_.packages, *folder_ / "src", setup_.build_dirs);
   return copy_->make();
 }
 
@@ -97,13 +100,19 @@ std::string OwnCompiler::scratch_word(const std::string& word, const std::string
   return fs::exists(absolute) ? copy_->to_scratch().in_word(absolute) : word;
 }
 
-/// A file of the build folder that includes the package's sources by absolute paths (unity builds, precompiled
+bool OwnCompiler::is_built(const std::string& file) const {
+  return std::any_of(setup_.build_dirs.begin(), setup_.build_dirs.end(), [&](const std::string& folder) {
+    return is_below(canonical_path(file), canonical_path(folder));
+  });
+}
+
+/// A file of a build folder that includes the packages' sources by absolute paths (unity builds, precompiled
 /// headers) is copied, with these paths replaced; a compiled form of it is left behind.
 std::string OwnCompiler::scratch_source(const std::string& file) const {
   const std::string mapped = copy_->to_scratch().in_word(file);
   if (mapped != file) return mapped;
   const Expected<std::string> content = read_file(file);
-  if (!content || !is_below(canonical_path(file), canonical_path(setup_.build_dir))) return file;
+  if (!content || !is_built(file)) return file;
   const std::string copy = *folder_ / ("generated-" + std::to_string(std::hash<std::string>()(file)) + "-" +
                                        fs::path(file).filename().string());
   std::ofstream(copy, std::ios::binary) << copy_->to_scratch().in_includes(*content);
@@ -130,6 +139,14 @@ std::vector<std::string> OwnCompiler::ported_command(const CompileCommand& comma
   return words;
 }
 
+/// With them __FILE__ has the same value as in the build.
+std::vector<std::string> OwnCompiler::prefix_maps() const {
+  Words flags;
+  for (const std::string& package : setup_.packages)
+    flags.push_back("-fmacro-prefix-map=" + copy_->scratch(package) + "=" + copy_->named(package));
+  return flags;
+}
+
 std::vector<OwnCompiler::Task> OwnCompiler::tasks_for(const std::set<std::string>& units) const {
   std::vector<Task> tasks;
   std::set<Words> known;
@@ -139,9 +156,10 @@ std::vector<OwnCompiler::Task> OwnCompiler::tasks_for(const std::set<std::string
     Task task{command.canonical, &command, ported_command(command), {}, ""};
     const auto probed = has_prefix_map.try_emplace(compiler_of(command), false);
     if (probed.second) probed.first->second = takes_prefix_map(probed.first->first);
-    if (probed.first->second)  // __FILE__ has the same value as in the build
-      task.arguments.push_back("-fmacro-prefix-map=" + copy_->scratch(setup_.package_dir) + "=" +
-                               copy_->named(setup_.package_dir));
+    if (probed.first->second) {
+      const Words maps = prefix_maps();
+      task.arguments.insert(task.arguments.end(), maps.begin(), maps.end());
+    }
     if (known.insert(task.arguments).second) tasks.push_back(std::move(task));
   }
   return tasks;

@@ -16,16 +16,16 @@ namespace tzc::rewriter {
 
 /// The options of the checks with the package's own compiler.
 struct OwnCompilerSetup {
-  std::string package_dir;                ///< canonical
+  std::vector<std::string> packages;      ///< canonical folders
   std::string root;                       ///< the folder of the workspace's packages, as the build names it
-  std::string build_dir;                  ///< holds compile_commands.json
+  std::vector<std::string> build_dirs;    ///< each holds a compile_commands.json
   std::vector<std::string> include_dirs;  ///< TZC's headers, as system headers
   std::vector<std::string> defines;       ///< "TZC_ENABLED"
   unsigned jobs = 0;                      ///< 0: one for each processor
   FileAccesses* accesses = nullptr;       ///< told what the compiler reads; may be null
 };
 
-/// The compiler of compile_commands.json on a scratch copy of the package: -fsyntax-only, with every flag that
+/// The compiler of compile_commands.json on a scratch copy of the packages: -fsyntax-only, with every flag that
 /// the build gives it. The first check makes the copy.
 class OwnCompiler {
  public:
@@ -53,9 +53,11 @@ class OwnCompiler {
   void note_reads(const Task& task) const;
   std::vector<CompilerError> ported_errors(const Task& task) const;
   std::vector<CompilerError> original_errors(const CompileCommand& command) const;
+  std::vector<std::string> prefix_maps() const;
   std::vector<std::string> ported_command(const CompileCommand& command) const;
   std::string scratch_word(const std::string& word, const std::string& directory) const;
   std::string scratch_source(const std::string& file) const;
+  bool is_built(const std::string& file) const;
 
   OwnCompilerSetup setup_;
   std::vector<CompileCommand> commands_;

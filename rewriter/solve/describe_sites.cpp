@@ -158,7 +158,7 @@ bool SiteDescriber::advertised_as_cloud(const EntityId& publisher) const {
 }
 
 Site SiteDescriber::describe(const Publish& fact) const {
-  Site site = site_of(fact, options_.package_dir);
+  Site site = site_of(fact, options_.packages);
   site.topic = topic_of(facts_, flow_graph_, fact.publisher);
   if (!fact.has_data_part && !fact.pcl) return left_alone(std::move(site), fact);
   const Decision* publisher = decision_of(fact.publisher);
@@ -184,7 +184,7 @@ bool SiteDescriber::publishes_without_copy(const Advertise& fact) const {
 }
 
 Site SiteDescriber::describe(const Advertise& fact) const {
-  Site site = site_of(fact, options_.package_dir);
+  Site site = site_of(fact, options_.packages);
   const Decision* publisher = decision_of(fact.publisher);
   if (!fact.has_data_part || (is(publisher, Outcome::not_needed) && fact.obstacles.empty())) {
     return left_alone(std::move(site), fact);
@@ -211,7 +211,7 @@ std::optional<std::string> SiteDescriber::why_copied(const Subscribe& fact) cons
 }
 
 Site SiteDescriber::describe(const SiteId& id, const Subscribe& fact) const {
-  Site site = site_of(fact, options_.package_dir);
+  Site site = site_of(fact, options_.packages);
   const Decision& decision = *solution_.of(components_.of(id)->id);
   if (decision.outcome == Outcome::not_needed) {
     return left_alone(std::move(site), fact);
@@ -236,15 +236,18 @@ void sort_by_place(std::vector<Site>& sites) {
   });
 }
 
-/// The sites of one function count up, so that an id does not depend on lines.
+/// The sites of one function count up, so that an id does not depend on lines; those of another package do not count.
 void number_sites(std::vector<Site>& sites) {
-  std::map<std::string, int> count;
-  std::map<std::string, std::set<std::pair<unsigned, unsigned>>> places;
+  struct Seen {
+    int count = 0;
+    std::set<std::pair<unsigned, unsigned>> places;
+  };
+  std::map<std::pair<std::string, std::string>, Seen> known;
   for (Site& site : sites) {
-    const std::string base = site.id;
-    const bool another_type = !places[base].insert({site.where.line, site.where.column}).second;
-    if (!another_type) ++count[base];
-    site.id = base + "#" + std::to_string(count[base]) + (another_type ? "<" + site.message_type + ">" : "");
+    Seen& seen = known[{site.where.file, site.id}];
+    const bool another_type = !seen.places.insert({site.where.line, site.where.column}).second;
+    if (!another_type) ++seen.count;
+    site.id += "#" + std::to_string(seen.count) + (another_type ? "<" + site.message_type + ">" : "");
   }
 }
 

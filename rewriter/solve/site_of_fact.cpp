@@ -6,34 +6,30 @@ namespace {
 
 const char* const kinds[] = {"advertise", "publish", "subscribe"};
 
-std::string relative(const std::string& file, const std::string& dir) {
-  return file.rfind(dir + "/", 0) == 0 ? file.substr(dir.size() + 1) : file;
-}
-
-Site site_of(const SiteFact& fact, SiteKind kind, const std::string& package_dir) {
+Site site_of(const SiteFact& fact, SiteKind kind, const FolderSet& packages) {
   Site site;
   site.kind = kind;
   site.where = location_of(fact.where);
   site.message_type = fact.type;
-  site.id = std::string(kinds[static_cast<int>(kind)]) + ":" + relative(fact.where.file, package_dir) + ":" +
+  site.id = std::string(kinds[static_cast<int>(kind)]) + ":" + packages.relative(fact.where.file) + ":" +
             fact.function;
   return site;
 }
 
 }  // namespace
 
-Site site_of(const Advertise& fact, const std::string& package_dir) {
-  Site site = site_of(fact, SiteKind::advertise, package_dir);
+Site site_of(const Advertise& fact, const FolderSet& packages) {
+  Site site = site_of(fact, SiteKind::advertise, packages);
   site.topic = fact.topic;
   return site;
 }
 
-Site site_of(const Publish& fact, const std::string& package_dir) {
-  return site_of(fact, SiteKind::publish, package_dir);
+Site site_of(const Publish& fact, const FolderSet& packages) {
+  return site_of(fact, SiteKind::publish, packages);
 }
 
-Site site_of(const Subscribe& fact, const std::string& package_dir) {
-  Site site = site_of(fact, SiteKind::subscribe, package_dir);
+Site site_of(const Subscribe& fact, const FolderSet& packages) {
+  Site site = site_of(fact, SiteKind::subscribe, packages);
   site.topic = fact.topic;
   return site;
 }

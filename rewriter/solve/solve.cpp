@@ -117,12 +117,12 @@ std::optional<Decision> Solver::unwanted(const Component& component) const {
     return refused({codes::TZC1016, "left out by --only or --except", site.where});
   };
   for (const Publish* fact : at(published_by_, component.id)) {
-    Site site = site_of(*fact, options_.package_dir);
+    Site site = site_of(*fact, options_.packages);
     site.topic = topic_of(facts_, flow_graph_, fact->publisher);
     if (!options_.wanted(site)) return left_out(site);
   }
   for (const Advertise* fact : at(advertised_, component.id)) {
-    const Site site = site_of(*fact, options_.package_dir);
+    const Site site = site_of(*fact, options_.packages);
     if (!options_.wanted(site)) return left_out(site);
   }
   return {};
@@ -256,7 +256,7 @@ Decision Solver::decide_subscription(const Component& component) const {
   if (const auto demoted = demotions_.find(component.id); demoted != demotions_.end())
     return refused(demoted->second);
   const bool left_out = options_.max_level == Level::plain ||
-                        (options_.wanted && !options_.wanted(site_of(site, options_.package_dir)));
+                        (options_.wanted && !options_.wanted(site_of(site, options_.packages)));
   if (!site.ported && left_out)
     return refused({codes::TZC2007, "left out by --only, --except or --level", location_of(site.where)});
   if (!site.filter.empty()) {

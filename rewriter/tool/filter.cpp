@@ -5,8 +5,6 @@
 
 #include <map>
 
-#include "edits/files.h"
-
 namespace tzc::rewriter {
 namespace {
 
@@ -25,11 +23,10 @@ std::string without_slash(const std::string& text) {
   return text.rfind('/', 0) == 0 ? text.substr(1) : text;
 }
 
-std::string value_of(const Site& site, const std::string& kind, const std::string& package_dir) {
+std::string value_of(const Site& site, const std::string& kind, const FolderSet& packages) {
   if (kind == "type") return site.message_type;
   if (kind == "topic") return without_slash(site.topic.value_or(""));
-  return is_below(site.where.file, package_dir) ? site.where.file.substr(package_dir.size() + 1)
-                                                : site.where.file;
+  return packages.relative(site.where.file);
 }
 
 bool matches_one(const std::string& value, const std::vector<std::string>& globs) {
@@ -47,13 +44,13 @@ std::string filter_format(const std::string& text) {
 }
 
 SiteFilter make_filter(const std::vector<std::string>& only, const std::vector<std::string>& except,
-                       const std::string& package_dir) {
+                       const FolderSet& packages) {
   if (only.empty() && except.empty()) return {};
-  return [only = parse(only), except = parse(except), package_dir](const Site& site) {
+  return [only = parse(only), except = parse(except), packages](const Site& site) {
     for (const auto& [kind, globs] : only)
-      if (!matches_one(value_of(site, kind, package_dir), globs)) return false;
+      if (!matches_one(value_of(site, kind, packages), globs)) return false;
     for (const auto& [kind, globs] : except)
-      if (matches_one(value_of(site, kind, package_dir), globs)) return false;
+      if (matches_one(value_of(site, kind, packages), globs)) return false;
     return true;
   };
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/folder_set.h"
 #include "model/report.h"
 
 namespace tzc::rewriter {
@@ -15,6 +16,6 @@ std::string filter_format(const std::string& text);
 /// kind that is given must match with one of its globs; of --except none may match. A leading '/' of topics
 /// does not matter. Empty when everything is wanted.
 SiteFilter make_filter(const std::vector<std::string>& only, const std::vector<std::string>& except,
-                       const std::string& package_dir);
+                       const FolderSet& packages);
 
 }  // namespace tzc::rewriter

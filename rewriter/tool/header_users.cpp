@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/header_users.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "edits/files.h"
@@ -28,13 +30,13 @@ bool is_source(const fs::path& file) {
 /// Calls `visit` with every source below a folder, through links as well, each once.
 class Walk {
  public:
-  Walk(std::string without, std::function<void(const std::string&)> visit)
+  Walk(FolderSet without, std::function<void(const std::string&)> visit)
       : without_(std::move(without)), visit_(std::move(visit)) {}
 
   void operator()(const fs::path& folder) {
     std::error_code failed;
     const fs::path here = fs::canonical(folder, failed);
-    if (failed || here == without_ || !seen_.insert(here).second) return;
+    if (failed || is_left_out(here) || !seen_.insert(here).second) return;
     if (fs::exists(here / "CMakeCache.txt", failed)) return;  // a build folder
     for (const auto& entry : fs::directory_iterator(here, failed)) {
       if (entry.path().filename().string().front() == '.') continue;
@@ -47,7 +49,11 @@ class Walk {
   }
 
  private:
-  std::string without_;
+  bool is_left_out(const std::string& folder) const {
+    return std::find(without_.begin(), without_.end(), folder) != without_.end();
+  }
+
+  FolderSet without_;
   std::function<void(const std::string&)> visit_;
   std::set<std::string> seen_;
 };
@@ -60,12 +66,12 @@ std::string without_dots(const std::string& name) {
   return path.string();
 }
 
-/// The headers of the package, and which of them an include directive may mean.
+/// The headers of packages, and which of them an include directive may mean.
 class PackageHeaders {
  public:
-  explicit PackageHeaders(const std::string& package_dir) {
-    Walk("",
-         [this](const std::string& file) { by_name_[fs::path(file).filename()].insert(file); })(package_dir);
+  explicit PackageHeaders(const FolderSet& packages) {
+    Walk walk({}, [this](const std::string& file) { by_name_[fs::path(file).filename()].insert(file); });
+    for (const std::string& package : packages) walk(package);
   }
 
   /// `file`: where the directive stands. A quoted name that is found beside it means that file.
@@ -124,38 +130,79 @@ bool depends_on(const fs::path& manifest, const std::string& package) {
 
 }  // namespace
 
-std::map<std::string, std::string> headers_in_use(const std::string& package_dir,
-                                                  const std::vector<std::string>& roots) {
-  const PackageHeaders headers(package_dir);
+std::vector<Inclusion> inclusions_between(const std::vector<std::string>& packages) {
+  const FolderSet folders(packages);
+  const PackageHeaders headers(folders);
+  std::vector<Inclusion> found;
+  Walk walk({}, [&](const std::string& file) {
+    for (const std::string& header : headers.included_by(file))
+      if (folders.of(header) != folders.of(file)) found.push_back({file, header});
+  });
+  for (const std::string& package : packages) walk(package);
+  return found;
+}
+
+std::vector<std::vector<std::string>> joined_by_headers(const std::vector<std::string>& packages) {
+  const FolderSet folders(packages);
+  std::map<std::string, std::string> first;  // package -> the one that stands for its set
+  for (const std::string& package : packages) first[package] = package;
+  for (const Inclusion& inclusion : inclusions_between(packages)) {
+    const std::string into = first.at(*folders.of(inclusion.file));
+    const std::string from = first.at(*folders.of(inclusion.header));
+    for (auto& item : first)
+      if (item.second == from) item.second = into;
+  }
+  std::vector<std::vector<std::string>> sets;
+  std::map<std::string, std::size_t> set_of;
+  for (const std::string& package : packages) {
+    const auto known = set_of.emplace(first.at(package), sets.size());
+    if (known.second) sets.emplace_back();
+    sets[known.first->second].push_back(package);
+  }
+  return sets;
+}
+
+std::map<std::string, std::string> headers_in_use(const FolderSet& packages,
+                                                  const std::vector<std::string>& roots,
+                                                  const std::vector<Inclusion>& known) {
+  const PackageHeaders headers(packages);
   std::map<std::string, std::string> users;
   std::vector<std::string> todo;
-  const auto use = [&](const std::string& file, const std::string& user) {
-    for (const std::string& header : headers.included_by(file))
-      if (users.emplace(header, user).second) todo.push_back(header);
+  const auto use = [&](const std::string& header, const std::string& user) {
+    if (users.emplace(header, user).second) todo.push_back(header);
   };
-  Walk walk(package_dir, [&](const std::string& file) { use(file, file); });
+  for (const Inclusion& inclusion : known) use(inclusion.header, inclusion.file);
+  Walk walk(packages, [&](const std::string& file) {
+    for (const std::string& header : headers.included_by(file)) use(header, file);
+  });
   for (const std::string& root : roots) walk(root);
   while (!todo.empty()) {
     const std::string header = todo.back();
     todo.pop_back();
-    use(header, users.at(header));
+    for (const std::string& inner : headers.included_by(header)) use(inner, users.at(header));
   }
   return users;
 }
 
-Note note_on_users(const std::string& package_dir, const std::map<std::string, std::string>& users) {
+Note note_on_users(const std::string& package_dir, const std::map<std::string, std::string>& users,
+                   const std::vector<std::string>& others) {
   std::string text =
-      "--exported-headers=change: the workspace, the packages named and the installed packages that depend "
-      "on this "
-      "one are taken for all users of its headers; ";
-  std::string separator =
-      users.empty() ? "none of them includes one" : "these headers are included and stay: ";
+      "--exported-headers=change: the workspace, the packages named and the installed packages ";
+  text += "that depend on this one are taken for all users of its headers; ";
+  std::string separator = "solved as one with it: ";
+  for (const std::string& other : others) {
+    text += separator + other;
+    separator = ", ";
+  }
+  if (!others.empty()) text += "; ";
+  separator = "these headers are included and stay: ";
   for (const auto& [header, user] : users) {
+    if (!is_below(header, package_dir)) continue;
     text += separator + header.substr(package_dir.size() + 1) + " (by " + user + ")";
     separator = ", ";
   }
-  return {codes::TZC1005, Location{package_dir + "/package.xml", 1, 1},
-          users.empty() ? text + separator : text};
+  if (separator != ", ") text += others.empty() ? "none of them includes one" : "nobody else includes one";
+  return {codes::TZC1005, Location{package_dir + "/package.xml", 1, 1}, text};
 }
 
 std::vector<std::string> roots_of_users(const std::string& package, const std::string& workspace,

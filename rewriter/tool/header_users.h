@@ -2,23 +2,37 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
+#include "model/folder_set.h"
 #include "model/report.h"
 
 namespace tzc::rewriter {
 
-/// Headers of a package that other code includes, directly or through other files of the package, each with the
-/// file that does so: absolute paths. Includes are searched as text in all C++ files below `roots`, what lies in the
-/// package excepted, so a branch of the preprocessor that is not compiled counts, too. A name that two headers
-/// of the package may stand for counts for both.
-std::map<std::string, std::string> headers_in_use(const std::string& package_dir,
-                                                  const std::vector<std::string>& roots);
+/// A file that includes a header of another package: absolute paths.
+struct Inclusion {
+  std::string file, header;
+};
 
-/// Tells the reader of a report what was searched, and which headers stay.
-Note note_on_users(const std::string& package_dir, const std::map<std::string, std::string>& users);
+/// Includes between packages. They are searched as text in all C++ files, so a branch of the preprocessor that is not
+/// compiled counts, too, and a name that may stand for two headers counts for both.
+std::vector<Inclusion> inclusions_between(const std::vector<std::string>& packages);
+
+/// The packages, those together of which one includes a header of another; in the order given.
+std::vector<std::vector<std::string>> joined_by_headers(const std::vector<std::string>& packages);
+
+/// Headers of the packages that other code includes, directly or through other files of the packages, each with the
+/// file that does so: absolute paths. Searched as text in all C++ files below `roots`, what lies in the packages
+/// excepted. `known`: inclusions that count though they lie in the packages.
+std::map<std::string, std::string> headers_in_use(const FolderSet& packages,
+                                                  const std::vector<std::string>& roots,
+                                                  const std::vector<Inclusion>& known = {});
+
+/// Tells the reader of a package's report what was searched, and which headers stay. `others`: names of the packages that
+/// were solved as one with it.
+Note note_on_users(const std::string& package_dir, const std::map<std::string, std::string>& users,
+                   const std::vector<std::string>& others = {});
 
 /// Where code lies that may include a package's headers: the workspace, the packages of the command line, the
 /// workspaces below this one, and the headers of installed packages that depend on the package.

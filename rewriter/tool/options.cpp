@@ -130,8 +130,8 @@ void add_selection(CLI::App& app, Raw& raw) {
       ->group(group);
   app.add_option("--exported-headers", raw.exported_headers,
                  "keep (default): functions and members that exported headers declare stay as they are; "
-                 "change: those "
-                 "of headers that no other package is seen to include are ported")
+                 "change: those of headers that only the packages named here are seen to include are ported, "
+                 "with all that use them")
       ->check([](const std::string& text) { return one_of(exported_headers, text); })
       ->type_name("WHAT")
       ->group(group);

@@ -91,19 +91,20 @@ MessageSources message_sources(const std::string& package_dir, const std::string
   return sources;
 }
 
-Expected<OwnMessages> OwnMessages::generate(const std::string& package_dir, const std::string& build_dir) {
+Expected<OwnMessages> OwnMessages::generate(const std::map<std::string, std::string>& build_dirs) {
   OwnMessages messages;
-  const std::map<std::string, fs::path> all = message_packages(package_dir);
+  std::map<std::string, fs::path> all;
+  for (const auto& item : build_dirs) all.merge(message_packages(item.first));
   if (all.empty()) return messages;
   Expected<ScratchFolder> scratch = ScratchFolder::make();
   if (!scratch) return scratch.error();
   messages.folder_.emplace(std::move(*scratch));
-  const std::vector<std::string> flags = include_flags(all, build_dir);
+  const std::vector<std::string> flags = include_flags(all, build_dirs.begin()->second);
   for (const auto& [name, folder] : all) {
     messages.packages_[name] = folder;
     const Expected<void> done = generate_one(name, folder, flags, messages.folder_->path());
     // Ignores another package's broken messages: code that needs them fails to compile and reports it.
-    if (!done && folder == package_dir) return done.error();
+    if (!done && build_dirs.count(folder) != 0) return done.error();
   }
   return messages;
 }

@@ -18,15 +18,16 @@ struct MessageSources {
 };
 MessageSources message_sources(const std::string& package_dir, const std::string& build_dir);
 
-/// The TZC headers of messages that the package or its workspace defines, made by tzc-msggen in a folder that
+/// The TZC headers of messages that packages or their workspace define, made by tzc-msggen in a folder that
 /// lives as long as the object. Empty where there are none.
 class OwnMessages {
  public:
-  static Expected<OwnMessages> generate(const std::string& package_dir, const std::string& build_dir);
+  /// `build_dirs`: of each package. An error when a message of one of them is not accepted.
+  static Expected<OwnMessages> generate(const std::map<std::string, std::string>& build_dirs);
 
   std::vector<std::string> include_dirs() const;
 
-  /// The workspace's message packages and their folders, the package itself among them.
+  /// The workspace's message packages and their folders, the packages themselves among them.
   const std::map<std::string, std::string>& packages() const { return packages_; }
 
  private:

@@ -2,6 +2,7 @@
 #include "tool/port_writer.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "transaction/swap.h"
 
@@ -28,11 +29,15 @@ Expected<void> PortWriter::write(std::vector<PackagePort>& ports) {
   if (undo_) ready = look_at_git(ports);
   for (std::size_t i = 0; ready && out_dir_ && i < ports.size(); ++i) ready = out_dir_->stage(ports[i]);
   if (!ready) return ports.clear(), ready;
-  for (std::size_t i = 0; i < ports.size(); ++i) {
-    const Expected<void> done = write_one(ports[i]);
-    if (!done) return ports.erase(ports.begin() + static_cast<long>(i), ports.end()), done;
+  std::set<std::string> written;
+  for (const WriteUnit& unit : write_units(ports)) {
+    ready = write_unit(unit);
+    if (!ready) break;
+    for (const PackagePort* port : unit) written.insert(port->package_dir);
   }
-  return {};
+  const auto is_left = [&](const PackagePort& port) { return written.count(port.package_dir) == 0; };
+  ports.erase(std::remove_if(ports.begin(), ports.end(), is_left), ports.end());
+  return ready;
 }
 
 /// Work that git could not bring back is written over only when the user says so. What lies in no repository is
@@ -50,32 +55,40 @@ Expected<void> PortWriter::look_at_git(const std::vector<PackagePort>& ports) {
   return {};
 }
 
-Expected<void> PortWriter::write_one(const PackagePort& port) {
+Expected<void> PortWriter::write_unit(const WriteUnit& unit) {
   if (out_dir_) {
     has_written_ = true;
-    return out_dir_->move_in(port);
+    for (const PackagePort* port : unit)
+      if (Expected<void> done = out_dir_->move_in(*port); !done) return done;
+    return {};
   }
-  if (port.contents.empty()) return {};
-  const Expected<void> saved = save_undo(port);
+  WriteUnit changed;
+  std::copy_if(unit.begin(), unit.end(), std::back_inserter(changed),
+               [](const PackagePort* port) { return !port->contents.empty(); });
+  if (changed.empty()) return {};
+  const Expected<void> saved = save_undo(changed);
   if (!saved) return saved;
-  Expected<void> done = write_in_place(port);
-  if (done || is_swap_unfinished(port.package_dir))
-    note_written(port);
+  Expected<void> done = write_in_place(changed);
+  if (done || is_swap_unfinished(changed))
+    for (const PackagePort* port : changed) note_written(*port);
   else
     undo_->drop_last();
   return done;
 }
 
 /// Without a place that the user named, a port is worth more than its undo patch where git has the originals, too.
-Expected<void> PortWriter::save_undo(const PackagePort& port) {
-  Expected<void> saved = undo_->add(port);
+Expected<void> PortWriter::save_undo(const WriteUnit& unit) {
+  Expected<void> saved = undo_->add(unit);
   if (saved || !options_.undo.empty()) return saved;
-  const bool in_git = std::none_of(port.contents.begin(), port.contents.end(),
-                                   [&](auto& entry) { return outside_git_.count(entry.first); });
+  const bool in_git = std::none_of(unit.begin(), unit.end(), [&](const PackagePort* port) {
+    return std::any_of(port->contents.begin(), port->contents.end(),
+                       [&](auto& entry) { return outside_git_.count(entry.first); });
+  });
   if (!in_git && !options_.force)
     return Error{"is not in git, and no undo patch could be saved: " + saved.error().what + " (" +
                      saved.error().where + "); nothing of the package was written",
-                 port.package_dir, "name a file for the patch with --undo, or do without with --force"};
+                 unit.front()->package_dir,
+                 "name a file for the patch with --undo, or do without with --force"};
   unsaved_ = "no undo patch could be saved: " + to_string(saved.error());
   return {};
 }

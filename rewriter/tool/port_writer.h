@@ -17,7 +17,8 @@ class PortWriter {
   /// Opens the places, so that what cannot be written is known before the analysis.
   static Expected<PortWriter> open(const Options& options, const std::vector<std::string>& packages);
 
-  /// Writes packages one after the other. After an error `ports` holds those that were written.
+  /// Writes packages one after the other, those that are joined at once. After an error `ports` holds those that were
+  /// written.
   Expected<void> write(std::vector<PackagePort>& ports);
 
   /// A user's file may have changed: from then on no run ends as if nothing had happened.
@@ -32,8 +33,8 @@ class PortWriter {
  private:
   explicit PortWriter(const Options& options) : options_(options) {}
   Expected<void> look_at_git(const std::vector<PackagePort>& ports);
-  Expected<void> write_one(const PackagePort& port);
-  Expected<void> save_undo(const PackagePort& port);
+  Expected<void> write_unit(const WriteUnit& unit);
+  Expected<void> save_undo(const WriteUnit& unit);
   void note_written(const PackagePort& port);
 
   const Options& options_;

@@ -22,7 +22,7 @@ struct Group {
 std::map<std::string, Group> groups_of(std::vector<PackagePort>& ports) {
   std::map<std::string, Group> groups;
   for (PackagePort& port : ports) {
-    if (port.contents.empty()) continue;
+    if (port.contents.empty() && port.joined.empty()) continue;
     std::unique_ptr<UserBuild> user = UserBuild::find(port.build_dir);
     Group& group = groups[user ? user->build_dir : port.build_dir];
     if (!group.user) group.user = std::move(user);
@@ -60,10 +60,10 @@ class Refuser {
     options.level = Level::plain;
     const PortInputs unported{options, inputs_.engine, inputs_.measured_sizes, inputs_.progress,
                               inputs_.accesses};
-    Expected<PackagePort> unchanged = port_package(port.package_dir, unported);
+    Expected<std::vector<PackagePort>> unchanged = port_packages({port.package_dir}, unported);
     if (!unchanged) return unchanged.error();
     const std::vector<Note> hints = port.hints;
-    port = std::move(*unchanged);
+    port = std::move(unchanged->front());
     port.contents.clear();
     port.result.changes.clear();
     port.result.pending.clear();
@@ -89,28 +89,39 @@ Error nothing_to_configure(const std::string& build_dir) {
           "yourself"};
 }
 
-Expected<void> prove(Group& group, const PortInputs& inputs) {
-  std::map<std::string, Error> failures;
+/// By the package's folder.
+using Failures = std::map<std::string, Error>;
+
+Failures failures_of(const Group& group, const PortInputs& inputs) {
+  Failures failures;
   if (!group.user) {
     for (const PackagePort* port : group.ports)
       failures.emplace(port->package_dir, nothing_to_configure(port->build_dir));
-  } else {
-    std::vector<PortedPackage> packages;
-    for (const PackagePort* port : group.ports) packages.push_back(as_ported(*port));
-    ProofOptions options;
-    options.prefixes = find_tzc_prefixes(inputs.options.tzc_includes);
-    options.build = inputs.options.verify == Verify::build;
-    options.jobs = inputs.options.jobs;
-    options.accesses = inputs.accesses;
-    options.progress = [&](const std::string& stage) {
-      if (inputs.progress) inputs.progress->step(stage, 0, 1, group.user->source);
-    };
-    failures = unproved_packages(*group.user, packages, options);
+    return failures;
   }
-  for (PackagePort* port : group.ports)
-    if (const auto failed = failures.find(port->package_dir); failed != failures.end())
-      if (Expected<void> done = Refuser(inputs).refuse(*port, failed->second); !done) return done;
-  return {};
+  std::vector<PortedPackage> packages;
+  for (const PackagePort* port : group.ports) packages.push_back(as_ported(*port));
+  ProofOptions options;
+  options.prefixes = find_tzc_prefixes(inputs.options.tzc_includes);
+  options.build = inputs.options.verify == Verify::build;
+  options.jobs = inputs.options.jobs;
+  options.accesses = inputs.accesses;
+  options.progress = [&](const std::string& stage) {
+    if (inputs.progress) inputs.progress->step(stage, 0, 1, group.user->source);
+  };
+  return unproved_packages(*group.user, packages, options);
+}
+
+/// What is right only together with a package that is not changed is not changed either.
+Failures with_joined(const Failures& failures, const std::vector<PackagePort>& ports) {
+  Failures all = failures;
+  for (const PackagePort& port : ports)
+    for (const std::string& other : port.joined)
+      if (const auto failed = failures.find(other); failed != failures.end())
+        all.emplace(port.package_dir,
+                    Error{"it is ported as one with " + other + ", which cannot be: " + failed->second.what,
+                          failed->second.where, failed->second.hint});
+  return all;
 }
 
 }  // namespace
@@ -127,8 +138,12 @@ Expected<void> prove_build_files(std::vector<PackagePort>& ports, const PortInpu
     }
     return {};
   }
-  for (auto& [folder, group] : groups_of(ports))
-    if (Expected<void> done = prove(group, inputs); !done) return done;
+  Failures failures;
+  for (const auto& item : groups_of(ports)) failures.merge(failures_of(item.second, inputs));
+  failures = with_joined(failures, ports);
+  for (PackagePort& port : ports)
+    if (const auto failed = failures.find(port.package_dir); failed != failures.end())
+      if (Expected<void> done = Refuser(inputs).refuse(port, failed->second); !done) return done;
   return {};
 }
 

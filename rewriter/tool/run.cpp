@@ -16,6 +16,7 @@
 #include "tool/baseline.h"
 #include "tool/filter.h"
 #include "tool/git.h"
+#include "tool/header_users.h"
 #include "tool/places.h"
 #include "tool/port_cache.h"
 #include "tool/port_writer.h"
@@ -94,20 +95,22 @@ class Run {
   }
 
   Expected<void> recover_packages() {
-    for (const std::string& package : packages_) {
-      const Expected<std::vector<std::string>> replaced = recover(package);
+    for (const std::string& folder : swap_folders(packages_)) {
+      const Expected<std::vector<std::string>> replaced = recover(folder);
       if (!replaced) return replaced.error();
       finished_another_run_ = finished_another_run_ || !replaced->empty();
       if (!replaced->empty())
-        fmt::print(stderr, "tzc-rewrite: {}: finished a run that had been interrupted ({} files)\n", package,
+        fmt::print(stderr, "tzc-rewrite: {}: finished a run that had been interrupted ({} files)\n", folder,
                    replaced->size());
     }
     return {};
   }
 
   /// Packages of one build tree are proved together and written together; those of others are kept apart, so
-  /// that what is done stays when something later fails.
+  /// that what is done stays when something later fails. Where headers may change with all who include them, all are
+  /// together.
   std::vector<std::vector<std::string>> groups() const {
+    if (options_.change_exported) return {packages_};
     std::map<std::string, std::size_t> known;
     std::vector<std::vector<std::string>> all;
     for (const std::string& package : packages_) {
@@ -134,14 +137,38 @@ class Run {
                                     PortCache& cache) {
     inputs.accesses = cache.record();
     std::vector<PackagePort> ports;
-    for (const std::string& package : packages) {
-      Expected<PackagePort> port = port_package(package, inputs);
-      port ? ports.push_back(std::move(*port)) : report_error(port.error());
-    }
+    for (const std::vector<std::string>& set : sets_of(packages)) analyse(set, inputs, ports);
     const Expected<void> done = prove_build_files(ports, inputs);
     if (!done) return report_error(done.error()), std::vector<PackagePort>();
     if (ports.size() == packages.size()) cache.keep(ports);
     return ports;
+  }
+
+  /// Packages that are solved as one.
+  std::vector<std::vector<std::string>> sets_of(const std::vector<std::string>& packages) const {
+    if (options_.change_exported) return joined_by_headers(packages);
+    std::vector<std::vector<std::string>> sets;
+    for (const std::string& package : packages) sets.push_back({package});
+    return sets;
+  }
+
+  /// What cannot be solved as one is solved alone, and then the headers that others include stay.
+  void analyse(const std::vector<std::string>& set, const PortInputs& inputs,
+               std::vector<PackagePort>& ports) {
+    Expected<std::vector<PackagePort>> found = port_packages(set, inputs);
+    if (found) {
+      std::move(found->begin(), found->end(), std::back_inserter(ports));
+    } else if (set.size() == 1) {
+      report_error(found.error());
+    } else {
+      progress_.clear();
+      fmt::print(
+          stderr,
+          "tzc-rewrite: warning: packages that include headers of each other are ported one by one, and "
+          "these headers stay, because they could not be solved as one: {}\n",
+          to_string(found.error()));
+      for (const std::string& package : set) analyse({package}, inputs, ports);
+    }
   }
 
   /// Packages that could not be analysed may have sites that match.

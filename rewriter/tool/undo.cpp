@@ -18,14 +18,6 @@ namespace {
 
 constexpr std::size_t most_kept = 100;  // patches of earlier runs
 
-/// The deepest folder that holds all of them.
-std::string common_folder(const std::vector<std::string>& packages) {
-  fs::path common = packages.front();
-  for (const std::string& package : packages)
-    while (common.string() != package && !is_below(package, common)) common = common.parent_path();
-  return common;
-}
-
 std::string time_stamp() {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
@@ -89,19 +81,25 @@ Expected<void> UndoPatch::save() const {
   return {};
 }
 
-Expected<void> UndoPatch::add(const PackagePort& port) {
-  if (port.result.changes.empty()) return {};
-  if (file_.empty()) {
-    Expected<std::string> file = new_file();
-    if (!file) return file.error();
-    file_ = *file;
-  }
+std::string UndoPatch::part_for(const PackagePort& port) const {
   std::string part;
   for (const FileChange& change : port.result.changes) {
     const std::string path = port.package_dir + "/" + change.path;
     part += unified_diff(path.substr(folder_.size() + (folder_ == "/" ? 0 : 1)), change.after, change.before,
                          false)
                 .text;
+  }
+  return part;
+}
+
+Expected<void> UndoPatch::add(const WriteUnit& unit) {
+  std::string part;
+  for (const PackagePort* port : unit) part += part_for(*port);
+  if (part.empty()) return {};
+  if (file_.empty()) {
+    Expected<std::string> file = new_file();
+    if (!file) return file.error();
+    file_ = *file;
   }
   parts_.push_back(part);
   Expected<void> done = save();

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tool/package_port.h"
+#include "tool/writing.h"
 
 namespace tzc::rewriter {
 
@@ -16,10 +16,10 @@ class UndoPatch {
   /// ~/.local/state), made when something is written. `packages`: all that the run may write.
   static Expected<UndoPatch> open(const std::string& file, const std::vector<std::string>& packages);
 
-  /// Adds a package that is about to be written. An error leaves what was saved before.
-  Expected<void> add(const PackagePort& port);
+  /// Adds packages that are about to be written at once. An error leaves what was saved before.
+  Expected<void> add(const WriteUnit& unit);
 
-  /// Takes the last package out again: it was not written.
+  /// Takes the last ones out again: they were not written.
   void drop_last();
 
   /// What the user types; empty: there is nothing to undo.
@@ -28,6 +28,7 @@ class UndoPatch {
  private:
   UndoPatch() = default;
   Expected<void> save() const;
+  std::string part_for(const PackagePort& port) const;
 
   std::string file_;    ///< empty: no place yet
   std::string folder_;  ///< that the patch's paths are relative to

@@ -119,8 +119,28 @@ Expected<OutsideGit> outside_git(const std::vector<PackagePort>& ports) {
   return outside_git(files);
 }
 
-Expected<void> write_in_place(const PackagePort& port) {
-  return swap_in(port.package_dir, port.contents, port.before);
+std::vector<WriteUnit> write_units(const std::vector<PackagePort>& ports) {
+  std::vector<WriteUnit> units;
+  std::map<std::string, std::size_t> unit_of;  // of those to which an earlier one is joined
+  for (const PackagePort& port : ports) {
+    const auto known = unit_of.emplace(port.package_dir, units.size());
+    if (known.second) units.emplace_back();
+    units[known.first->second].push_back(&port);
+    for (const std::string& other : port.joined) unit_of.emplace(other, known.first->second);
+  }
+  return units;
+}
+
+Expected<void> write_in_place(const WriteUnit& unit) {
+  std::vector<PackageSwap> swaps;
+  for (const PackagePort* port : unit) swaps.push_back({port->package_dir, port->contents, port->before});
+  return swap_in(swaps);
+}
+
+bool is_swap_unfinished(const WriteUnit& unit) {
+  std::vector<std::string> folders;
+  for (const PackagePort* port : unit) folders.push_back(port->package_dir);
+  return is_swap_unfinished(folders);
 }
 
 Expected<OutDir> OutDir::open(const std::string& folder, const std::vector<std::string>& packages,

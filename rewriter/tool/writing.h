@@ -18,8 +18,17 @@ std::string diff_of(const std::vector<PackagePort>& ports);
 /// The files that the ports change and whose present content git cannot bring back. An error when git does not say.
 Expected<OutsideGit> outside_git(const std::vector<PackagePort>& ports);
 
-/// Changes a package in place, all of its files or none.
-Expected<void> write_in_place(const PackagePort& port);
+/// Packages that are all written, or none of them.
+using WriteUnit = std::vector<const PackagePort*>;
+
+/// The packages in these units, those first that come first.
+std::vector<WriteUnit> write_units(const std::vector<PackagePort>& ports);
+
+/// Changes packages in place, all of their files or none.
+Expected<void> write_in_place(const WriteUnit& unit);
+
+/// Whether that was interrupted when it could not be undone any more: the next run finishes it.
+bool is_swap_unfinished(const WriteUnit& unit);
 
 /// The folder of --out-dir: gets a whole copy of each package, ported. What is named is a package: as DIR/<its
 /// folder>. It is a folder that holds packages: each at the path that it has below that folder. Each copy is made

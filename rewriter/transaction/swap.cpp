@@ -7,10 +7,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <set>
 #include <thread>
 
 #include "transaction/journal.h"
@@ -96,24 +98,24 @@ Expected<void> stage_file(const std::string& staged, const std::string& target, 
   struct stat staged_state{};
   ::stat(staged.c_str(), &staged_state);
   if (staged_state.st_dev != target_state.st_dev)
-    return Error{"is on another file system than its package", target,
-                 "run tzc-rewrite where the file really is"};
+    return Error{"is on another file system than " + fs::path(staged).parent_path().parent_path().string(),
+                 target, "run tzc-rewrite where the file really is"};
   if (::access(fs::path(target).parent_path().c_str(), W_OK) != 0)
     return Error{"its folder cannot be written: " + system_text(), target, ""};
   ::chmod(staged.c_str(), target_state.st_mode & 07777);
   return {};
 }
 
-Expected<Journal> stage(const std::string& folder, const FileContents& contents, const Snapshot& before) {
-  Journal journal;
-  for (const auto& [target, content] : contents) {
+Expected<void> stage(const std::string& folder, const PackageSwap& package, Journal& journal) {
+  for (const auto& [target, content] : package.contents) {
     const std::string staged = folder + "/" + std::to_string(journal.size());
     if (Expected<void> done = stage_file(staged, target, content); !done) return done.error();
-    const auto old_hash = before.find(target);
-    if (old_hash == before.end()) return Error{"was not there when the package was analysed", target, ""};
+    const auto old_hash = package.before.find(target);
+    if (old_hash == package.before.end())
+      return Error{"was not there when the package was analysed", target, ""};
     journal.push_back({staged, target, old_hash->second, content_hash(content)});
   }
-  return journal;
+  return {};
 }
 
 /// The step of a swap that both the run itself and a recovery take. Targets must hold their old or their new
@@ -161,37 +163,99 @@ void remove_folder(const std::string& folder) {
   fs::remove(folder, ignored);
 }
 
-std::string folder_of(const std::string& package_dir) {
-  return package_dir + "/.tzc-rewrite";
+std::string folder_of(const std::string& place) {
+  return place + "/.tzc-rewrite";
+}
+
+/// The place of the journal and the staged files.
+std::string place_of(const std::vector<std::string>& packages) {
+  return common_folder(packages);
+}
+
+std::vector<std::string> folders_of(const std::vector<PackageSwap>& packages) {
+  std::vector<std::string> folders;
+  for (const PackageSwap& package : packages) folders.push_back(package.package_dir);
+  return folders;
+}
+
+/// The folders of a swap, held against other runs on any of its packages.
+class Folders {
+ public:
+  static Expected<Folders> take(const std::vector<std::string>& packages) {
+    Folders folders;
+    std::set<std::string> places(packages.begin(), packages.end());
+    places.insert(place_of(packages));
+    for (const std::string& place : places) {
+      Expected<Lock> lock = Lock::take(folder_of(place));
+      if (!lock) return folders.remove(), lock.error();
+      folders.locks_.push_back(std::move(*lock));
+      folders.taken_.push_back(folder_of(place));
+    }
+    return folders;
+  }
+  void remove() const {
+    for (const std::string& folder : taken_) remove_folder(folder);
+  }
+
+ private:
+  std::vector<Lock> locks_;
+  std::vector<std::string> taken_;
+};
+
+Expected<Journal> stage(const std::string& folder, const std::vector<PackageSwap>& packages) {
+  Journal journal;
+  for (const PackageSwap& package : packages)
+    if (Expected<void> done = stage(folder, package, journal); !done) return done.error();
+  observe("staged");
+  for (const PackageSwap& package : packages)
+    if (Expected<void> same = check_unchanged(package.package_dir, package.before); !same)
+      return same.error();
+  return journal;
+}
+
+bool is_own(const std::string& folder) {
+  struct stat state{};
+  return ::lstat(folder.c_str(), &state) == 0 && S_ISDIR(state.st_mode) && state.st_uid == ::geteuid();
 }
 
 }  // namespace
 
-Expected<void> swap_in(const std::string& package_dir, const FileContents& contents, const Snapshot& before) {
-  if (contents.empty()) return {};
-  const std::string folder = folder_of(package_dir);
-  const Expected<Lock> lock = Lock::take(folder);
-  if (!lock) return lock.error();
-  const Expected<Journal> journal = stage(folder, contents, before);
-  if (!journal) return remove_folder(folder), journal.error();
-  observe("staged");
-  if (Expected<void> same = check_unchanged(package_dir, before); !same) return remove_folder(folder), same;
+Expected<void> swap_in(const std::vector<PackageSwap>& packages) {
+  if (std::all_of(packages.begin(), packages.end(), [](auto& package) { return package.contents.empty(); }))
+    return {};
+  const std::string folder = folder_of(place_of(folders_of(packages)));
+  const Expected<Folders> folders = Folders::take(folders_of(packages));
+  if (!folders) return folders.error();
+  const Expected<Journal> journal = stage(folder, packages);
+  if (!journal) return folders->remove(), journal.error();
 
   const SignalsBlocked blocked;
-  if (Expected<void> written = write_journal(folder, *journal); !written)
-    return remove_folder(folder), written;
+  if (Expected<void> written = write_journal(folder, *journal); !written) return folders->remove(), written;
   observe("journal");
   if (Expected<std::vector<std::string>> done = finish(*journal); !done) return done.error();
-  remove_folder(folder);
+  folders->remove();
   return {};
 }
 
-bool is_swap_unfinished(const std::string& package_dir) {
-  return fs::exists(journal_path(folder_of(package_dir)));
+bool is_swap_unfinished(const std::vector<std::string>& packages) {
+  return fs::exists(journal_path(folder_of(place_of(packages))));
 }
 
-Expected<std::vector<std::string>> recover(const std::string& package_dir) {
-  const std::string folder = folder_of(package_dir);
+std::vector<std::string> swap_folders(const std::vector<std::string>& packages) {
+  std::set<std::string> above;
+  for (const std::string& package : packages)
+    for (fs::path place = fs::path(package).parent_path();; place = place.parent_path()) {
+      if (is_own(folder_of(place))) above.insert(place);
+      if (!place.has_relative_path()) break;
+    }
+  std::vector<std::string> all(above.begin(), above.end());
+  for (const std::string& package : packages)
+    if (above.count(package) == 0) all.push_back(package);
+  return all;
+}
+
+Expected<std::vector<std::string>> recover(const std::string& place) {
+  const std::string folder = folder_of(place);
   std::vector<std::string> replaced;
   if (!fs::exists(folder)) return replaced;
   const Expected<Lock> lock = Lock::take(folder);

@@ -37,8 +37,8 @@ class Calls : public AstVisitor {
 
 }  // namespace
 
-std::vector<PackageCall> package_calls(clang::ASTContext& ast, const std::string& package_dir) {
-  const Source source(ast, package_dir);
+std::vector<PackageCall> package_calls(clang::ASTContext& ast, const FolderSet& packages) {
+  const Source source(ast, packages);
   Calls visitor(source);
   for (clang::Decl* decl : ast.getTranslationUnitDecl()->decls())
     if (source.in_package(decl->getLocation())) visitor.TraverseDecl(decl);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "model/folder_set.h"
+
 namespace clang {
 class ASTContext;
 }
@@ -25,6 +27,6 @@ using CallsOfUnits = std::map<std::string, std::vector<PackageCall>>;
 
 /// In the order of the source. Edits must leave it as it is: an edit that makes a call pick another function
 /// would change what the program does, and still compile.
-std::vector<PackageCall> package_calls(clang::ASTContext& ast, const std::string& package_dir);
+std::vector<PackageCall> package_calls(clang::ASTContext& ast, const FolderSet& packages);
 
 }  // namespace tzc::rewriter

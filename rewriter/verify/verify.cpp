@@ -27,11 +27,11 @@ std::vector<const CompileUnit*> Verifier::touched(const FileContents& contents,
                                                   const std::set<std::string>& only) const {
   std::set<std::string> files;
   for (const auto& item : contents)
-    if (const auto found = package_.facts.units_of_file.find(item.first);
-        found != package_.facts.units_of_file.end())
+    if (const auto found = packages_.facts.units_of_file.find(item.first);
+        found != packages_.facts.units_of_file.end())
       files.insert(found->second.begin(), found->second.end());
   std::vector<const CompileUnit*> units;
-  for (const CompileUnit& unit : package_.units)
+  for (const CompileUnit& unit : packages_.units)
     if (files.count(unit.file) && (only.empty() || only.count(unit.file))) units.push_back(&unit);
   return units;
 }
@@ -39,8 +39,8 @@ std::vector<const CompileUnit*> Verifier::touched(const FileContents& contents,
 std::string Verifier::key_of(const std::string& unit, const FileContents& contents) const {
   std::string key;
   for (const auto& [file, content] : contents) {
-    const auto users = package_.facts.units_of_file.find(file);
-    if (users != package_.facts.units_of_file.end() && users->second.count(unit))
+    const auto users = packages_.facts.units_of_file.find(file);
+    if (users != packages_.facts.units_of_file.end() && users->second.count(unit))
       key += file + "\n" + std::to_string(content_hash(content)) + "\n";
   }
   return key;
@@ -49,8 +49,8 @@ std::string Verifier::key_of(const std::string& unit, const FileContents& conten
 std::vector<Diagnostic> Verifier::changed_calls(const std::string& unit, const std::vector<PackageCall>& now,
                                                 const Attribution& attribution) const {
   std::vector<Diagnostic> changes;
-  const auto found = package_.calls.find(unit);
-  if (found == package_.calls.end()) return changes;
+  const auto found = packages_.calls.find(unit);
+  if (found == packages_.calls.end()) return changes;
   const std::vector<PackageCall>& before = found->second;
   for (std::size_t i = 0; i < before.size() || i < now.size(); ++i) {
     const bool same = i < before.size() && i < now.size() && before[i].callee == now[i].callee &&
@@ -69,8 +69,8 @@ Verifier::Judgement Verifier::ask_clang(const VerifyRequest& request, const File
                                         const Attribution& attribution) {
   ParseOptions options = options_;
   options.overlay = contents;
-  options.skip_bodies_outside = package_.dir;  // edits cannot break what system headers define
-  options.all_errors = true;                   // so that one round finds as many as possible
+  options.skip_system_bodies = true;  // edits cannot break what system headers define
+  options.all_errors = true;          // so that one round finds as many as possible
   const std::vector<const CompileUnit*> units = touched(contents, request.only);
   Judgement all;
   std::mutex mutex;
@@ -82,8 +82,8 @@ Verifier::Judgement Verifier::ask_clang(const VerifyRequest& request, const File
     if (known == clang_said_.end()) {
       lock.unlock();
       std::vector<PackageCall> calls;
-      ParseResult parsed = parse(*units[i], options,
-                                 [&](clang::ASTContext& ast) { calls = package_calls(ast, package_.dir); });
+      ParseResult parsed = parse(
+          *units[i], options, [&](clang::ASTContext& ast) { calls = package_calls(ast, packages_.folders); });
       if (parsed.errors.empty()) parsed.errors = changed_calls(units[i]->id(), calls, attribution);
       lock.lock();
       known = clang_said_.emplace(key, std::move(parsed.errors)).first;
@@ -133,7 +133,7 @@ void Verifier::attribute(Failure& failure, const Attribution& attribution) const
   failure.origin = attribution.original(error.where.file, error.where.line);
   failure.suspects = attribution.suspects_of(error);
   std::set<std::string> files;
-  for (const auto& [file, users] : package_.facts.units_of_file)
+  for (const auto& [file, users] : packages_.facts.units_of_file)
     if (users.count(failure.unit)) files.insert(file);
   const std::set<ComponentId> named = attribution.named_at(error);
   const std::set<ComponentId> edited = attribution.edited_in(files);
@@ -149,7 +149,8 @@ Expected<Verification> Verifier::run(const VerifyRequest& request) {
   Expected<FileContents> contents = written(request.edits);
   if (!contents) return contents.error();
   result.contents = std::move(*contents);
-  const Attribution attribution(package_.facts, package_.components, {request.edits, result.contents, read_});
+  const Attribution attribution(packages_.facts, packages_.components,
+                                {request.edits, result.contents, read_});
   Expected<Judgement> judgement = Judgement();
   Judge judge = Judge::clang;
   if (request.judge != Judge::compiler) judgement = ask_clang(request, result.contents, attribution);

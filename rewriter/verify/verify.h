@@ -11,6 +11,7 @@
 #include "model/edit.h"
 #include "model/expected.h"
 #include "model/facts.h"
+#include "model/folder_set.h"
 #include "model/judges.h"
 #include "parse/parse.h"
 #include "solve/components.h"
@@ -40,13 +41,13 @@ struct Verification {
   FileContents contents;  ///< the edited files
 };
 
-/// What a verification compares the edited package with.
-struct VerifiedPackage {
+/// What a verification compares the edited packages with.
+struct VerifiedPackages {
   const std::vector<CompileUnit>& units;
   const Facts& facts;
   const CallsOfUnits& calls;
   const Components& components;
-  std::string dir;
+  FolderSet folders;
 };
 
 /// What to verify.
@@ -61,8 +62,8 @@ struct VerifyRequest {
 /// compiler. A unit is verified again only when the text of a file that it includes changed.
 class Verifier {
  public:
-  Verifier(VerifiedPackage package, ParseOptions options, unsigned jobs, ReadFile read, Judges judges)
-      : package_(std::move(package)),
+  Verifier(VerifiedPackages packages, ParseOptions options, unsigned jobs, ReadFile read, Judges judges)
+      : packages_(std::move(packages)),
         options_(std::move(options)),
         jobs_(jobs),
         read_(std::move(read)),
@@ -86,7 +87,7 @@ class Verifier {
                                         const Attribution& attribution) const;
   void attribute(Failure& failure, const Attribution& attribution) const;
 
-  VerifiedPackage package_;
+  VerifiedPackages packages_;
   ParseOptions options_;
   unsigned jobs_;
   ReadFile read_;

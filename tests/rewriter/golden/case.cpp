@@ -124,8 +124,8 @@ Package::Package(const std::map<std::string, std::string>& files) {
 
 EngineOptions Package::options(const std::map<std::string, std::string>& settings) const {
   EngineOptions options;
-  options.package_dir = dir();
-  options.build_dir = dir() + "/build";
+  options.packages = dir();
+  options.build_dirs = {{dir(), dir() + "/build"}};
   options.jobs = 1;
   const auto is = [&](const char* key, const char* value) {
     const auto found = settings.find(key);

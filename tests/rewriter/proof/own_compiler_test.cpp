@@ -44,7 +44,7 @@ class OwnCompilerTest : public ::testing::Test {
                                {"command", compiler + " " + flags + " -MD -MF x.d -o x.o -c " +
                                                (file.empty() ? unit() : file)}}})
                      .dump());
-    OwnCompiler compiler({package(), folder / "ws/src", folder / "ws/build", {tzc_headers}, {}, 1});
+    OwnCompiler compiler({{package()}, folder / "ws/src", {folder / "ws/build"}, {tzc_headers}, {}, 1});
     FileContents contents;
     for (const auto& [name, content] : files) contents[package() + "/" + name] = content;
     const auto errors = compiler.check(contents, {file.empty() ? unit() : canonical_path(file)});
@@ -133,7 +133,7 @@ TEST_F(OwnCompilerTest, a_package_that_is_linked_into_the_workspace) {
   fs::create_directory_symlink(folder / "demo", package());
   file = package() + "/src/node.cpp";
   OwnCompilerTest::check({});
-  OwnCompiler compiler({folder / "demo", folder / "ws/src", folder / "ws/build", {}, {}, 1});
+  OwnCompiler compiler({{folder / "demo"}, folder / "ws/src", {folder / "ws/build"}, {}, {}, 1});
   const auto errors = compiler.check({{folder / "demo/include/demo/a.h", "inline void a() {}\n"}},
                                      {folder / "demo/src/node.cpp"});
   ASSERT_TRUE(errors);
@@ -167,7 +167,7 @@ TEST_F(OwnCompilerTest, an_old_standard_is_raised_as_in_the_build_files) {
 TEST_F(OwnCompilerTest, a_second_check_has_no_text_of_the_first) {
   put("src/node.cpp", "#include <demo/a.h>\nint main() { return a(); }\n");
   check({});
-  OwnCompiler compiler({package(), folder / "ws/src", folder / "ws/build", {}, {}, 1});
+  OwnCompiler compiler({{package()}, folder / "ws/src", {folder / "ws/build"}, {}, {}, 1});
   const FileContents broken = {{package() + "/include/demo/a.h", "inline void a() {}\n"}};
   EXPECT_THAT(*compiler.check(broken, {unit()}), ::testing::SizeIs(1));
   EXPECT_THAT(*compiler.check({}, {unit()}), IsEmpty());
@@ -182,7 +182,7 @@ TEST_F(OwnCompilerTest, a_compiler_that_is_not_there) {
 TEST_F(OwnCompilerTest, the_original_alone) {
   put("src/node.cpp", "#include \"generated.h\"\nint main() {}\n");
   check({});
-  OwnCompiler compiler({package(), folder / "ws/src", folder / "ws/build", {}, {}, 1});
+  OwnCompiler compiler({{package()}, folder / "ws/src", {folder / "ws/build"}, {}, {}, 1});
   const auto errors = compiler.errors_of_original(unit());
   ASSERT_TRUE(errors);
   ASSERT_EQ(errors->size(), 1u);

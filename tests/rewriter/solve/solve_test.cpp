@@ -16,7 +16,7 @@ class Solved {
  public:
   explicit Solved(FactsBuilder builder, SolveOptions options = {}, const std::string& demoted = "")
       : facts_(std::move(builder.facts)), components_(facts_), options_(std::move(options)) {
-    options_.package_dir = "/p";
+    options_.packages = std::string("/p");
     Demotions demotions;
     if (!demoted.empty())
       demotions[components_.of(id(demoted))->id] = {"TZC1009", "it would not compile", {"/p/node.cpp", 8, 1}};

@@ -174,5 +174,62 @@ TEST_F(Catkin, the_packages_warnings_are_errors_of_its_own_code_only) {
   EXPECT_EQ(summary()["publish"]["zero_copy"], 1);
 }
 
+/// A library of converters and the package that uses it: an interface changes only with both.
+class CatkinOfTwo : public Catkin {
+ protected:
+  CatkinOfTwo() {
+    std::string manifest = folder_.read("ws/src/demo/package.xml");
+    manifest.replace(manifest.find("<name>demo"), 10, "<name>fill");
+    put("fill/package.xml", manifest);
+    manifest.replace(manifest.find("<name>fill"), 10, "<name>demo");
+    manifest.insert(manifest.find("  <depend>sensor_msgs"), "  <depend>fill</depend>\n");
+    put("demo/package.xml", manifest);
+    put("fill/include/fill/fill.h",
+        "#pragma once\n#include <sensor_msgs/Image.h>\n\nvoid fill(sensor_msgs::Image& image);\n");
+    put("fill/src/fill.cpp",
+        "#include <fill/fill.h>\n\nvoid fill(sensor_msgs::Image& image) {\n  image.data.resize(640 * "
+        "480);\n}\n");
+    put("demo/src/node.cpp", user);
+  }
+  void configure_both(const std::string& dependencies_of_fill) const {
+    put("fill/CMakeLists.txt",
+        "cmake_minimum_required(VERSION 3.0.2)\nproject(fill)\n" + dependencies_of_fill +
+            "catkin_package(INCLUDE_DIRS include LIBRARIES fill CATKIN_DEPENDS sensor_msgs)\n"
+            "include_directories(include ${catkin_INCLUDE_DIRS})\nadd_library(fill src/fill.cpp)\n"
+            "target_link_libraries(fill ${catkin_LIBRARIES})\n");
+    configure(
+        "find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs fill)\ncatkin_package()\n"
+        "include_directories(${catkin_INCLUDE_DIRS})\n" +
+        target + "target_link_libraries(node ${catkin_LIBRARIES})\n");
+  }
+  std::string header() const { return folder_.read("ws/src/fill/include/fill/fill.h"); }
+
+  const std::string user =
+      "#include <fill/fill.h>\n#include <ros/ros.h>\n\nint main(int argc, char** argv) {\n"
+      "  ros::init(argc, argv, \"node\");\n  ros::NodeHandle nh;\n"
+      "  ros::Publisher pub = nh.advertise<sensor_msgs::Image>(\"image\", 10);\n  sensor_msgs::Image image;\n"
+      "  fill(image);\n  pub.publish(image);\n}\n";
+};
+
+TEST_F(CatkinOfTwo, are_ported_as_one_and_build) {
+  configure_both("find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs)\n");
+  const ProcessResult result =
+      rewrite({"--apply", "--verify=build", "--exported-headers=change", folder_ / "ws/src/fill"});
+  EXPECT_EQ(result.status, 0) << result.errors << result.output;
+  EXPECT_THAT(header(), HasSubstr("void fill(tzc::sensor_msgs::Image& image)"));
+  EXPECT_THAT(source(), HasSubstr("pub.allocate(image);\n  fill(image);"));
+  EXPECT_THAT(result.output, HasSubstr("solved as one with it: fill"));
+}
+
+TEST_F(CatkinOfTwo, one_whose_build_files_are_refused_keeps_the_other) {
+  put("fill/cmake/dependencies.cmake", "find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs)\n");
+  configure_both("include(cmake/dependencies.cmake)\n");
+  const ProcessResult result = rewrite({"--apply", "--exported-headers=change", folder_ / "ws/src/fill"});
+  EXPECT_EQ(result.status, 1) << result.errors;
+  EXPECT_EQ(header().find("tzc"), std::string::npos);
+  EXPECT_EQ(source(), user);
+  EXPECT_THAT(result.output, HasSubstr("it is ported as one with " + (folder_ / "ws/src/fill")));
+}
+
 }  // namespace
 }  // namespace tzc::rewriter

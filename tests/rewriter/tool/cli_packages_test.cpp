@@ -139,5 +139,72 @@ TEST_F(Cli, exported_headers_are_kept_or_changed) {
   EXPECT_THAT(mistake.errors, HasSubstr("both: is none of change, keep"));
 }
 
+/// `demo` and `user`, of which one includes a header of the other and both change.
+class CliOfTwo : public Cli {
+ protected:
+  CliOfTwo() {
+    ws.plan()["joined"] = {"user"};
+    ws.plan()["includes"] = {{"include/demo/api.h", {"user/src/node.cpp", "demo/src/node.cpp"}}};
+    ws.folder().write("ws/src/demo/include/demo/api.h", "");
+    ws.rewrite({});
+    std::filesystem::copy(ws.package(), user(), std::filesystem::copy_options::recursive);
+    std::filesystem::remove_all(user() + "/include");
+    ws.folder().write("ws/src/user/src/node.cpp", "#include <demo/api.h>\n" + ws.file("src/node.cpp"));
+    ws.folder().write("ws/src/user/package.xml",
+                      "<package format=\"2\">\n  <name>user</name>\n  <depend>demo</depend>\n</package>\n");
+    plan_of_user_["joined"] = {"demo"};
+    plan_of_user_["includes"] = {{"src/node.cpp", {"user/src/node.cpp"}}};
+    plan_of_user_["edits"] = ws.plan()["edits"];
+    plan_of_user_["sites"] = ws.plan()["sites"];
+    json database = json::parse(ws.folder().read("ws/build/compile_commands.json"));
+    database.push_back(database[0]);
+    database[1]["file"] = user() + "/src/node.cpp";
+    ws.folder().write("ws/build/compile_commands.json", database.dump());
+  }
+  std::string user() const { return ws.folder() / "ws/src/user"; }
+  ProcessResult run_both(std::vector<std::string> words) {
+    ws.folder().write("ws/src/user/plan.json", plan_of_user_.dump());
+    words.insert(words.end(), {"--exported-headers=change", ws.folder() / "ws/src"});
+    return ws.run(words);
+  }
+  bool is_user_ported() const {
+    return ws.folder().read("ws/src/user/src/node.cpp").find("tzc::Publisher") != std::string::npos;
+  }
+  json plan_of_user_;
+};
+
+TEST_F(CliOfTwo, are_written_together_and_the_report_says_so) {
+  const auto result = run_both({"--apply"});
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_TRUE(is_ported() && is_user_ported());
+  EXPECT_THAT(result.output, HasSubstr("solved as one with it: user; nobody else includes one"));
+}
+
+TEST_F(CliOfTwo, an_undo_patch_takes_both_back) {
+  run_both({"--apply", "--undo", ws.folder() / "undo.patch"});
+  ASSERT_TRUE(is_ported() && is_user_ported());
+  ASSERT_EQ(ws.shell("cd src && patch -p1 < ../../undo.patch"), 0);
+  EXPECT_FALSE(is_ported() || is_user_ported());
+}
+
+TEST_F(CliOfTwo, a_use_that_no_compiler_sees_keeps_the_header) {
+  plan_of_user_["includes"] = json::object();
+  EXPECT_THAT(run_both({}).errors, HasSubstr("stay: include/demo/api.h (by " + user() + "/src/node.cpp)"));
+}
+
+TEST_F(CliOfTwo, when_one_cannot_be_analysed_the_other_is_ported_alone) {
+  plan_of_user_["error"] = "does not compile";
+  ws.plan()["joined"] = json::array();
+  const auto result = run_both({"--apply"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(is_ported());
+  EXPECT_THAT(result.errors, HasSubstr("they could not be solved as one: "));
+  EXPECT_THAT(result.output, HasSubstr("include/demo/api.h (by "));
+}
+
+TEST_F(CliOfTwo, without_the_option_each_is_alone) {
+  EXPECT_THAT(ws.run({ws.folder() / "ws/src"}).errors, Not(HasSubstr("solved as one")));
+}
+
 }  // namespace
 }  // namespace tzc::rewriter

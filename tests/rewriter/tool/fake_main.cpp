@@ -65,21 +65,20 @@ std::string fake_digest(std::string_view text) {
   return fmt::format("{:016x}-{}", content_hash(text), text.size());
 }
 
-Expected<PortPlan> fake_plan(const EngineOptions& options) {
+Expected<PortPlan> fake_plan(const EngineOptions& options, const std::string& package_dir) {
   PortPlan plan;
-  std::ifstream file(options.package_dir + "/plan.json");
+  std::ifstream file(package_dir + "/plan.json");
   const json script = json::parse(file);
-  if (script.contains("error"))
-    return Error{script["error"], options.package_dir + "/src/node.cpp:3", "repair it"};
+  if (script.contains("error")) return Error{script["error"], package_dir + "/src/node.cpp:3", "repair it"};
   if (script.contains("echo")) show(options);
   for (const std::string& file : script.value("reads", std::vector<std::string>()))
     if (options.accesses) options.accesses->note(file);
   const unsigned units = script.value("progress", 0u);
   for (unsigned i = 1; options.progress && i <= units; ++i)
     options.progress->step("parsing", i, units, "node.cpp");
-  for (const json& entry : script.value("edits", json::array())) add_edit(entry, options.package_dir, plan);
+  for (const json& entry : script.value("edits", json::array())) add_edit(entry, package_dir, plan);
   for (const json& entry : script.value("sites", json::array())) {
-    const Site site = site_of(entry, options.package_dir);
+    const Site site = site_of(entry, package_dir);
     if (!options.wanted || options.wanted(site)) plan.report.sites.push_back(site);
   }
   for (const auto& [file, edits] : by_file(plan.edits)) {
@@ -88,15 +87,32 @@ Expected<PortPlan> fake_plan(const EngineOptions& options) {
     if (!text) return text.error();
     plan.contents[file] = *text;
   }
+  for (const json& name : script.value("joined", json::array()))
+    plan.joined.insert(std::filesystem::path(package_dir).parent_path() / name.get<std::string>());
+  const json includes = script.value("includes", json::object());
+  for (const auto& [name, units] : includes.items())
+    for (const json& unit : units)
+      plan.units_of_file[package_dir + "/" + name].insert(std::filesystem::path(package_dir).parent_path() /
+                                                          unit.get<std::string>());
   if (script.contains("touch"))
-    std::ofstream(options.package_dir + "/" + script["touch"].get<std::string>(), std::ios::app)
-        << "// changed\n";
+    std::ofstream(package_dir + "/" + script["touch"].get<std::string>(), std::ios::app) << "// changed\n";
   return plan;
+}
+
+/// Each package as its plan.json says.
+Expected<PortPlans> fake_plans(const EngineOptions& options) {
+  PortPlans plans;
+  for (const std::string& package : options.packages) {
+    Expected<PortPlan> plan = fake_plan(options, package);
+    if (!plan) return plan.error();
+    plans.emplace(package, std::move(*plan));
+  }
+  return plans;
 }
 
 }  // namespace
 }  // namespace tzc::rewriter
 
 int main(int argc, char** argv) {
-  return tzc::rewriter::tool_main(argc, argv, {tzc::rewriter::fake_plan, {}, tzc::rewriter::fake_digest});
+  return tzc::rewriter::tool_main(argc, argv, {tzc::rewriter::fake_plans, {}, tzc::rewriter::fake_digest});
 }

@@ -24,9 +24,9 @@ class HeaderUsers : public ::testing::Test {
   }
   std::string in_use() const { return in_use({folder / "ws"}); }
   /// "api.h detail.h "
-  std::string in_use(const std::vector<std::string>& roots) const {
+  std::string in_use(const std::vector<std::string>& roots, const std::vector<Inclusion>& known = {}) const {
     std::string names;
-    for (const auto& item : headers_in_use(folder / "ws/src/lib", roots))
+    for (const auto& item : headers_in_use(folder / "ws/src/lib", roots, known))
       names += fs::path(item.first).filename().string() + " ";
     return names;
   }
@@ -119,6 +119,37 @@ TEST_F(HeaderUsers, the_note_names_what_stays_and_who_uses_it) {
   const Note note = note_on_users(package, headers_in_use(package, {folder / "ws"}));
   EXPECT_THAT(note.text, HasSubstr("stay: include/lib/api.h (by " + (folder / "ws/src/node/main.cpp") + ")"));
   EXPECT_THAT(note_on_users(package, {}).text, HasSubstr("none of them includes one"));
+}
+
+TEST_F(HeaderUsers, an_inclusion_that_is_known_counts_like_one_from_outside) {
+  folder.write("ws/src/lib/include/lib/api.h", "#include \"detail.h\"\n");
+  EXPECT_EQ(in_use({}, {{folder / "ws/src/node/old.cpp", folder / "ws/src/lib/include/lib/api.h"}}),
+            "api.h detail.h ");
+}
+
+TEST_F(HeaderUsers, packages_that_include_headers_of_each_other_belong_together) {
+  folder.write("ws/src/node/main.cpp", "#include <lib/api.h>\n");
+  folder.write("ws/src/more/more.cpp", "#include <node/node.h>\n");
+  folder.write("ws/src/node/include/node/node.h", "");
+  folder.write("ws/src/other/other.cpp", "#include <vector>\n");
+  std::vector<std::string> packages;
+  for (const char* name : {"lib", "more", "node", "other"}) packages.push_back((folder / "ws/src/") + name);
+  const auto sets = joined_by_headers(packages);
+  ASSERT_EQ(sets.size(), 2u);
+  EXPECT_EQ(sets[0], (std::vector<std::string>{packages[0], packages[1], packages[2]}));
+  EXPECT_EQ(sets[1], std::vector<std::string>{packages[3]});
+  EXPECT_EQ(inclusions_between(packages).size(), 2u);
+}
+
+TEST_F(HeaderUsers, a_package_is_no_user_of_those_that_are_solved_with_it) {
+  folder.write("ws/src/node/main.cpp", "#include <lib/api.h>\n");
+  folder.write("ws/src/other/main.cpp", "#include <lib/detail.h>\n");
+  const FolderSet packages({folder / "ws/src/lib", folder / "ws/src/node"});
+  const auto users = headers_in_use(packages, {folder / "ws"});
+  ASSERT_EQ(users.size(), 1u);
+  EXPECT_EQ(users.begin()->second, folder / "ws/src/other/main.cpp");
+  EXPECT_THAT(note_on_users(folder / "ws/src/lib", users, {"node"}).text,
+              HasSubstr("as one with it: node; these"));
 }
 
 }  // namespace

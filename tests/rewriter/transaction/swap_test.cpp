@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "transaction/swap.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <map>
 
 #include "support/temp_dir.h"
 
@@ -24,6 +28,9 @@ class SwapTest : public ::testing::Test {
     for (const char* name : names) all += (all.empty() ? "" : " ") + package_.read(name);
     return all;
   }
+  Expected<void> swap(const FileContents& contents) const {
+    return swap_in({{package_.path(), contents, before_}});
+  }
   bool clean() const { return !std::filesystem::exists(package_ / ".tzc-rewrite"); }
 
   /// The swap in a child that dies by SIGKILL when it has passed `step` for the `nth` time.
@@ -35,7 +42,7 @@ class SwapTest : public ::testing::Test {
       swap_observer = [](const char* at) {
         if (at == wanted_step && --countdown == 0) kill(getpid(), SIGKILL);
       };
-      (void)swap_in(package_.path(), contents_, before_);
+      (void)swap(contents_);
       _exit(0);
     }
     int status = 0;
@@ -54,27 +61,27 @@ std::string SwapTest::wanted_step;
 int SwapTest::countdown;
 
 TEST_F(SwapTest, replaces_all) {
-  ASSERT_TRUE(swap_in(package_.path(), contents_, before_));
+  ASSERT_TRUE(swap(contents_));
   EXPECT_EQ(state(), "new new new");
   EXPECT_TRUE(clean());
 }
 
 TEST_F(SwapTest, keeps_modes) {
   chmod((package_ / "src/node.cpp").c_str(), 0751);
-  ASSERT_TRUE(swap_in(package_.path(), contents_, before_));
+  ASSERT_TRUE(swap(contents_));
   struct stat state{};
   stat((package_ / "src/node.cpp").c_str(), &state);
   EXPECT_EQ(state.st_mode & 07777, 0751u);
 }
 
 TEST_F(SwapTest, nothing_to_do_leaves_no_trace) {
-  ASSERT_TRUE(swap_in(package_.path(), {}, before_));
+  ASSERT_TRUE(swap({}));
   EXPECT_TRUE(clean());
 }
 
 TEST_F(SwapTest, a_file_changed_since_the_analysis_stops_everything) {
   package_.write("package.xml", "mine");
-  const Expected<void> done = swap_in(package_.path(), contents_, before_);
+  const Expected<void> done = swap(contents_);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().where, package_ / "package.xml");
   EXPECT_EQ(state(), "old mine old");
@@ -83,13 +90,13 @@ TEST_F(SwapTest, a_file_changed_since_the_analysis_stops_everything) {
 
 TEST_F(SwapTest, so_does_a_file_that_is_not_edited_but_was_read) {
   package_.write("src/node.h", "changed");
-  EXPECT_FALSE(swap_in(package_.path(), contents_, before_));
+  EXPECT_FALSE(swap(contents_));
   EXPECT_EQ(state(), "old old old");
 }
 
 TEST_F(SwapTest, and_a_file_that_vanished) {
   std::filesystem::remove(package_ / "package.xml");
-  EXPECT_FALSE(swap_in(package_.path(), contents_, before_));
+  EXPECT_FALSE(swap(contents_));
   EXPECT_EQ(state(), "old  old");
   EXPECT_TRUE(clean());
 }
@@ -153,7 +160,7 @@ TEST_F(SwapTest, ctrl_c_waits_for_the_end) {
     swap_observer = [](const char* at) {
       if (std::string(at) == "swapped") kill(getpid(), SIGINT);
     };
-    (void)swap_in(package_.path(), contents_, before_);
+    (void)swap(contents_);
     _exit(0);
   }
   int status = 0;
@@ -168,7 +175,7 @@ TEST_F(SwapTest, two_runs_at_a_time_are_refused) {
   static bool refused;
   package = package_.path();
   swap_observer = [](const char*) { refused = !recover(package); };
-  ASSERT_TRUE(swap_in(package_.path(), contents_, before_));
+  ASSERT_TRUE(swap(contents_));
   swap_observer = nullptr;
   EXPECT_TRUE(refused);
 }
@@ -190,6 +197,114 @@ TEST_F(SwapTest, a_broken_journal_is_an_error_not_a_crash) {
     package_.write(".tzc-rewrite/journal.json", text);
     EXPECT_FALSE(recover(package_.path())) << text;
   }
+}
+
+/// Two packages of a workspace, "old" in both.
+class SwapOfTwo : public ::testing::Test {
+ protected:
+  SwapOfTwo() {
+    for (const char* name : {"a", "b"}) {
+      contents_[name][workspace_.write(std::string(name) + "/package.xml", "old")] = "new";
+      before_[name] = snapshot(workspace_ / name);
+    }
+  }
+  Expected<void> swap() const {
+    return swap_in({{workspace_ / "a", contents_.at("a"), before_.at("a")},
+                    {workspace_ / "b", contents_.at("b"), before_.at("b")}});
+  }
+  std::string state() const {
+    return workspace_.read("a/package.xml") + " " + workspace_.read("b/package.xml");
+  }
+  bool clean() const {
+    for (const char* folder : {".tzc-rewrite", "a/.tzc-rewrite", "b/.tzc-rewrite"})
+      if (std::filesystem::exists(workspace_ / folder)) return false;
+    return true;
+  }
+  void killed_at(const char* step) const {
+    const pid_t child = fork();
+    if (child == 0) {
+      static const char* wanted = nullptr;
+      wanted = step;
+      swap_observer = [](const char* at) {
+        if (std::string(at) == wanted) kill(getpid(), SIGKILL);
+      };
+      (void)swap();
+      _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status));
+  }
+  void recover_all(const std::vector<std::string>& packages) const {
+    for (const std::string& folder : swap_folders(packages)) ASSERT_TRUE(recover(folder)) << folder;
+  }
+
+  tzc::test::TempDir workspace_;
+  std::map<std::string, FileContents> contents_;
+  std::map<std::string, Snapshot> before_;
+};
+
+TEST_F(SwapOfTwo, replaces_both) {
+  ASSERT_TRUE(swap());
+  EXPECT_EQ(state(), "new new");
+  EXPECT_TRUE(clean());
+}
+
+TEST_F(SwapOfTwo, a_change_in_one_keeps_both) {
+  workspace_.write("b/package.xml", "mine");
+  const Expected<void> done = swap();
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().where, workspace_ / "b/package.xml");
+  EXPECT_EQ(state(), "old mine");
+  EXPECT_TRUE(clean());
+}
+
+TEST_F(SwapOfTwo, killed_before_the_journal_leaves_both_as_they_were) {
+  killed_at("staged");
+  recover_all({workspace_ / "a", workspace_ / "b"});
+  EXPECT_EQ(state(), "old old");
+  EXPECT_TRUE(clean());
+}
+
+TEST_F(SwapOfTwo, killed_after_it_is_finished_by_a_run_on_either) {
+  for (const char* package : {"a", "b"}) {
+    workspace_.write("a/package.xml", "old");
+    workspace_.write("b/package.xml", "old");
+    killed_at("swapped");
+    EXPECT_EQ(state(), "new old");
+    recover_all({workspace_ / package});
+    EXPECT_EQ(state(), "new new");
+  }
+}
+
+TEST_F(SwapOfTwo, a_run_on_one_of_them_is_refused_meanwhile) {
+  static std::string package;
+  static bool refused;
+  package = workspace_ / "b";
+  swap_observer = [](const char*) { refused = !recover(package); };
+  ASSERT_TRUE(swap());
+  swap_observer = nullptr;
+  EXPECT_TRUE(refused);
+  EXPECT_TRUE(clean());
+}
+
+TEST_F(SwapOfTwo, a_package_in_use_keeps_both_and_its_traces_stay) {
+  workspace_.write("b/.tzc-rewrite/0", "staged by another run");
+  const int lock = ::open((workspace_ / "b/.tzc-rewrite/lock").c_str(), O_RDWR | O_CREAT, 0644);
+  ASSERT_EQ(::flock(lock, LOCK_EX), 0);
+  EXPECT_FALSE(swap());
+  EXPECT_EQ(state(), "old old");
+  EXPECT_TRUE(std::filesystem::exists(workspace_ / "b/.tzc-rewrite/0"));
+  EXPECT_FALSE(std::filesystem::exists(workspace_ / "a/.tzc-rewrite"));
+  ::close(lock);
+}
+
+TEST_F(SwapOfTwo, what_another_user_left_above_is_not_looked_at) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can make files of another user";
+  workspace_.write(".tzc-rewrite/0", "evil");
+  ASSERT_EQ(::chown((workspace_ / ".tzc-rewrite").c_str(), 12345, 12345), 0);
+  const std::vector<std::string> package = {workspace_ / "a"};
+  EXPECT_EQ(swap_folders(package), package);
 }
 
 }  // namespace

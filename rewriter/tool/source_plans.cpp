@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/source_plans.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <set>
+
+#include "edits/dual.h"
+#include "edits/files.h"
+#include "proof/configuration.h"
+#include "proof/own_compiler.h"
+#include "tool/filter.h"
+#include "tool/header_users.h"
+#include "tool/own_messages.h"
+#include "tool/places.h"
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+using HeaderUsers = std::map<std::string, std::string>;
+
+/// The main files that include a file of these packages; empty: none does.
+std::set<std::string> units_of(const std::string& file, const PortPlans& plans) {
+  for (const auto& item : plans) {
+    const auto found = item.second.units_of_file.find(file);
+    if (found != item.second.units_of_file.end()) return found->second;
+  }
+  return {};
+}
+
+/// Whether the compiler sees it wherever it reads the file: otherwise the header's change could break code that was
+/// not looked at.
+bool is_compiled(const Inclusion& inclusion, const PortPlans& plans) {
+  const std::set<std::string> users = units_of(inclusion.file, plans);
+  const std::set<std::string> seen = units_of(inclusion.header, plans);
+  return !users.empty() && std::includes(seen.begin(), seen.end(), users.begin(), users.end());
+}
+
+std::set<std::string> keys_of(const std::map<std::string, std::string>& map) {
+  std::set<std::string> keys;
+  for (const auto& item : map) keys.insert(item.first);
+  return keys;
+}
+
+class SourcePlanner {
+ public:
+  SourcePlanner(const std::vector<SourcePackage>& packages, const PortInputs& inputs)
+      : packages_(packages), inputs_(inputs) {
+    for (const SourcePackage& package : packages_) build_dirs_[package.dir] = package.build_dir;
+  }
+
+  Expected<SourcePlans> run() {
+    const Expected<std::vector<std::string>> includes = find_tzc_includes(inputs_.options.tzc_includes);
+    if (!includes) return includes.error();
+    const Expected<OwnMessages> messages = OwnMessages::generate(build_dirs_);
+    if (!messages) return messages.error();
+    EngineOptions engine = engine_options();
+    engine.tzc_include = includes->front();
+    engine.extra_include_dirs.assign(includes->begin() + 1, includes->end());
+    for (const std::string& folder : messages->include_dirs()) engine.extra_include_dirs.push_back(folder);
+    OwnCompiler compiler(compiler_setup(engine));
+    engine.judges = judges(compiler);
+    Expected<PortPlans> plans =
+        inputs_.options.change_exported ? plan_with_headers(engine) : inputs_.engine.plan(engine);
+    if (!plans) return plans.error();
+    return SourcePlans{std::move(*plans), messages->packages()};
+  }
+
+ private:
+  std::vector<std::string> folders() const {
+    std::vector<std::string> folders;
+    for (const auto& item : build_dirs_) folders.push_back(item.first);
+    return folders;
+  }
+
+  /// The deepest folder that holds all packages, as the build names it.
+  std::string workspace() const {
+    std::vector<std::string> sources;
+    for (const auto& [folder, build_dir] : build_dirs_) {
+      const std::unique_ptr<UserBuild> user = UserBuild::find(build_dir);
+      sources.push_back(user ? user->source : fs::path(folder).parent_path().string());
+    }
+    return common_folder(sources);
+  }
+
+  OwnCompilerSetup compiler_setup(const EngineOptions& engine) const {
+    OwnCompilerSetup setup;
+    setup.packages = folders();
+    setup.root = workspace();
+    std::set<std::string> build_dirs;
+    for (const auto& item : build_dirs_) build_dirs.insert(item.second);
+    setup.build_dirs.assign(build_dirs.begin(), build_dirs.end());
+    setup.include_dirs = engine.extra_include_dirs;
+    setup.include_dirs.push_back(engine.tzc_include);
+    setup.defines = {dual_macro};
+    setup.jobs = inputs_.options.jobs;
+    setup.accesses = inputs_.accesses;
+    return setup;
+  }
+
+  /// Verify the text that is written.
+  Expected<std::string> written_text(const std::string& file, const std::string& before,
+                                     const std::string& edited) const {
+    std::string after = edited;
+    if (inputs_.engine.format) after = inputs_.engine.format(file, before, after);
+    return inputs_.options.dual ? dual_text(file, before, after) : Expected<std::string>(after);
+  }
+
+  Judges judges(OwnCompiler& compiler) const {
+    Judges judges;
+    judges.written_text = [this](const std::string& file, const std::string& before,
+                                 const std::string& edited) { return written_text(file, before, edited); };
+    judges.compiler = [&compiler](const FileContents& contents, const std::set<std::string>& units) {
+      return compiler.check(contents, units);
+    };
+    judges.original_errors = [&compiler](const std::string& unit) {
+      return compiler.errors_of_original(unit);
+    };
+    return judges;
+  }
+
+  EngineOptions engine_options() const {
+    const Options& options = inputs_.options;
+    EngineOptions engine;
+    engine.packages = FolderSet(folders());
+    engine.build_dirs = build_dirs_;
+    engine.max_level = options.level;
+    engine.on_exhausted = options.on_exhausted;
+    engine.small = options.small;
+    engine.mem_size = options.mem_size;
+    engine.measured_sizes = inputs_.measured_sizes;
+    engine.dual = options.dual;
+    engine.jobs = options.jobs;
+    engine.strict = options.strict;
+    engine.wanted = make_filter(options.only, options.except, engine.packages);
+    engine.progress = inputs_.progress;
+    engine.accesses = inputs_.accesses;
+    return engine;
+  }
+
+  /// Exported headers that no other code is seen to include are the packages' own. What one of the packages includes of
+  /// another without that a compiler sees it is found out by the analysis, which is then made again.
+  Expected<PortPlans> plan_with_headers(EngineOptions& engine) const {
+    const std::vector<Inclusion> inclusions = inclusions_between(folders());
+    std::vector<Inclusion> unseen;
+    for (;;) {
+      const HeaderUsers users = headers_in_use(engine.packages, roots(), unseen);
+      engine.headers_in_use = keys_of(users);
+      Expected<PortPlans> plans = inputs_.engine.plan(engine);
+      if (!plans) return plans;
+      const std::size_t before = unseen.size();
+      std::copy_if(
+          inclusions.begin(), inclusions.end(), std::back_inserter(unseen),
+          [&](const Inclusion& one) { return users.count(one.header) == 0 && !is_compiled(one, *plans); });
+      if (unseen.size() == before) return add_notes(users, *plans), plans;
+    }
+  }
+
+  std::vector<std::string> roots() const {
+    std::vector<std::string> all;
+    for (const SourcePackage& package : packages_) {
+      const std::vector<std::string> roots = roots_of_users(
+          package.name, workspace(), inputs_.options.packages, share_folders(package.build_dir));
+      all.insert(all.end(), roots.begin(), roots.end());
+    }
+    return all;
+  }
+
+  void add_notes(const HeaderUsers& users, PortPlans& plans) const {
+    for (auto& [folder, plan] : plans) {
+      std::vector<std::string> others;
+      for (const SourcePackage& package : packages_)
+        if (package.dir != folder) others.push_back(package.name);
+      plan.report.notes.push_back(note_on_users(folder, users, others));
+    }
+  }
+
+  const std::vector<SourcePackage>& packages_;
+  const PortInputs& inputs_;
+  std::map<std::string, std::string> build_dirs_;
+};
+
+}  // namespace
+
+Expected<SourcePlans> plan_sources(const std::vector<SourcePackage>& packages, const PortInputs& inputs) {
+  return SourcePlanner(packages, inputs).run();
+}
+
+}  // namespace tzc::rewriter

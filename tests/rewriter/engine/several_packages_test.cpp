@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Packages that are solved as one: an interface between them changes with all that use it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "golden/case.h"
+
+namespace tzc::rewriter {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const char* const header = "lib/include/lib/fill.h";
+const std::string ros_headers = "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n";
+
+/// A converter that a library exports, a node of another package that publishes what it fills, and a package that has
+/// nothing to do with them.
+class SeveralPackages : public ::testing::Test {
+ protected:
+  std::map<std::string, std::string> files = {
+      {header, "#pragma once\n#include <sensor_msgs/Image.h>\nvoid fill(sensor_msgs::Image& image);\n"},
+      {"lib/src/fill.cpp",
+       "#include \"../include/lib/fill.h\"\nvoid fill(sensor_msgs::Image& image) { image.data.resize(10); "
+       "}\n"},
+      {"node/src/node.cpp", "#include \"../../lib/include/lib/fill.h\"\n" + ros_headers +
+                                "void step(ros::NodeHandle& nh) {\n"
+                                "  ros::Publisher pub = nh.advertise<sensor_msgs::Image>(\"image\", 10);\n"
+                                "  sensor_msgs::Image image;\n  fill(image);\n  pub.publish(image);\n}\n"},
+      {"other/src/other.cpp",
+       ros_headers + "void step(ros::NodeHandle& nh) {\n"
+                     "  ros::Publisher pub = nh.advertise<sensor_msgs::Image>(\"other\", 10);\n"
+                     "  sensor_msgs::Image image;\n  image.data.resize(10);\n  pub.publish(image);\n}\n"}};
+
+  Expected<PortPlans> plan(const std::vector<std::string>& packages,
+                           const std::set<std::string>& headers_in_use = {}) {
+    written.emplace(files);
+    EngineOptions options = written->options({});
+    options.build_dirs.clear();
+    std::vector<std::string> folders;
+    for (const std::string& package : packages) {
+      folders.push_back(folder(package));
+      options.build_dirs[folder(package)] = folder("build");
+    }
+    options.packages = FolderSet(folders);
+    options.headers_in_use.emplace();
+    for (const std::string& name : headers_in_use) options.headers_in_use->insert(folder(name));
+    options.judges = judges;
+    return plan_ports(options);
+  }
+  std::string folder(const std::string& name) const { return written->dir() + "/" + name; }
+
+  static Level level(const PortPlan& plan) {
+    for (const Site& site : plan.report.sites)
+      if (site.kind == SiteKind::publish) return site.level;
+    return Level::plain;
+  }
+
+  std::optional<test::Package> written;
+  Judges judges;
+};
+
+TEST_F(SeveralPackages, a_converter_changes_with_its_caller) {
+  const auto plans = plan({"lib", "node", "other"});
+  ASSERT_TRUE(plans) << to_string(plans.error());
+  const PortPlan &lib = plans->at(folder("lib")), &node = plans->at(folder("node")),
+                 &other = plans->at(folder("other"));
+  EXPECT_EQ(level(node), Level::zero_copy);
+  EXPECT_THAT(lib.contents.at(folder(header)), HasSubstr("tzc::sensor_msgs::Image& image"));
+  EXPECT_EQ(lib.contents.count(folder("lib/src/fill.cpp")), 1u);
+  EXPECT_EQ(lib.contents.count(folder("node/src/node.cpp")), 0u);
+  EXPECT_THAT(lib.joined, ElementsAre(folder("node")));
+  EXPECT_THAT(node.joined, ElementsAre(folder("lib")));
+  EXPECT_THAT(other.joined, IsEmpty()) << "what it changes does not depend on them";
+  EXPECT_EQ(level(other), Level::zero_copy);
+}
+
+TEST_F(SeveralPackages, each_has_what_its_own_report_and_build_files_need) {
+  const auto plans = plan({"lib", "node", "other"});
+  ASSERT_TRUE(plans) << to_string(plans.error());
+  const PortPlan &lib = plans->at(folder("lib")), &node = plans->at(folder("node"));
+  EXPECT_THAT(lib.ported_targets_files, ElementsAre(folder("lib/src/fill.cpp")));
+  EXPECT_THAT(node.ported_targets_files, ElementsAre(folder("node/src/node.cpp")));
+  EXPECT_THAT(lib.tzc_types, ElementsAre("sensor_msgs/Image"));
+  EXPECT_THAT(node.tzc_types, Contains("sensor_msgs/Image"));
+  EXPECT_THAT(lib.report.sites, IsEmpty());
+  EXPECT_EQ(node.report.sites.size(), 2u);
+  for (const char* name : {"node", "other"}) {
+    const auto alone = plan({name});
+    const auto together = plan({"lib", "node", "other"});
+    ASSERT_TRUE(alone && together);
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_EQ(alone->begin()->second.report.sites[i].id, together->at(folder(name)).report.sites[i].id);
+  }
+}
+
+TEST_F(SeveralPackages, alone_the_caller_has_to_copy) {
+  const auto plans = plan({"node"});
+  ASSERT_TRUE(plans) << to_string(plans.error());
+  EXPECT_EQ(level(plans->at(folder("node"))), Level::one_copy);
+}
+
+TEST_F(SeveralPackages, a_header_that_others_include_stays) {
+  const auto plans = plan({"lib", "node"}, {header});
+  ASSERT_TRUE(plans) << to_string(plans.error());
+  EXPECT_EQ(level(plans->at(folder("node"))), Level::one_copy);
+  EXPECT_THAT(plans->at(folder("lib")).contents, IsEmpty());
+  EXPECT_THAT(plans->at(folder("node")).joined, IsEmpty());
+}
+
+TEST_F(SeveralPackages, who_only_reads_a_changed_header_has_to_know_tzc_too) {
+  files["reader/src/reader.cpp"] = "#include \"../../lib/include/lib/fill.h\"\nint main() {}\n";
+  const auto plans = plan({"lib", "node", "reader"});
+  ASSERT_TRUE(plans) << to_string(plans.error());
+  const PortPlan& reader = plans->at(folder("reader"));
+  EXPECT_THAT(reader.contents, IsEmpty());
+  EXPECT_THAT(reader.ported_targets_files, ElementsAre(folder("reader/src/reader.cpp")));
+  EXPECT_THAT(reader.joined, ElementsAre(folder("lib"), folder("node")));
+}
+
+TEST_F(SeveralPackages, a_use_that_would_not_compile_keeps_the_interface) {
+  files["reader/src/reader.cpp"] =
+      "#include \"../../lib/include/lib/fill.h\"\nvoid (*keep)(sensor_msgs::Image&) = &fill;\n";
+  const auto plans = plan({"lib", "node", "reader"});
+  ASSERT_TRUE(plans) << to_string(plans.error());
+  EXPECT_THAT(plans->at(folder("lib")).contents, IsEmpty());
+  EXPECT_EQ(level(plans->at(folder("node"))), Level::one_copy);
+}
+
+TEST_F(SeveralPackages, a_package_of_which_nothing_compiles_is_named) {
+  files["node/src/node.cpp"] = "#error not here\n";
+  judges.original_errors = [](const std::string& unit) {
+    return std::vector<CompilerError>{{unit, {unit, 1, 1}, "not here", {}}};
+  };
+  const auto plans = plan({"lib", "node"});
+  ASSERT_FALSE(plans);
+  EXPECT_EQ(plans.error().where, folder("node/src/node.cpp"));
+}
+
+}  // namespace
+}  // namespace tzc::rewriter
