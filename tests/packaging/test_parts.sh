@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# The project configures, tests included, without each of the parts that cmake/TzcOptions.cmake lets a user leave out, and
+# without all of them. usage: test_parts.sh SOURCE_DIR
+set -euo pipefail
+source=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+mapfile -t parts < <(sed -nE 's/^(option|set)\((TZC_BUILD_[A-Z]+) .*/\2/p' "$source/cmake/TzcOptions.cmake" | grep -vx TZC_BUILD_TESTS | sort -u)
+[ "${#parts[@]}" -ge 6 ] || { echo "only these parts were found: ${parts[*]}"; exit 1; }
+
+configures_without() {
+  cmake -G Ninja -S "$source" -B "$scratch/build" --fresh -DTZC_BUILD_TESTS=ON "${@/%/=OFF}" >"$scratch/log" 2>&1 ||
+    { echo "without ${*#-D}:"; cat "$scratch/log"; exit 1; }
+}
+for part in "${parts[@]}"; do configures_without "-D$part"; done
+configures_without "${parts[@]/#/-D}"
+echo "configured without each of ${parts[*]}"
