@@ -95,7 +95,7 @@ class Run {
   }
 
   Expected<void> recover_packages() {
-    for (const std::string& folder : swap_folders(packages_)) {
+    for (const std::string& folder : swap_folders(packages_, ::geteuid())) {
       const Expected<std::vector<std::string>> replaced = recover(folder);
       if (!replaced) return replaced.error();
       finished_another_run_ = finished_another_run_ || !replaced->empty();

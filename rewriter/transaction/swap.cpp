@@ -167,11 +167,6 @@ std::string folder_of(const std::string& place) {
   return place + "/.tzc-rewrite";
 }
 
-/// The place of the journal and the staged files.
-std::string place_of(const std::vector<std::string>& packages) {
-  return common_folder(packages);
-}
-
 std::vector<std::string> folders_of(const std::vector<PackageSwap>& packages) {
   std::vector<std::string> folders;
   for (const PackageSwap& package : packages) folders.push_back(package.package_dir);
@@ -184,7 +179,7 @@ class Folders {
   static Expected<Folders> take(const std::vector<std::string>& packages) {
     Folders folders;
     std::set<std::string> places(packages.begin(), packages.end());
-    places.insert(place_of(packages));
+    places.insert(common_folder(packages));
     for (const std::string& place : places) {
       Expected<Lock> lock = Lock::take(folder_of(place));
       if (!lock) return folders.remove(), lock.error();
@@ -213,9 +208,9 @@ Expected<Journal> stage(const std::string& folder, const std::vector<PackageSwap
   return journal;
 }
 
-bool is_own(const std::string& folder) {
+bool is_folder_of(const std::string& path, uid_t user) {
   struct stat state{};
-  return ::lstat(folder.c_str(), &state) == 0 && S_ISDIR(state.st_mode) && state.st_uid == ::geteuid();
+  return ::lstat(path.c_str(), &state) == 0 && S_ISDIR(state.st_mode) && state.st_uid == user;
 }
 
 }  // namespace
@@ -223,7 +218,7 @@ bool is_own(const std::string& folder) {
 Expected<void> swap_in(const std::vector<PackageSwap>& packages) {
   if (std::all_of(packages.begin(), packages.end(), [](auto& package) { return package.contents.empty(); }))
     return {};
-  const std::string folder = folder_of(place_of(folders_of(packages)));
+  const std::string folder = folder_of(common_folder(folders_of(packages)));
   const Expected<Folders> folders = Folders::take(folders_of(packages));
   if (!folders) return folders.error();
   const Expected<Journal> journal = stage(folder, packages);
@@ -238,14 +233,14 @@ Expected<void> swap_in(const std::vector<PackageSwap>& packages) {
 }
 
 bool is_swap_unfinished(const std::vector<std::string>& packages) {
-  return fs::exists(journal_path(folder_of(place_of(packages))));
+  return fs::exists(journal_path(folder_of(common_folder(packages))));
 }
 
-std::vector<std::string> swap_folders(const std::vector<std::string>& packages) {
+std::vector<std::string> swap_folders(const std::vector<std::string>& packages, uid_t user) {
   std::set<std::string> above;
   for (const std::string& package : packages)
     for (fs::path place = fs::path(package).parent_path();; place = place.parent_path()) {
-      if (is_own(folder_of(place))) above.insert(place);
+      if (is_folder_of(folder_of(place), user)) above.insert(place);
       if (!place.has_relative_path()) break;
     }
   std::vector<std::string> all(above.begin(), above.end());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sys/types.h>
+
 #include <string>
 #include <vector>
 
@@ -31,8 +33,8 @@ Expected<void> swap_in(const std::vector<PackageSwap>& packages);
 bool is_swap_unfinished(const std::vector<std::string>& packages);
 
 /// Where swaps of these packages, alone or with others, may be unfinished: the packages, and those folders above them
-/// in which a run of this user left something.
-std::vector<std::string> swap_folders(const std::vector<std::string>& packages);
+/// in which a run of this user left something. What others left there is not trusted: anybody may write to /tmp.
+std::vector<std::string> swap_folders(const std::vector<std::string>& packages, uid_t user);
 
 /// To be called at every start: finishes a swap that was interrupted after its point of no return, removes
 /// the traces of one that was interrupted before it. Returns the files that it replaced. An error when

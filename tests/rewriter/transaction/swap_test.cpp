@@ -236,7 +236,8 @@ class SwapOfTwo : public ::testing::Test {
     ASSERT_TRUE(WIFSIGNALED(status));
   }
   void recover_all(const std::vector<std::string>& packages) const {
-    for (const std::string& folder : swap_folders(packages)) ASSERT_TRUE(recover(folder)) << folder;
+    for (const std::string& folder : swap_folders(packages, ::geteuid()))
+      ASSERT_TRUE(recover(folder)) << folder;
   }
 
   tzc::test::TempDir workspace_;
@@ -300,11 +301,18 @@ TEST_F(SwapOfTwo, a_package_in_use_keeps_both_and_its_traces_stay) {
 }
 
 TEST_F(SwapOfTwo, what_another_user_left_above_is_not_looked_at) {
-  if (::geteuid() != 0) GTEST_SKIP() << "only root can make files of another user";
-  workspace_.write(".tzc-rewrite/0", "evil");
-  ASSERT_EQ(::chown((workspace_ / ".tzc-rewrite").c_str(), 12345, 12345), 0);
+  workspace_.write(".tzc-rewrite/0", "left by the user of this test");
   const std::vector<std::string> package = {workspace_ / "a"};
-  EXPECT_EQ(swap_folders(package), package);
+  EXPECT_EQ(swap_folders(package, ::geteuid() + 1), package);
+  EXPECT_EQ(swap_folders(package, ::geteuid()),
+            (std::vector<std::string>{workspace_.path(), workspace_ / "a"}));
+}
+
+TEST_F(SwapOfTwo, a_link_above_is_not_followed) {
+  workspace_.write("elsewhere/0", "evil");
+  std::filesystem::create_directory_symlink(workspace_ / "elsewhere", workspace_ / ".tzc-rewrite");
+  const std::vector<std::string> package = {workspace_ / "a"};
+  EXPECT_EQ(swap_folders(package, ::geteuid()), package);
 }
 
 }  // namespace
