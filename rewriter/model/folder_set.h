@@ -22,7 +22,6 @@ class FolderSet {
   FolderSet(std::string folder) : folders_{std::move(folder)} {}
   explicit FolderSet(std::vector<std::string> folders) : folders_(std::move(folders)) {}
 
-  bool empty() const { return folders_.empty(); }
   auto begin() const { return folders_.begin(); }
   auto end() const { return folders_.end(); }
 

@@ -116,6 +116,13 @@ std::vector<std::string> source_spaces(const fs::path& prefix) {
   return folders;
 }
 
+/// "a, b, c"
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
 bool depends_on(const fs::path& manifest, const std::string& package) {
   const std::string text = text_of(manifest);
   for (std::size_t at = text.find(package); at != std::string::npos; at = text.find(package, at + 1)) {
@@ -186,22 +193,18 @@ std::map<std::string, std::string> headers_in_use(const FolderSet& packages,
 
 Note note_on_users(const std::string& package_dir, const std::map<std::string, std::string>& users,
                    const std::vector<std::string>& others) {
+  std::vector<std::string> stay;
+  for (const auto& [header, user] : users)
+    if (is_below(header, package_dir))
+      stay.push_back(header.substr(package_dir.size() + 1) + " (by " + user + ")");
   std::string text =
-      "--exported-headers=change: the workspace, the packages named and the installed packages ";
-  text += "that depend on this one are taken for all users of its headers; ";
-  std::string separator = "solved as one with it: ";
-  for (const std::string& other : others) {
-    text += separator + other;
-    separator = ", ";
-  }
-  if (!others.empty()) text += "; ";
-  separator = "these headers are included and stay: ";
-  for (const auto& [header, user] : users) {
-    if (!is_below(header, package_dir)) continue;
-    text += separator + header.substr(package_dir.size() + 1) + " (by " + user + ")";
-    separator = ", ";
-  }
-  if (separator != ", ") text += others.empty() ? "none of them includes one" : "nobody else includes one";
+      "--exported-headers=change: the workspace, the packages named and the installed packages that "
+      "depend on this one are taken for all users of its headers; ";
+  if (!others.empty()) text += "solved as one with it: " + listed(others) + "; ";
+  if (!stay.empty())
+    text += "these headers are included and stay: " + listed(stay);
+  else
+    text += others.empty() ? "none of them includes one" : "nobody else includes one";
   return {codes::TZC1005, Location{package_dir + "/package.xml", 1, 1}, text};
 }
 
