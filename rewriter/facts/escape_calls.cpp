@@ -112,6 +112,18 @@ bool passes_on(const clang::CXXMethodDecl* method) {
   });
 }
 
+/// points[0] = points[1]
+bool copies_value(const clang::FunctionDecl* function) {
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
+  return method && (method->isCopyAssignmentOperator() || method->isMoveAssignmentOperator()) &&
+         !method->isUserProvided() && !may_hold_pointer(method->getThisType()->getPointeeType());
+}
+
+/// std::swap(data[0], data[3])
+bool exchanges_values(const std::string& function, const clang::Expr* argument) {
+  return (function == "std::swap" || function == "boost::swap") && !may_hold_pointer(argument->getType());
+}
+
 /// x != x.end() of sensor_msgs::PointCloud2Iterator
 bool is_of_view(const clang::FunctionDecl* function) {
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
@@ -167,6 +179,7 @@ bool CallSteps::into_operator(const clang::CXXOperatorCallExpr* call) {
   if (!callee || context_.unit.declares(callee)) return into_call(call);
   if (index == 0 && is_method) return into_object_operator(call);
   if (call->getOperator() == clang::OO_Equal) {
+    if (copies_value(callee)) return done();
     if (at_.how != Reference::array) return into_assignment(call->getArg(0));
     if (is_moved(at_.expr)) return escape("moves with the array", false);
     return done();
@@ -198,6 +211,7 @@ bool CallSteps::into_call(const clang::CallExpr* call) {
       !is_type_blind(context_.unit, callee, index))
     return escape("is not needed: '" + name + "' asks for the array's type", false);
   if (context_.unit.declares(callee) && analysis_.follow(callee, index, at_)) return done();
+  if (at_.how == Reference::elements && exchanges_values(name, at_.expr)) return done();
   const Keeping keeping = context_.keeping_of(name, at_.messages);
   if (keeping != Keeping::unknown) return into_known_call(call, keeping != Keeping::nothing);
   // What takes a std::vector does not take the ported array: the compiler refuses it.

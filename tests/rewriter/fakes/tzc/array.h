@@ -38,6 +38,11 @@ class Array {
   void insert(const T* at, I b, I e) {
     v_.insert(v_.begin() + (at - v_.data()), b, e);
   }
+  T* erase(const T* at, const T* end) {
+    const auto first = v_.begin() + (at - v_.data());
+    return v_.data() + (v_.erase(first, first + (end - at)) - v_.begin());
+  }
+  T* erase(const T* at) { return erase(at, at + 1); }
   void push_back(const T& value) { v_.push_back(value); }
   template <class... A>
   void emplace_back(A&&... a) {
