@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One package of generated programs: written, ported, compiled, executed, compared."""
+"""One package of generated programs, or two: written, ported, compiled, executed, compared."""
 import collections
 import os
 import shutil
@@ -14,8 +14,9 @@ from toolchain import Failure
 class Batch:
     def __init__(self, options, toolchain, folder, indices):
         self.options, self.toolchain, self.folder = options, toolchain, folder
-        self.programs = [package.make_program(options.seed, index, options.adversarial) for index in indices]
-        self.before, self.after = f"{folder}/before/fuzz_nodes", f"{folder}/after/fuzz_nodes"
+        self.programs = [package.make_program(options.seed, index, options.adversarial, options.siblings)
+                         for index in indices]
+        self.before, self.after = f"{folder}/before/src", f"{folder}/after/src"
         self.seconds = collections.Counter()  # of a processor
 
     def timed(self, what, function, *arguments):
@@ -28,7 +29,7 @@ class Batch:
     def run(self, twice):
         """(sites, messages, messages through shared memory)"""
         shutil.rmtree(self.folder, ignore_errors=True)
-        self.sources = package.write_package(self.before, self.programs)
+        self.packages = package.write_packages(self.before, self.programs)
         folder = os.path.join(os.path.dirname(self.options.config), "precompiled")  # for all runs of a build folder
         self.precompiled = self.timed("precompile", self.toolchain.precompiled, folder)
         sites = self.timed("port", self.port)
@@ -42,7 +43,7 @@ class Batch:
 
     def build(self):
         """The executables of the original and of the port."""
-        return [self.toolchain.build(folder, f"{self.folder}/{name}/build", self.sources, self.precompiled,
+        return [self.toolchain.build(folder, f"{self.folder}/{name}/build", self.packages, self.precompiled,
                                      name == "after")
                 for name, folder in (("before", self.before), ("after", self.after))]
 
@@ -57,26 +58,28 @@ class Batch:
                 for executable, folder, guard in runs]
 
     def port(self):
-        self.toolchain.write_commands(self.before, f"{self.folder}/before/build", self.sources, self.precompiled)
-        report = rewrite(self.toolchain, f"{self.folder}/before/build", self.before,
-                         f"{self.folder}/report.json",
-                         ["--out-dir", f"{self.folder}/after"])
+        self.toolchain.write_commands(self.before, f"{self.folder}/before/build", self.packages, self.precompiled)
+        report = rewrite(self.toolchain, f"{self.folder}/before/build", self.folders_in(self.before),
+                         f"{self.folder}/report.json", ["--out-dir", self.after])
         check_sites(self.before, report)
         check_levels(report, may_be_plain=self.options.adversarial)
         return report["sites"]
 
     def port_again(self, sites):
         """Without precompiled headers, so that an include which the port lacks shows."""
-        self.toolchain.write_commands(self.after, f"{self.folder}/after/build", self.sources)
+        self.toolchain.write_commands(self.after, f"{self.folder}/after/build", self.packages)
         once = contents(self.after)
-        again = rewrite(self.toolchain, f"{self.folder}/after/build", self.after, f"{self.folder}/again.json",
-                        ["--apply", "--force"])
+        again = rewrite(self.toolchain, f"{self.folder}/after/build", self.folders_in(self.after),
+                        f"{self.folder}/again.json", ["--apply", "--force"])
         changed = [path for path, text in contents(self.after).items() if text != once.get(path)]
-        if changed or again["summary"]["files_changed"] != 0:
+        if changed or again["files_changed"] != 0:
             raise Failure("a second run of tzc-rewrite changes the port again: " + ", ".join(changed))
         lost = sorted(set(lasting_sites(sites)) ^ set(lasting_sites(again["sites"])))
         if lost:
             raise Failure("a second run reports other sites:\n" + "\n".join(map(str, lost[:10])))
+
+    def folders_in(self, source_space):
+        return [f"{source_space}/{name}" for name in self.packages]
 
     def traits(self):
         return collections.Counter(trait for program in self.programs for trait in program.traits)

@@ -8,18 +8,23 @@ import subprocess
 from toolchain import Failure
 
 
-def rewrite(toolchain, build, package, report, more):
-    """Runs tzc-rewrite; its report. The package has compile commands and nothing to configure."""
+def rewrite(toolchain, build, packages, report, more):
+    """Runs tzc-rewrite; sites and number of changed files. The packages have compile commands and nothing to configure."""
     includes = [word for folder in toolchain.config["tzc_includes"] for word in ("--tzc-include", folder)]
+    if len(packages) > 1:
+        more = ["--exported-headers=change", *more]
     # The programs' arrays are small, and would be left alone.
     done = subprocess.run([toolchain.config["rewrite"], "--verify=source", "--small=0", "--jobs", str(toolchain.jobs),
-                           "-p", build, "--report", report, *includes, *more, package],
+                           "-p", build, "--report", report, *includes, *more, *packages],
                           stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, check=False)
     if done.returncode not in (0, 1):
         raise Failure(f"tzc-rewrite ends with {done.returncode}:\n" + done.stderr.decode(errors="replace")[-3000:])
     with open(report) as file:
-        return json.load(file)
+        written = json.load(file)
+    reports = written.get("packages", [written])
+    return {"sites": [site for one in reports for site in one["sites"]],
+            "files_changed": sum(one["summary"]["files_changed"] for one in reports)}
 
 
 # What programs do with a std::vector by name, on purpose; the only reason why a port may not compile.
@@ -62,10 +67,10 @@ WRITTEN = {"publish": r"\bpublish\(", "advertise": r"\badvertise(?:Camera)?(?:<|
            "subscribe": r"\bsubscribe(?:<[^(]*>)?\(|new message_filters::Subscriber<"}
 
 
-def check_sites(package, report):
-    """Every site of the package is in the report exactly once."""
+def check_sites(source_space, report):
+    """Every site of the packages is in the report exactly once."""
     text = ""
-    for folder, _, names in os.walk(package):
+    for folder, _, names in os.walk(source_space):
         for name in names:
             if name.endswith((".h", ".cpp")):
                 with open(os.path.join(folder, name)) as file:

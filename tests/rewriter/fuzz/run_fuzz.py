@@ -2,11 +2,11 @@
 """Ports random programs and shows that they still do the same.
 
     run_fuzz.py CONFIG.json FOLDER [--seed N] [--programs N] [--first N] [--only N,N] [--batch N] [--twice N]
-                [--adversarial] [--guard]
+                [--adversarial] [--siblings] [--guard]
 
-Of every batch of programs (one package): tzc-rewrite ports it; original and port are compiled against the real roscpp,
-image_transport, cv_bridge and PCL; both run under a roscore; every message that subscribers and a recorder get is
-equal. No site stays on TCPROS. Of the first batch and of each Nth after it (--twice), a second tzc-rewrite --apply
+Of every batch of programs (one package, or two with --siblings): tzc-rewrite ports it; original and port are compiled
+against the real roscpp, image_transport, cv_bridge and PCL; both run under a roscore; every message that subscribers
+and a recorder get is equal. No site stays on TCPROS. Of the first batch and of each Nth after it (--twice), a second tzc-rewrite --apply
 changes nothing and reports the same sites. A failing batch stays in FOLDER; the exit status is 1.
 """
 import argparse
@@ -25,7 +25,7 @@ from toolchain import Failure, Toolchain  # noqa: E402
 def again(options, failure, indices):
     """The command that repeats a failure: with the programs that it names, otherwise with the whole batch."""
     named = sorted({int(number) for number in re.findall(r"\bp(\d{3,})\b", str(failure))} & set(indices))
-    switches = "".join(f" --{name}" for name in ("adversarial", "guard") if getattr(options, name))
+    switches = "".join(f" --{name}" for name in ("adversarial", "siblings", "guard") if getattr(options, name))
     programs = ",".join(map(str, named or indices))
     return (f"{sys.executable} {' '.join(sys.argv[:3])} --keep{switches} --seed {options.seed} --only {programs}")
 
@@ -36,6 +36,7 @@ def parse_arguments():
     parser.add_argument("folder")
     parser.add_argument("--seed", default="1")
     parser.add_argument("--adversarial", action="store_true", help="programs that attack the analysis")
+    parser.add_argument("--siblings", action="store_true", help="functions of the programs are in a package of their own")
     parser.add_argument("--programs", type=int, default=50)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--only", help="these programs alone, by number")

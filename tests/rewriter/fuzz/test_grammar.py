@@ -9,9 +9,10 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from execution import differences, last_program  # noqa: E402
-from grammar import attacks, builders, keepers, libraries, messages, outputs, owners, package  # noqa: E402
+from grammar import absent, attacks, builders, effects, keepers, libraries, messages, outputs, owners, package  # noqa: E402
 from grammar import pointers, publishers, subscribers, times  # noqa: E402
 from grammar.program import Program  # noqa: E402
+from grammar.uses import Use  # noqa: E402
 from port import check_levels, check_sites  # noqa: E402
 from toolchain import Failure  # noqa: E402
 
@@ -73,6 +74,21 @@ class Programs(unittest.TestCase):
                     self.assertTrue(re.search(filled, text), f"{program.name}: {pointer}")
 
 
+    def test_no_loop_waits_for_a_step_of_what_is_published(self):
+        """An output may leave that out, as in_branch does."""
+        for way in effects.WAYS + absent.MADE + absent.HELD:
+            for seed in range(10):
+                use = Use(Program(random.Random(seed), 1), messages.IMAGE, lambda program, message: Silent())
+                text = "\n".join(way(use))
+                if re.search(r"(for|while) \([^{]*\bat != [^;{]*(;\s*)?\) {", text):
+                    self.assertRegex(text, r"\+\+at;|at\+\+;", way.__name__)
+
+
+class Silent:
+    def publish(self, argument, pointer=False):
+        return []
+
+
 class Comparison(unittest.TestCase):
     BEFORE = {("recorder.log", "/p001/topic1"): ["10:aa", "12:bb"], ("listener.log", "/p001/topic1"): ["10:aa",
                                                                                                        "12:bb"]}
@@ -109,7 +125,7 @@ class Talker(unittest.TestCase):
 class Sites(unittest.TestCase):
     def test_a_site_that_the_report_misses_is_noticed(self):
         with tempfile.TemporaryDirectory() as folder:
-            package.write_package(folder, [package.make_program("1", index) for index in range(6)])
+            package.write_packages(folder, [package.make_program("1", index) for index in range(6)])
             with self.assertRaisesRegex(Failure, "publish sites are written, 0 are in the report"):
                 check_sites(folder, {"sites": []})
 

@@ -32,29 +32,30 @@ class Toolchain:
         self.linker = ["-fuse-ld=lld"] if shutil.which("ld.lld") else []
         self.objects = tempfile.TemporaryDirectory()  # of the harness, compiled once
 
-    def flags(self, package):
-        folders = [f"-I{package}/include", f"-I{self.harness}"]
+    def flags(self, source_space, packages):
+        folders = [f"-I{source_space}/{package}/include" for package in packages] + [f"-I{self.harness}"]
         folders += [f"-isystem{folder}" for folder in self.config["includes"] if folder != "/usr/include"]
         return ["-std=gnu++17", "-w", "-O0", "-fPIC", "-DBOOST_BIND_GLOBAL_PLACEHOLDERS"] + folders
 
     def tzc_flags(self):
         return [f"-I{folder}" for folder in self.config["tzc_includes"]]
 
-    def write_commands(self, package, build, sources, precompiled=None):
+    def write_commands(self, source_space, build, packages, precompiled=None):
         """compile_commands.json, as catkin would have it made."""
         os.makedirs(build, exist_ok=True)
         first = ["-include", precompiled] if precompiled else []
-        entries = [{"directory": build, "file": f"{package}/{source}",
-                    "command": shlex.join(["c++", *first, *self.flags(package), *self.tzc_flags(), "-o",
-                                           f"CMakeFiles/fuzz_nodes.dir/{source}.o", "-c", f"{package}/{source}"])}
-                   for source in sources]
+        flags = [*first, *self.flags(source_space, packages), *self.tzc_flags()]
+        entries = [{"directory": build, "file": f"{source_space}/{package}/{source}",
+                    "command": shlex.join(["c++", *flags, "-o", f"CMakeFiles/{package}.dir/{source}.o", "-c",
+                                           f"{source_space}/{package}/{source}"])}
+                   for package, sources in packages.items() for source in sources]
         with open(f"{build}/compile_commands.json", "w") as file:
             json.dump(entries, file, indent=1)
 
     def precompiled(self, folder):
         """The stock headers as one, made once for a folder: for g++, and for tzc-rewrite where there is its Clang."""
         text = "".join(f"#include <{header}>\n" for header in PRECOMPILED)
-        flags = ["-x", "c++-header", *self.flags("precompiled")]
+        flags = ["-x", "c++-header", *self.flags("precompiled", ["stock"])]
         commands = {".gch": ["g++", *flags]}
         if self.config["clang"]:
             commands[".pch"] = [self.config["clang"], *flags, *AS_PARSED]
@@ -67,11 +68,11 @@ class Toolchain:
                                                                               "precompiling the stock headers"))
         return name
 
-    def build(self, package, build, sources, precompiled, ported):
-        """Compiles and links a package; its executable."""
+    def build(self, source_space, build, packages, precompiled, ported):
+        """Compiles and links packages; the executable."""
         extra = (["-DFUZZ_TZC"] if ported else []) + self.tzc_flags()
-        commands = [(f"{build}/{source.replace('/', '_')}.o", f"{package}/{source}",
-                     ["-include", precompiled]) for source in sources]
+        commands = [(f"{build}/{package}_{source.replace('/', '_')}.o", f"{source_space}/{package}/{source}",
+                     ["-include", precompiled]) for package, sources in packages.items() for source in sources]
         harness = f"{self.objects.name}/{'ported' if ported else 'original'}.o"
         if not os.path.exists(harness):
             commands.append((harness, f"{self.harness}/fuzz.cpp", []))
@@ -79,7 +80,7 @@ class Toolchain:
 
         def compile_one(command):
             output, source, more = command
-            check(["g++", *more, *self.flags(package), *extra, "-c", source, "-o", output], f"compiling {source}")
+            check(["g++", *more, *self.flags(source_space, packages), *extra, "-c", source, "-o", output], f"compiling {source}")
             return output
 
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:

@@ -18,18 +18,21 @@ def next_slot_reset(use):
     return [f"{slots}[++{count} % 2].reset(new {use.message.cpp});"] + use.whole_pointer(f"{slots}[{count} % 2]")
 
 
+twice = "for (int turn = 0; turn < 2; ++turn) {"  # not until the end: an output may leave the publish out
+
+
 def iterator_that_steps(use):
     kind = use.frame()
     frames = use.program.variable(f"std::vector<{kind}>", "frames")
     use.program.setup.append(f"{frames}.resize(2);")
-    return within(f"for (auto at = {frames}.begin(); at != {frames}.end();) {{",
-                  use.fill("at->message.") + use.send("(at++)->message"))
+    return ([f"auto at = {frames}.begin();"] +
+            within(twice, use.fill("at->message.") + use.send("(at++)->message")))
 
 
 def pointer_that_steps(use):
     frames = use.program.variable(use.message.cpp, "frames", "[2]")
     return ([f"{use.message.cpp}* at = {frames};"] +
-            within(f"while (at != {frames} + 2) {{", use.fill("at->") + use.send("*at++")))
+            within(twice, use.fill("at->") + use.send("*at++")))
 
 
 def by_counting_function(use):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A catkin package of many programs. Program number n of a seed is always the same, whatever stands beside it."""
+"""A catkin package of many programs, or two, of which the other has functions for the programs. Program number n of a seed
+is always the same, whatever stands beside it."""
 import os
 import random
 
@@ -11,10 +12,13 @@ KINDS = [None, libraries.SENSORS, libraries.VISION, None, libraries.CLOUDS, None
          libraries.CLOUDS]
 
 
-def make_program(seed, index, adversarial=False):
+NODES, TOOLS = "fuzz_nodes", "fuzz_tools"
+
+
+def make_program(seed, index, adversarial=False, siblings=False):
     if adversarial:
-        return attacks.make(Program(random.Random(f"adversarial/{seed}/{index}"), index))
-    program = Program(random.Random(f"{seed}/{index}"), index)
+        return attacks.make(Program(random.Random(f"adversarial/{seed}/{index}"), index, siblings))
+    program = Program(random.Random(f"{seed}/{index}"), index, siblings)
     library = KINDS[index % len(KINDS)]
     for _ in range(program.rng.choice([1, 1, 2, 3])):
         chance = program.rng.random()
@@ -65,10 +69,24 @@ def write_group(folder, number, programs):
         for part, lines in zip(parts, program.render()):
             part += lines
     name = f"group_{number}"
-    write(f"{folder}/include/fuzz_nodes/{name}.h", header_text(programs) + "\n".join(parts[0]))
+    header = header_text(programs)
+    if programs[0].siblings:
+        header += f"#include <{TOOLS}/{name}.h>\n\n"
+    write(f"{folder}/include/{NODES}/{name}.h", header + "\n".join(parts[0]))
     for suffix, part in zip("ab", parts[1:]):
-        write(f"{folder}/src/{name}_{suffix}.cpp", HEAD + f'#include "fuzz_nodes/{name}.h"\n\n' + "\n".join(part))
+        write(f"{folder}/src/{name}_{suffix}.cpp", HEAD + f'#include "{NODES}/{name}.h"\n\n' + "\n".join(part))
     return [f"src/{name}_a.cpp", f"src/{name}_b.cpp"]
+
+
+def write_sibling_group(folder, number, programs):
+    header, source = [], []
+    for program in programs:
+        for part, lines in zip((header, source), program.render_sibling()):
+            part += lines
+    name = f"group_{number}"
+    write(f"{folder}/include/{TOOLS}/{name}.h", header_text(programs) + "\n".join(header))
+    write(f"{folder}/src/{name}.cpp", HEAD + f'#include "{TOOLS}/{name}.h"\n\n' + "\n".join(source))
+    return [f"src/{name}.cpp"]
 
 
 def main_text(programs):
@@ -90,22 +108,22 @@ def main_text(programs):
 
 
 PACKAGE_XML = """<package format="2">
-  <name>fuzz_nodes</name>
+  <name>%s</name>
   <version>0.0.0</version>
   <description>Generated programs</description>
   <maintainer email="nobody@example.org">Nobody</maintainer>
   <license>BSD</license>
   <buildtool_depend>catkin</buildtool_depend>
   <depend>roscpp</depend>
-</package>
+%s</package>
 """
 CMAKE = """cmake_minimum_required(VERSION 3.0.2)
-project(fuzz_nodes)
-find_package(catkin REQUIRED COMPONENTS roscpp)
-catkin_package()
+project(%s)
+find_package(catkin REQUIRED COMPONENTS roscpp%s)
+catkin_package(%s)
 include_directories(include ${catkin_INCLUDE_DIRS})
-add_executable(fuzz_nodes %s)
-target_link_libraries(fuzz_nodes ${catkin_LIBRARIES})
+%s(${PROJECT_NAME} %s)
+target_link_libraries(${PROJECT_NAME} ${catkin_LIBRARIES})
 """
 
 
@@ -115,12 +133,37 @@ def write(path, text):
         file.write(text.rstrip() + "\n")
 
 
-def write_package(folder, programs, group_size=50):
-    """Writes the package; returns its sources, relative to it. A unit costs more than the programs in it."""
+def groups(programs, size):
+    return enumerate(programs[first:first + size] for first in range(0, len(programs), size))
+
+
+def write_nodes(folder, programs, group_size):
+    """The programs' package; its sources."""
     sources = ["src/main.cpp"]
     write(f"{folder}/src/main.cpp", main_text(programs))
-    for first in range(0, len(programs), group_size):
-        sources += write_group(folder, first // group_size, programs[first:first + group_size])
-    write(f"{folder}/package.xml", PACKAGE_XML)
-    write(f"{folder}/CMakeLists.txt", CMAKE % " ".join(sources))
+    for number, group in groups(programs, group_size):
+        sources += write_group(folder, number, group)
+    siblings = programs[0].siblings
+    write(f"{folder}/package.xml", PACKAGE_XML % (NODES, f"  <depend>{TOOLS}</depend>\n" if siblings else ""))
+    write(f"{folder}/CMakeLists.txt",
+          CMAKE % (NODES, f" {TOOLS}" if siblings else "", "", "add_executable", " ".join(sources)))
     return sources
+
+
+def write_tools(folder, programs, group_size):
+    """The package whose functions the programs call; its sources."""
+    sources = [source for number, group in groups(programs, group_size)
+               for source in write_sibling_group(folder, number, group)]
+    write(f"{folder}/package.xml", PACKAGE_XML % (TOOLS, ""))
+    write(f"{folder}/CMakeLists.txt", CMAKE % (TOOLS, "", f"INCLUDE_DIRS include LIBRARIES {TOOLS} CATKIN_DEPENDS roscpp",
+                                               "add_library", " ".join(sources)))
+    return sources
+
+
+def write_packages(folder, programs, group_size=50):
+    """Writes the packages below a folder; {name: sources, relative to the package}. A unit costs more than the programs in
+    it."""
+    packages = {NODES: write_nodes(f"{folder}/{NODES}", programs, group_size)}
+    if programs[0].siblings:
+        packages[TOOLS] = write_tools(f"{folder}/{TOOLS}", programs, group_size)
+    return packages

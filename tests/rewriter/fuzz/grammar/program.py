@@ -10,8 +10,9 @@ class Topic:
 
 
 class Program:
-    def __init__(self, rng, index):
+    def __init__(self, rng, index, siblings=False):
         self.rng, self.index = rng, index
+        self.siblings = siblings  # pure functions are another package's
         self.name = f"p{index:03d}"
         self.is_class = rng.random() < 0.7
         self.split = rng.random() < 0.6  # a declaration in the header, definitions in two files
@@ -52,37 +53,51 @@ class Program:
 
     def render(self):
         """(header, first source, second source) without includes."""
-        header, first, second = self._class_form() if self.is_class else self._free_form()
+        own = [helper for helper in self.helpers if helper not in self._sibling()]
+        header, first, second = self._class_form(own) if self.is_class else self._free_form(own)
         listener = self._listener()
         (second if self.split else first).extend(listener)
         return [self._in_namespace(part) for part in (header, first, second)]
 
+    def render_sibling(self):
+        """(header, source) of the functions that another package has, without includes; some are in its header alone."""
+        header, source = [], []
+        for result, name, parameters, body, _ in self._sibling():
+            if self.rng.random() < 0.3:
+                header += definition("inline " + result, name, parameters, body)
+            else:
+                header.append(declaration(result, name, parameters))
+                source += definition(result, name, parameters, body)
+        return [self._in_namespace(part) for part in (header, source)]
+
+    def _sibling(self):
+        return [helper for helper in self.helpers if self.siblings and helper[4]]
+
     def _in_namespace(self, lines):
         return [f"namespace {self.name} {{"] + lines + [f"}}  // namespace {self.name}", ""] if lines else []
 
-    def _class_form(self):
-        declaration = self.prelude + ["class Node {", " public:", "  explicit Node(ros::NodeHandle& nh);",
-                                      "  void step(int k);", "", " private:"]
-        declaration += [f"  {result} {name}({parameters});" for result, name, parameters, _, _ in self.helpers]
-        declaration += ["  " + line for line in self.state] + ["};"]
+    def _class_form(self, helpers):
+        header = self.prelude + ["class Node {", " public:", "  explicit Node(ros::NodeHandle& nh);",
+                                 "  void step(int k);", "", " private:"]
+        header += ["  " + declaration(*helper[:3]) for helper in helpers]
+        header += ["  " + line for line in self.state] + ["};"]
         initializers = " : " + ", ".join(self.initializers) if self.initializers else ""
         first = [f"Node::Node(ros::NodeHandle& nh){initializers} {{"] + indented(self.setup) + ["}"]
         first += ["void Node::step(int k) {"] + indented(self.steps) + ["}"]
         second = []
-        for result, name, parameters, body, _ in self.helpers:
+        for result, name, parameters, body, _ in helpers:
             target = second if self.split and self.rng.random() < 0.6 else first
-            target += [f"{result} Node::{name}({parameters}) {{"] + indented(body) + ["}"]
+            target += definition(result, f"Node::{name}", parameters, body)
         first += ["boost::shared_ptr<Node> node;", "void start(ros::NodeHandle& nh) { node.reset(new Node(nh)); }",
                   "void step(int k) { node->step(k); }"]
-        return (declaration, first, second) if self.split else ([], declaration + first, [])
+        return (header, first, second) if self.split else ([], header + first, [])
 
-    def _free_form(self):
+    def _free_form(self, helpers):
         header, first, second = list(self.prelude), list(self.state), []
-        for result, name, parameters, body, pure in self.helpers:
+        for result, name, parameters, body, pure in helpers:
             apart = pure and self.split
-            definition = [f"{result} {name}({parameters}) {{"] + indented(body) + ["}"]
-            (header if apart else first).append(f"{result} {name}({parameters});")
-            (second if apart else first).extend(definition)
+            (header if apart else first).append(declaration(result, name, parameters))
+            (second if apart else first).extend(definition(result, name, parameters, body))
         setup = [f"{one[:one.index('(')]} = {one[one.index('(') + 1:-1]};" for one in self.initializers]
         first += ["void start(ros::NodeHandle& nh) {"] + indented(setup + self.setup) + ["}"]
         first += ["void step(int k) {"] + indented(self.steps) + ["}"]
@@ -95,6 +110,14 @@ class Program:
         lines += ["Listener::Listener(ros::NodeHandle& nh) {"] + indented(self.listener_setup) + ["}"]
         return lines + ["boost::shared_ptr<Listener> listener;",
                         "void listen(ros::NodeHandle& nh) { listener.reset(new Listener(nh)); }"]
+
+
+def declaration(result, name, parameters):
+    return f"{result} {name}({parameters});"
+
+
+def definition(result, name, parameters, body):
+    return [f"{result} {name}({parameters}) {{"] + indented(body) + ["}"]
 
 
 def indented(lines):
