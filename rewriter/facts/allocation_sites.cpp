@@ -5,9 +5,9 @@
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
+#include "facts/member_mentions.h"
 #include "facts/must_execute.h"
 #include "model/codes.h"
-#include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -29,53 +29,6 @@ const clang::Stmt* statement_around(const Unit& unit, const Node& of) {
   }
   return nullptr;
 }
-
-/// image_.width, image_.header: no array of the message is touched.
-bool names_a_part_without_arrays(clang::ASTContext& ast, const clang::Expr* mention) {
-  const auto* part = parent_as<clang::MemberExpr>(ast, *mention);
-  if (!part || !llvm::isa<clang::FieldDecl>(part->getMemberDecl())) return false;
-  const clang::QualType type = part->getType();
-  const auto message = message_of(type);
-  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-  if (!record) return type->isArithmeticType() || type->isEnumeralType();
-  return message ? !message->has_data_part : qualified_name_of(record) == "std::basic_string";
-}
-
-/// What leads to a member: "frame_->", "slots_[i]."; empty for one of this object, and for a global.
-std::string way_to(const Unit& unit, const clang::Expr* mention) {
-  const auto* member = llvm::dyn_cast<clang::MemberExpr>(mention->IgnoreParenImpCasts());
-  const clang::Expr* base = member ? member->getBase()->IgnoreParenImpCasts() : nullptr;
-  if (!base || llvm::isa<clang::CXXThisExpr>(base)) return "";
-  return unit.text(base) + (member->isArrow() ? "->" : ".");
-}
-
-/// From the first to the last mention of a member of one object in a function, and the first that may touch its arrays.
-class Mentions : public AstVisitor {
- public:
-  Mentions(const Unit& unit, EntityTable& entities, const StandingMessage& member)
-      : unit_(unit), entities_(entities), id_(member.id), way_(way_to(unit, member.expr)) {}
-  unsigned first = ~0U, first_of_arrays = ~0U, last = 0;
-
-  bool VisitMemberExpr(clang::MemberExpr* member) override { return note(member, member->getMemberDecl()); }
-  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
-    return note(reference, reference->getDecl());
-  }
-
- private:
-  bool note(const clang::Expr* expr, const clang::ValueDecl* decl) {
-    if (!llvm::isa<clang::FieldDecl, clang::VarDecl>(decl) || entities_.declare(decl) != id_) return true;
-    if (way_to(unit_, expr) != way_) return true;
-    const unsigned here = unit_.offset(expr->getBeginLoc());
-    first = std::min(first, here);
-    if (!names_a_part_without_arrays(unit_.ast(), expr)) first_of_arrays = std::min(first_of_arrays, here);
-    last = std::max(last, here);
-    return true;
-  }
-  const Unit& unit_;
-  EntityTable& entities_;
-  const EntityId& id_;
-  std::string way_;
-};
 
 /// Where a publisher must be available for the edits of a site; none: it has none.
 std::optional<unsigned> offset_of(const AllocationSite& site) {
@@ -313,22 +266,34 @@ const clang::Stmt* statement_of(const Unit& unit, const clang::Expr* mention, un
 
 /// In front of the first mention. Where that cannot be named there yet, or other threads may be waited for between there and the
 /// first use of an array (the arrays may be theirs until then): in front of that use.
-void AllocationCollector::place_before_mentions(AllocationSite& site, InsertedAllocation& how,
-                                                const StandingMessage& member) const {
+bool AllocationCollector::place_before(const MemberMentions& mentions, AllocationSite& site,
+                                       InsertedAllocation& how, const StandingMessage& member) const {
   const clang::Stmt* body = member.function->getBody();
-  Mentions mentions(unit_, entities_, member);
-  mentions.TraverseStmt(const_cast<clang::Stmt*>(body));
   for (const unsigned first : {mentions.first, mentions.first_of_arrays}) {
     const clang::Stmt* statement = statement_of(unit_, member.expr, first, mentions.last);
     how.at = statement ? unit_.source.before(statement->getBeginLoc()) : std::nullopt;
-    if (!how.at) return;
+    if (!how.at) return false;
     const NameParts nothing;
     Waits waits = MustExecute(unit_, nothing, body).waits_between(how.at->begin, mentions.first_of_arrays);
     site.callees = std::move(waits.callees);
     site.refusal = waits.locks ? used_by_others : "";
     if (!is_nameable(member, how.at->begin)) site.refusal = not_nameable;
-    if (site.refusal.empty() && site.callees.empty()) return;
+    if (site.refusal.empty() && site.callees.empty()) break;
   }
+  return site.refusal.empty();
+}
+
+/// What gets the object that the message is part of may fill it, so allocate comes before that where it can.
+void AllocationCollector::place_before_mentions(AllocationSite& site, InsertedAllocation& how,
+                                                const StandingMessage& member) const {
+  const MemberMentions mentions = mentions_of(unit_, entities_, member);
+  const std::string object = object_that_ends(member.expr);
+  if (!object_is_made_here(member.expr)) how.may_have_content = object;
+  if (mentions.object_handed_on < mentions.first_of_arrays) {
+    if (place_before(mentions.with_object(), site, how, member)) return;
+    how.may_have_content = object;
+  }
+  place_before(mentions, site, how, member);
 }
 
 bool AllocationCollector::is_nameable(const StandingMessage& member, unsigned at) const {

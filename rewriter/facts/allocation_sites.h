@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "facts/hoisting.h"
+#include "facts/member_mentions.h"
 #include "facts/value_flow.h"
 
 namespace tzc::rewriter {
@@ -14,13 +15,6 @@ namespace tzc::rewriter {
 /// An allocation site before it is known which publishers are available there.
 struct AllocationDraft {
   AllocationSite site;
-  const clang::FunctionDecl* function;  ///< around it
-};
-
-/// A member or global message that is published or passed on as a whole.
-struct StandingMessage {
-  EntityId id;
-  const clang::Expr* expr;
   const clang::FunctionDecl* function;  ///< around it
 };
 
@@ -49,6 +43,8 @@ class AllocationCollector {
   bool is_fresh(const FlowSources& sources) const;
   bool is_result(const FlowSources& sources) const;
   bool is_nameable(const StandingMessage& member, unsigned at) const;
+  bool place_before(const MemberMentions& mentions, AllocationSite& site, InsertedAllocation& how,
+                    const StandingMessage& member) const;
   void place_before_mentions(AllocationSite& site, InsertedAllocation& how,
                              const StandingMessage& member) const;
 

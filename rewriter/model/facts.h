@@ -100,6 +100,8 @@ struct InsertedAllocation {
   bool own_line = true;     ///< the inserted statement gets a line of its own
   bool before = false;      ///< the insertion stands before the statement at `at`, not behind it
   bool filled = false;      ///< the message already has content there, which allocate would copy
+  std::string
+      may_have_content;  ///< the object that it is part of, which this function does not make; "": none
 };
 
 /// A library call that makes the message is replaced by an adapter that is given the publisher.
