@@ -110,6 +110,23 @@ TEST_F(Pcl, from_pcl_converts_like_the_library) {
   EXPECT_EQ(data, moved.data.data()) << "moving copies nothing";
 }
 
+TEST_F(Pcl, move_from_pcl_exchanges_the_data_as_the_library_does) {
+  for (const std::vector<std::uint8_t>& before :
+       {std::vector<std::uint8_t>(), std::vector<std::uint8_t>(300, 7)}) {
+    ::pcl::PCLPointCloud2 librarys, ours;
+    librarys.data.assign(200, 1), ours.data.assign(200, 1);
+    ::sensor_msgs::PointCloud2 stock;
+    stock.data = before;
+    sensor_msgs::PointCloud2 message;
+    ASSERT_TRUE(message::allocate(message, publisher_.memory()));
+    message.data = before;
+    ::pcl_conversions::moveFromPCL(librarys, stock);
+    pcl_conversions::moveFromPCL(ours, message);
+    EXPECT_EQ(librarys.data, ours.data);
+    EXPECT_EQ(stock.data, std::vector<std::uint8_t>(message.data));
+  }
+}
+
 TEST_F(Pcl, from_pcl_converts_images) {
   ::pcl::PCLImage image;
   image.header.frame_id = "camera";

@@ -166,6 +166,13 @@ TEST_F(ArrayInMemory, takes_a_vector_into_its_own_buffer_when_that_has_room) {
   EXPECT_EQ(Vector(60, 3), Vector(array));
 }
 
+TEST_F(ArrayInMemory, a_vector_that_it_copies_from_is_empty_as_if_moved) {
+  Bytes array = bound(100);
+  Vector values(60, 3);
+  array = std::move(values);
+  EXPECT_TRUE(values.empty());
+}
+
 TEST_F(ArrayInMemory, swaps_with_vectors_from_shared_memory) {
   Bytes array = bound(5);
   publish(array);

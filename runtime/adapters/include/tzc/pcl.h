@@ -42,6 +42,14 @@ inline void copy_meta_data(const ::pcl::PCLImage& from, sensor_msgs::Image& to) 
   to.step = from.step;
 }
 
+/// Copies what the message had, so that its memory stays its own.
+template <class T>
+void exchange(std::vector<T>& from, Array<T>& to) {
+  std::vector<T> before(to.cbegin(), to.cend());
+  to = std::move(from);
+  from = std::move(before);
+}
+
 }  // namespace detail
 
 /// pcl_conversions::fromPCL for tzc:: messages: one copy of the data, into shared memory when `to` is bound.
@@ -55,14 +63,14 @@ inline void fromPCL(const ::pcl::PCLImage& from, sensor_msgs::Image& to) {
 }
 
 /// pcl_conversions::moveFromPCL for tzc:: messages. Moves the data; publishing copies it once. If the message
-/// already has shared memory for it, the copy happens here.
+/// already has shared memory for it, the copy happens here. As in the library, `from` gets the message's data of before.
 inline void moveFromPCL(::pcl::PCLPointCloud2& from, sensor_msgs::PointCloud2& to) {
   detail::copy_meta_data(from, to);
-  to.data = std::move(from.data);
+  detail::exchange(from.data, to.data);
 }
 inline void moveFromPCL(::pcl::PCLImage& from, sensor_msgs::Image& to) {
   detail::copy_meta_data(from, to);
-  to.data = std::move(from.data);
+  detail::exchange(from.data, to.data);
 }
 
 }  // namespace pcl_conversions

@@ -105,10 +105,15 @@ class Array {
     assign(values.begin(), values.end());
     return *this;
   }
-  /// Takes over the vector's memory, or copies into this array's own segment memory if that is large enough.
+  /// Takes over the vector's memory, or copies into this array's own segment memory if that is large enough. The
+  /// vector is empty afterwards.
   Array& operator=(std::vector<T>&& values) {
-    if (bound_buffer_has_room(values.size())) return *this = static_cast<const std::vector<T>&>(values);
-    take(values);
+    if (bound_buffer_has_room(values.size())) {
+      *this = static_cast<const std::vector<T>&>(values);
+      values.clear();
+    } else {
+      take(values);
+    }
     return *this;
   }
 

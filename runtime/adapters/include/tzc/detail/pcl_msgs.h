@@ -28,7 +28,7 @@ inline void fromPCL(const ::pcl::PointIndices& from, pcl_msgs::PointIndices& to)
 }
 inline void moveFromPCL(::pcl::PointIndices& from, pcl_msgs::PointIndices& to) {
   ::pcl_conversions::fromPCL(from.header, to.header);
-  to.indices = std::move(from.indices);
+  detail::exchange(from.indices, to.indices);
 }
 
 inline void fromPCL(const ::pcl::ModelCoefficients& from, pcl_msgs::ModelCoefficients& to) {
@@ -37,7 +37,7 @@ inline void fromPCL(const ::pcl::ModelCoefficients& from, pcl_msgs::ModelCoeffic
 }
 inline void moveFromPCL(::pcl::ModelCoefficients& from, pcl_msgs::ModelCoefficients& to) {
   ::pcl_conversions::fromPCL(from.header, to.header);
-  to.values = std::move(from.values);
+  detail::exchange(from.values, to.values);
 }
 
 /// PCL's indices have another type than the message's, so moving them is a copy, as in the library.
