@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 
 #include "buildfiles/insertion.h"
 #include "edits/dual.h"
@@ -225,27 +226,61 @@ Edits add_catkin_depends(const CmakeProject& project) {
 
 namespace {
 
-/// A variable without a known value may be anything; packages usually export `include`.
+bool calls(const CmakeProject& project, const std::string& name) {
+  return std::any_of(project.files.begin(), project.files.end(), [&](const CmakeListFile& file) {
+    return std::any_of(file.commands.begin(), file.commands.end(),
+                       [&](const CmakeCommand& command) { return command.name == name; });
+  });
+}
+
+/// The values of a keyword of catkin_package.
+std::set<std::string> section(const CmakeListFile& file, const CmakeCommand& command,
+                              const std::string& keyword) {
+  std::set<std::string> all;
+  const std::size_t at = find_argument(command, keyword);
+  if (at == std::string::npos) return all;
+  for (std::size_t i = at + 1; i <= section_end(command, at, catkin_package_words); ++i)
+    for (const std::string& value : file.values.expand(command.arguments[i].text)) all.insert(value);
+  return all;
+}
+
+/// ${CATKIN_DEVEL_PREFIX}/include, ${EIGEN3_INCLUDE_DIRS}: made by the build, or another package's.
+bool is_elsewhere(const std::string& folder, const std::string& project) {
+  static const std::regex variable(R"(^\$\{(CATKIN_DEVEL_PREFIX|CMAKE_BINARY_DIR|CMAKE_CURRENT_BINARY_DIR|)"
+                                   R"(PROJECT_BINARY_DIR|(\w+)_INCLUDE_DIRS?)\})");
+  std::smatch match;
+  return std::regex_search(folder, match, variable) && match[2] != project && match[2] != "PROJECT_NAME";
+}
+
+/// A variable without a known value may be any folder of the package.
 std::string exported_folder(std::string folder, const std::string& package_dir) {
   for (const std::string name : {"${PROJECT_SOURCE_DIR}", "${CMAKE_CURRENT_SOURCE_DIR}",
                                  "${CMAKE_SOURCE_DIR}", "${CMAKE_CURRENT_LIST_DIR}"})
     if (folder.rfind(name, 0) == 0) folder.replace(0, name.size(), package_dir);
-  if (folder.find("${") != std::string::npos) folder = "include";
+  if (folder.find("${") != std::string::npos) folder = ".";
   const std::string path = (std::filesystem::path(package_dir) / folder).lexically_normal();
   return path.back() == '/' ? path.substr(0, path.size() - 1) : path;
 }
 
 }  // namespace
 
+std::set<std::string> exported_libraries(const CmakeProject& project) {
+  std::set<std::string> libraries;
+  each_command(project, "catkin_package", [&](const CmakeListFile& file, const CmakeCommand& command) {
+    libraries.merge(section(file, command, "LIBRARIES"));
+  });
+  return libraries;
+}
+
 std::set<std::string> exported_folders(const CmakeProject& project, const std::string& package_dir) {
   std::set<std::string> folders;
   each_command(project, "catkin_package", [&](const CmakeListFile& file, const CmakeCommand& command) {
-    const std::size_t keyword = find_argument(command, "INCLUDE_DIRS");
-    if (keyword == std::string::npos) return;
-    for (std::size_t i = keyword + 1; i <= section_end(command, keyword, catkin_package_words); ++i)
-      for (const std::string& folder : file.values.expand(command.arguments[i].text))
-        folders.insert(exported_folder(folder, package_dir));
+    const std::string name = std::filesystem::path(package_dir).filename().string();
+    for (const std::string& folder : section(file, command, "INCLUDE_DIRS"))
+      if (!is_elsewhere(folder, name)) folders.insert(exported_folder(folder, package_dir));
   });
+  if (!calls(project, "catkin_package"))
+    folders.insert(exported_folder("include", package_dir));  // cs_export() of catkin_simple, or a macro
   return folders;
 }
 

@@ -37,6 +37,8 @@ Edits add_optional_tzc(const CmakeProject& project, const std::set<std::string>&
 Edits add_catkin_depends(const CmakeProject& project);
 
 /// Folders that catkin_package(INCLUDE_DIRS) exports, absolute.
+/// That catkin_package names for other packages to link.
+std::set<std::string> exported_libraries(const CmakeProject& project);
 std::set<std::string> exported_folders(const CmakeProject& project, const std::string& package_dir);
 
 }  // namespace tzc::rewriter

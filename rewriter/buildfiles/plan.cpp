@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "buildfiles/plan.h"
 
+#include <algorithm>
+
 #include "buildfiles/cmake_edits.h"
 #include "buildfiles/compile_database.h"
 #include "buildfiles/language_standard.h"
@@ -92,7 +94,8 @@ class Planner {
     for (const std::string& package : needs_.twinless)
       append(plan_.edits, add_foreign_messages(project, package));
     for (const std::string& target : targets_) plan_target(project, target);
-    if (exports_edited_header(project)) append(plan_.edits, add_catkin_depends(project));
+    if (exports_edited_header(project) || exports_edited_library(project))
+      append(plan_.edits, add_catkin_depends(project));
   }
 
   void plan_target(const CmakeProject& project, const std::string& target) {
@@ -119,6 +122,13 @@ class Planner {
       for (const std::string& file : needs_.edited_files)
         if (is_below(file, folder)) return true;
     return false;
+  }
+
+  /// Who links a static library links what it calls.
+  bool exports_edited_library(const CmakeProject& project) const {
+    const std::set<std::string> libraries = exported_libraries(project);
+    return std::any_of(targets_.begin(), targets_.end(),
+                       [&](const std::string& target) { return libraries.count(target) != 0; });
   }
 
   const BuildNeeds& needs_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <regex>
 #include <set>
@@ -20,14 +21,23 @@ std::string text_of(const fs::path& file) {
   return text ? std::move(*text) : "";
 }
 
-bool is_source(const fs::path& file) {
-  static const std::set<std::string> extensions = {".h",   ".hh",  ".hpp", ".hxx", ".h++", ".inl", ".ipp",
-                                                   ".tcc", ".txx", ".c",   ".cc",  ".cpp", ".cxx", ".c++",
-                                                   ".C",   ".cu",  ".cuh", ".in",  ".impl"};
-  return extensions.count(file.extension().string()) != 0;
+/// Whatever it is called: headers may have any name, and templates of sources, too.
+bool is_text(const fs::path& file) {
+  constexpr std::uintmax_t largest = 4 << 20;
+  std::error_code failed;
+  const std::uintmax_t size = fs::file_size(file, failed);
+  if (failed || size > largest) return false;
+  char begin[512];
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(begin, sizeof begin);
+  return std::find(begin, begin + stream.gcount(), '\0') == begin + stream.gcount();
 }
 
-/// Calls `visit` with every source below a folder, through links as well, each once.
+bool is_cmake_file(const fs::path& file) {
+  return file.filename() == "CMakeLists.txt" || file.extension() == ".cmake";
+}
+
+/// Calls `visit` with every text file below a folder, through links as well, each once.
 class Walk {
  public:
   Walk(FolderSet without, std::function<void(const std::string&)> visit)
@@ -37,13 +47,14 @@ class Walk {
     std::error_code failed;
     const fs::path here = fs::canonical(folder, failed);
     if (failed || is_left_out(here) || !seen_.insert(here).second) return;
-    if (fs::exists(here / "CMakeCache.txt", failed)) return;  // a build folder
+    const bool is_built_in = fs::exists(here / "CMakeCache.txt", failed);
+    if (is_built_in && !fs::exists(here / "package.xml", failed)) return;
     for (const auto& entry : fs::directory_iterator(here, failed)) {
       if (entry.path().filename().string().front() == '.') continue;
       std::error_code ignored;
       if (entry.is_directory(ignored))
         (*this)(entry.path());
-      else if (is_source(entry.path()))
+      else if (is_text(entry.path()))
         visit_(entry.path().string());
     }
   }
@@ -94,11 +105,15 @@ class PackageHeaders {
 
   std::set<std::string> included_by(const std::string& file) const {
     static const std::regex directive(R"(^\s*#\s*(?:include|include_next|import)\s*([<"])([^>"]+)[>"])");
+    static const std::regex precompiled(
+        R"(([<"])([^<>"\s]+)[>"])");  // target_precompile_headers(node PRIVATE <lib/a.h>)
+    const bool is_cmake = is_cmake_file(file);
     std::set<std::string> found;
     std::istringstream stream(text_of(file));
     std::smatch match;
     for (std::string line; std::getline(stream, line);)
-      if (line.find('#') != std::string::npos && std::regex_search(line, match, directive))
+      if (is_cmake ? std::regex_search(line, match, precompiled)
+                   : line.find('#') != std::string::npos && std::regex_search(line, match, directive))
         found.merge(meant_by(match[2], match[1] == "\"", file));
     return found;
   }
