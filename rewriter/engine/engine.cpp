@@ -153,6 +153,7 @@ std::optional<Error> PortPlanner::collect() {
     parsed_.push_back(units_[i]);
     reading_.merge(std::move(readings[i]));
   }
+  reading_.facts.refuse_unseen_functions();
   leave_light_types(reading_.facts, options_.small);
   return failure ? failure : lacks_units();
 }

@@ -276,7 +276,7 @@ bool AllocationCollector::place_before(const MemberMentions& mentions, Allocatio
     const NameParts nothing;
     Waits waits = MustExecute(unit_, nothing, body).waits_between(how.at->begin, mentions.first_of_arrays);
     site.callees = std::move(waits.callees);
-    site.refusal = waits.locks ? used_by_others : "";
+    site.refusal = waits.locks || waits.unknown ? used_by_others : "";
     if (!is_nameable(member, how.at->begin)) site.refusal = not_nameable;
     if (site.refusal.empty() && site.callees.empty()) break;
   }
@@ -287,13 +287,10 @@ bool AllocationCollector::place_before(const MemberMentions& mentions, Allocatio
 void AllocationCollector::place_before_mentions(AllocationSite& site, InsertedAllocation& how,
                                                 const StandingMessage& member) const {
   const MemberMentions mentions = mentions_of(unit_, entities_, member);
-  const std::string object = object_that_ends(member.expr);
-  if (!object_is_made_here(member.expr)) how.may_have_content = object;
-  if (mentions.object_handed_on < mentions.first_of_arrays) {
-    if (place_before(mentions.with_object(), site, how, member)) return;
-    how.may_have_content = object;
-  }
-  place_before(mentions, site, how, member);
+  const bool is_handed_on = mentions.object_handed_on < mentions.first_of_arrays;
+  if (is_handed_on && place_before(mentions.with_object(), site, how, member)) return;
+  // What lasts is allocated already when it is filled the next time.
+  if (!is_handed_on || object_that_ends(member.expr).empty()) place_before(mentions, site, how, member);
 }
 
 bool AllocationCollector::is_nameable(const StandingMessage& member, unsigned at) const {

@@ -25,6 +25,13 @@ void add_site(std::map<SiteId, Site>& sites, std::optional<Site> site) {
   if (site) sites.emplace(site->id(), std::move(*site));
 }
 
+/// Instances of a template may give one subscription different callbacks.
+void add_site(std::map<SiteId, Subscribe>& sites, std::optional<Subscribe> site) {
+  if (!site) return;
+  const auto [known, is_new] = sites.emplace(site->id(), *site);
+  if (!is_new) known->second.add_callbacks(*site);
+}
+
 }  // namespace
 
 void Collectors::declaration(const clang::VarDecl* variable) {
@@ -183,9 +190,10 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
   SharedMats mats(context);
   for (const clang::FunctionDecl* function : functions) {
     const FunctionView& view = analysis.analyse(function);
+    facts_.bodies.insert(usr_of(pattern_of(function)));
     if (takes_locks(function)) facts_.locking.insert(usr_of(pattern_of(function)));
     if (std::optional<ContentFlow> flow = content_flow(unit_, view))
-      facts_.contents.emplace(usr_of(pattern_of(function)), std::move(*flow));
+      facts_.add_content(usr_of(pattern_of(function)), std::move(*flow));
     mats.analyse(view);
   }
   mats.finish();
@@ -201,8 +209,10 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
 /// Calls in a member's default initializer run before later members exist.
 void Collectors::early_calls(const clang::Stmt* stmt) {
   const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(stmt);
-  if (call && unit_.declares(call->getDirectCallee()))
-    facts_.early.insert(usr_of(pattern_of(call->getDirectCallee())));
+  const auto* made = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(stmt);
+  const clang::FunctionDecl* callee = call ? call->getDirectCallee() : nullptr;
+  if (made) callee = made->getConstructor();
+  if (callee && unit_.declares(callee)) facts_.early.insert(usr_of(pattern_of(callee)));
   if (stmt)
     for (const clang::Stmt* child : stmt->children()) early_calls(child);
 }

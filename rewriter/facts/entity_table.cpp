@@ -79,15 +79,27 @@ Entity& EntityTable::entity_at(const EntityId& id, const Carried& carried, Descr
 
 /// Signatures that other code relies on: overrides of foreign virtual functions, and declarations in exported
 /// headers.
+namespace {
+
+/// Closures have theirs where they stand.
+bool needs_body(const clang::FunctionDecl* function) {
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
+  return !function->isPureVirtual() && !(method && method->getParent()->isLambda());
+}
+
+}  // namespace
+
 void EntityTable::check_signature(Entity& entity, const clang::FunctionDecl* function) const {
   const Location where = unit_.location(function->getLocation());
   const std::string name = "'" + function->getNameAsString() + "'";
-  if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function))
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
+  if (method)
     for (const clang::CXXMethodDecl* base : method->overridden_methods())
       if (!unit_.source.in_package(base->getLocation()))
         add(entity, {codes::TZC1005, name + " overrides a function of another package", where});
   const clang::FunctionDecl* first = function->getFirstDecl();
-  if (first->getAccess() != clang::AS_private && unit_.exports(first->getLocation()))
+  const bool is_hidden = first->getAccess() == clang::AS_private && !(method && method->isVirtual());
+  if (!is_hidden && unit_.exports(first->getLocation()))
     add(entity, {codes::TZC1005, name + " is declared in a header that other packages may include", where});
 }
 
@@ -182,6 +194,7 @@ EntityId EntityTable::declare(const clang::ValueDecl* decl) {
   const auto* function =
       parameter ? llvm::dyn_cast<clang::FunctionDecl>(parameter->getDeclContext()) : nullptr;
   if (!function) return id;
+  if (needs_body(function)) facts_.parameters.emplace(id, usr_of(pattern_of(function)));
   check_signature(entity, function);
   connect_overrides(id, function, static_cast<int>(parameter->getFunctionScopeIndex()));
   return id;

@@ -40,6 +40,14 @@ bool is_assigned_after(const FunctionView& view, const clang::Stmt* born, const 
   return false;
 }
 
+/// image.data[same.data[0]]: the number is read before anything else happens.
+bool is_read_at_once(const FunctionView& view, const clang::Expr* born) {
+  const clang::Stmt* around = view.parent(born);
+  while (llvm::isa_and_nonnull<clang::ParenExpr>(around)) around = view.parent(around);
+  const auto* cast = llvm::dyn_cast_or_null<clang::ImplicitCastExpr>(around);
+  return cast && cast->getCastKind() == clang::CK_LValueToRValue && !may_hold_pointer(cast->getType());
+}
+
 unsigned declared_at(const FunctionView& view, const clang::VarDecl* variable) {
   const clang::DeclStmt* declaration = view.declaration(variable);
   return declaration ? view.span(declaration).enter : 0;
@@ -55,15 +63,48 @@ bool may_write(const FunctionView& view, const clang::MemberExpr* array) {
   return !method || !method->isConst();
 }
 
+bool is_iterator_class(const clang::CXXRecordDecl* record) {
+  return record && record->getName().starts_with("PointCloud2") && record->getName().ends_with("Iterator");
+}
+
+/// The message that a call fills as a whole: image = other, sensor_msgs::fillImage(image, ...), cv_image.toImageMsg(image).
+const clang::Expr* filled_by(const Unit& unit, const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function) return nullptr;
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call))
+    return op->getOperator() == clang::OO_Equal ? op->getArg(0) : nullptr;
+  for (unsigned i = 0; i < call->getNumArgs(); ++i)
+    if (unit.rules.find_call(qualified_name_of(function), i)) return call->getArg(i);
+  const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
+  if (!member || call->getNumArgs() == 0) return nullptr;
+  const MethodCall* rule = unit.rules.find_method(qualified_name_of(member->getMethodDecl()->getParent()),
+                                                  function->getNameAsString(), written_arguments(call));
+  return rule && rule->role == MethodCall::Role::fills_message ? call->getArg(0) : nullptr;
+}
+
+/// The message whose elements a statement may write, or replace, other than through a mention of an array; null: none.
+const clang::Expr* written_message(const Unit& unit, const clang::Stmt* stmt) {
+  if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
+    const clang::CXXRecordDecl* record = made->getConstructor()->getParent();
+    const bool writes = is_iterator_class(record) && !record->getName().contains("Const");
+    return writes && made->getNumArgs() > 1 ? made->getArg(0) : nullptr;
+  }
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
+  const clang::Expr* filled = call ? filled_by(unit, call) : nullptr;
+  return filled && message_of(filled->getType().getNonReferenceType()) ? filled : nullptr;
+}
+
 /// What was got through const access may lie in memory that subscribers share: the array leaves it behind when it is
 /// written to.
 std::vector<SeenEvent> array_writes(EscapeContext& context, const FunctionView& view) {
   std::vector<SeenEvent> writes;
   for (const clang::Stmt* stmt : view.statements()) {
     const auto* array = llvm::dyn_cast<clang::MemberExpr>(stmt);
-    if (!array || !is_data_array(array->getType()) || !may_write(view, array)) continue;
-    const std::vector<EntityId> sources = context.sources_of(array->getBase());
-    SeenEvent write{{}, array, view.span(array), view.lambda_around(array)};
+    const bool is_array = array && is_data_array(array->getType()) && may_write(view, array);
+    const clang::Expr* message = is_array ? array->getBase() : written_message(context.unit, stmt);
+    if (!message) continue;
+    const std::vector<EntityId> sources = context.sources_of(message);
+    SeenEvent write{{}, llvm::cast<clang::Expr>(stmt), view.span(stmt), view.lambda_around(stmt)};
     write.event.kind = PublishEvent::Kind::write;
     write.event.messages = {sources.begin(), sources.end()};
     writes.push_back(std::move(write));
@@ -75,10 +116,6 @@ std::vector<SeenEvent> array_writes(EscapeContext& context, const FunctionView& 
 bool is_before_body(const FunctionView& view, const clang::Stmt* stmt) {
   while (const clang::Stmt* around = view.parent(stmt)) stmt = around;
   return stmt != view.function()->getBody();
-}
-
-bool is_iterator_class(const clang::CXXRecordDecl* record) {
-  return record && record->getName().starts_with("PointCloud2") && record->getName().ends_with("Iterator");
 }
 
 }  // namespace
@@ -159,7 +196,7 @@ void EscapeAnalysis::start(const FunctionView& view, const clang::Stmt* stmt) {
 
 void EscapeAnalysis::climb(const FunctionView& view, const Referring& from) {
   if (const clang::Expr* born = climb_reference(context_, view, *this, from))
-    check_expression(view, born, from.messages);
+    check_expression(view, born, from);
 }
 
 void EscapeAnalysis::hold(const FunctionView& view, const Holder& holder) {
@@ -217,14 +254,22 @@ void EscapeAnalysis::add_hold(const Holder& holder, const PublishEvent& event, c
 
 /// A pointer without a name lives as long as the expression around it; what it is computed from comes before it.
 void EscapeAnalysis::check_expression(const FunctionView& view, const clang::Expr* born,
-                                      const std::vector<EntityId>& messages) {
+                                      const Referring& what) {
+  const Analysed& here = analysed(view.function());
+  check_expression(view, born, what, here.events);
+  if (what.read_only && !is_read_at_once(view, born)) check_expression(view, born, what, here.writes);
+}
+
+void EscapeAnalysis::check_expression(const FunctionView& view, const clang::Expr* born,
+                                      const Referring& what, const std::vector<SeenEvent>& events) {
   const FunctionView::Span whole = view.span(view.full_expression(born));
   const FunctionView::Span here = view.span(born);
   const bool ordered = context_.unit.ast().getLangOpts().CPlusPlus17;
-  for (const SeenEvent& event : analysed(view.function()).events)
+  for (const SeenEvent& event : events)
     if (whole.contains(event.span) && !event.span.contains(here) && !here.contains(event.span) &&
         !(ordered && is_assigned_after(view, born, event)))
-      add_hold({nullptr, Reference::elements, false, messages}, event.event, born->getBeginLoc());
+      add_hold({nullptr, Reference::elements, what.read_only, what.messages}, event.event,
+               born->getBeginLoc());
 }
 
 void EscapeAnalysis::check_holder(const FunctionView& view, const Holder& holder) {

@@ -69,8 +69,9 @@ class EscapeAnalysis {
   void note_lasting(const clang::Stmt* stmt);
   void start(const FunctionView& view, const clang::Stmt* stmt);
   void climb(const FunctionView& view, const Referring& from);
-  void check_expression(const FunctionView& view, const clang::Expr* born,
-                        const std::vector<EntityId>& messages);
+  void check_expression(const FunctionView& view, const clang::Expr* born, const Referring& what);
+  void check_expression(const FunctionView& view, const clang::Expr* born, const Referring& what,
+                        const std::vector<SeenEvent>& events);
   void check_holder(const FunctionView& view, const Holder& holder);
   void check_events(const FunctionView& view, const Holder& holder, const std::vector<SeenEvent>& events);
   void add_hold(const Holder& holder, const PublishEvent& event, clang::SourceLocation where);

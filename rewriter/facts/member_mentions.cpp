@@ -5,20 +5,27 @@
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
+#include "facts/escape_climb.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
 
+bool may_have_array(clang::QualType type) {
+  if (type->isArithmeticType() || type->isEnumeralType()) return false;
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  if (!record || !record->hasDefinition() || is_data_array(type)) return true;
+  if (qualified_name_of(record) == "std::basic_string") return false;
+  return llvm::any_of(record->fields(),
+                      [](const clang::FieldDecl* part) { return may_have_array(part->getType()); }) ||
+         llvm::any_of(record->bases(),
+                      [](const clang::CXXBaseSpecifier& base) { return may_have_array(base.getType()); });
+}
+
 /// image_.width, image_.header: no array of the message is touched.
 bool names_a_part_without_arrays(clang::ASTContext& ast, const clang::Expr* mention) {
   const auto* part = parent_as<clang::MemberExpr>(ast, *mention);
-  if (!part || !llvm::isa<clang::FieldDecl>(part->getMemberDecl())) return false;
-  const clang::QualType type = part->getType();
-  const auto message = message_of(type);
-  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-  if (!record) return type->isArithmeticType() || type->isEnumeralType();
-  return message ? !message->has_data_part : qualified_name_of(record) == "std::basic_string";
+  return part && llvm::isa<clang::FieldDecl>(part->getMemberDecl()) && !may_have_array(part->getType());
 }
 
 /// frame->image, (*frame).image, frames[i].image, frame.get()->image: what the step starts from.
@@ -48,6 +55,31 @@ const clang::ValueDecl* object_of(const clang::Expr* mention) {
   const auto* member = llvm::dyn_cast<clang::MemberExpr>(mention->IgnoreParenImpCasts());
   const clang::Expr* base = member ? member->getBase()->IgnoreParenImpCasts() : nullptr;
   return base && !llvm::isa<clang::CXXThisExpr>(base) ? begin_of(base) : nullptr;
+}
+
+/// Whether a variable gets what may point into what is mentioned.
+bool leaves_pointer(const Unit& unit, const clang::Expr* mention) {
+  for (const clang::DynTypedNode& node : ancestors(unit.ast(), *mention)) {
+    if (const auto* variable = node.get<clang::VarDecl>())
+      return variable->getType()->isReferenceType() || may_hold_pointer(variable->getType());
+    const auto* op = node.get<clang::BinaryOperator>();
+    const auto* call = node.get<clang::CXXOperatorCallExpr>();
+    if (op && op->isAssignmentOp()) return may_hold_pointer(op->getLHS()->getType());
+    if (call && call->isAssignmentOp()) return may_hold_pointer(call->getArg(0)->getType());
+    if (!node.get<clang::Expr>()) return false;
+  }
+  return false;
+}
+
+/// left.image, frame_.image, image_: no pointer, reference or index leads there.
+bool is_by_value(const clang::Expr* mention) {
+  mention = mention->IgnoreParenImpCasts();
+  if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(mention))
+    return !reference->getDecl()->getType()->isReferenceType();
+  const auto* member = llvm::dyn_cast<clang::MemberExpr>(mention);
+  if (!member || member->getType()->isReferenceType()) return false;
+  if (llvm::isa<clang::CXXThisExpr>(member->getBase()->IgnoreParenImpCasts())) return true;
+  return !member->isArrow() && is_by_value(member->getBase());
 }
 
 bool is_accessor(const clang::CXXMethodDecl* method) {
@@ -103,6 +135,7 @@ class Finder : public AstVisitor {
         entities_(entities),
         id_(member.id),
         object_(object_of(member.expr)),
+        is_by_value_(is_by_value(member.expr)),
         way_(way_to(unit, member.expr)),
         hands_on_(unit, way_) {}
   MemberMentions found;
@@ -117,17 +150,21 @@ class Finder : public AstVisitor {
     const unsigned here = unit_.offset(expr->getBeginLoc());
     if (decl == object_ && hands_on_(expr)) found.object_handed_on = std::min(found.object_handed_on, here);
     if (!llvm::isa<clang::FieldDecl, clang::VarDecl>(decl) || entities_.declare(decl) != id_) return true;
-    if (way_to(unit_, expr) != way_) return true;
+    const bool is_same = way_to(unit_, expr) == way_;
+    if (!is_same && !(may_be_the_same(expr) && leaves_pointer(unit_, expr))) return true;
     found.first = std::min(found.first, here);
     if (!names_a_part_without_arrays(unit_.ast(), expr))
       found.first_of_arrays = std::min(found.first_of_arrays, here);
-    found.last = std::max(found.last, here);
+    if (is_same) found.last = std::max(found.last, here);
     return true;
   }
+  /// Another name may lead to the same object, unless both name objects that are there by value.
+  bool may_be_the_same(const clang::Expr* expr) const { return !(is_by_value_ && is_by_value(expr)); }
   const Unit& unit_;
   EntityTable& entities_;
   const EntityId& id_;
   const clang::ValueDecl* object_;
+  bool is_by_value_;
   std::string way_;
   HandsOn hands_on_;
 };

@@ -3,6 +3,7 @@
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
+#include "facts/member_mentions.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -128,6 +129,8 @@ std::optional<PublishCall> publish_call(const Unit& unit, ValueFlow& flow,
   if (argument->isTypeDependent()) return {};
   describe_message(site, unit, flow, argument);
   site.object = object_text(unit, argument);
+  if (pointee_of(argument->getType()).isNull() && !object_is_made_here(argument))
+    site.filled_object = object_that_ends(argument);
   result.publisher = describe_publisher(site, unit, flow, call);
   if (is_single_subscriber(qualified_name_of(call->getRecordDecl())))
     site.obstacles.push_back(

@@ -21,12 +21,11 @@ void describe(Subscribe& site, const CallbackParameter& parameter) {
 }  // namespace
 
 /// The parameters of the functions that the call is given.
-std::vector<EntityId> SubscribeCollector::callbacks_in(const clang::CallExpr* call) {
-  std::vector<EntityId> callbacks;
+void SubscribeCollector::add_callbacks(Subscribe& site, const clang::CallExpr* call) {
+  site.writes = site.writes || calls_unknown_functions(unit_, call);
   for (const clang::FunctionDecl* function : callback_functions(unit_, call))
     for (const clang::ParmVarDecl* parameter : function->parameters())
-      if (const EntityId id = entities_.declare(parameter); !id.empty()) callbacks.push_back(id);
-  return callbacks;
+      if (const EntityId id = entities_.declare(parameter); !id.empty()) site.callbacks.push_back(id);
 }
 
 Subscribe SubscribeCollector::site_at(const clang::CallExpr* call, const MethodCall& rule) const {
@@ -48,7 +47,7 @@ Subscribe SubscribeCollector::of_call(const clang::CXXMemberCallExpr* call, cons
       written = stock_name(parameter.message->name);
     }
   describe(site, parameter);
-  site.callbacks = callbacks_in(call);
+  add_callbacks(site, call);
   if (written_arguments(call) == 1) add_options(site, call->getArg(0));
   const Location here = location_of(site.where);
   if (site.type.empty())
@@ -69,7 +68,7 @@ Subscribe SubscribeCollector::of_call(const clang::CXXMemberCallExpr* call, cons
 void SubscribeCollector::add_options(Subscribe& site, const clang::Expr* options) {
   for (const clang::CallExpr* filled : options_calls(unit_, options)) {
     site.writes = site.writes || callback_parameter_of(filled).writes;
-    for (const EntityId& id : callbacks_in(filled)) site.callbacks.push_back(id);
+    add_callbacks(site, filled);
   }
 }
 
@@ -77,7 +76,7 @@ Subscribe SubscribeCollector::of_ported_call(const clang::CallExpr* call, const 
   Subscribe site = site_at(call, rule);
   site.ported = true;
   describe(site, callback_parameter_of(call));
-  site.callbacks = callbacks_in(call);
+  add_callbacks(site, call);
   if (written_arguments(call) == 2) add_options(site, call->getArg(1));
   if (written_arguments(call) > 1) site.topic = constant_string(call->getArg(1));
   return site;

@@ -20,7 +20,7 @@ class SubscribeCollector {
  private:
   Subscribe site_at(const clang::CallExpr* call, const MethodCall& rule) const;
   void add_options(Subscribe& site, const clang::Expr* options);
-  std::vector<EntityId> callbacks_in(const clang::CallExpr* call);
+  void add_callbacks(Subscribe& site, const clang::CallExpr* call);
 
   const Unit& unit_;
   EntityTable& entities_;

@@ -91,6 +91,7 @@ bool is_type_blind(const Unit& unit, const clang::FunctionDecl* function, unsign
   const clang::FunctionDecl* pattern = function->getTemplateInstantiationPattern();
   if (!pattern || argument >= pattern->getNumParams()) return true;
   if (!pattern->getParamDecl(argument)->getType()->isDependentType()) return true;
+  if (!pattern->isDefined()) return false;  // elsewhere, for the types that are instantiated there
   TypeQuestions questions(unit);
   questions.TraverseDecl(const_cast<clang::FunctionDecl*>(pattern));
   return !questions.found;

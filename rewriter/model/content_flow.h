@@ -41,9 +41,15 @@ struct ContentEvent {
   std::map<std::string, MessagePart> passed;  ///< parameter's root -> what it is given
 };
 
+bool operator==(const ContentEvent& a, const ContentEvent& b);
+
 struct ContentBlock {
   std::vector<ContentEvent> events;
   std::vector<unsigned> next;
+
+  friend bool operator==(const ContentBlock& a, const ContentBlock& b) {
+    return a.next == b.next && a.events == b.events;
+  }
 };
 
 /// One function's events as a graph: block 0 is where it begins.
@@ -51,6 +57,9 @@ struct ContentFlow {
   std::vector<ContentBlock> blocks;
   unsigned exit = 0;
   bool makes_object = false;  ///< a constructor: the members are new
+
+  /// Another way in which the function may run, as it is compiled elsewhere.
+  void add_alternative(ContentFlow other);
 };
 
 }  // namespace tzc::rewriter

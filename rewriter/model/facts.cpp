@@ -5,6 +5,8 @@
 #include <iterator>
 #include <tuple>
 
+#include "model/codes.h"
+
 namespace tzc::rewriter {
 namespace {
 
@@ -19,6 +21,16 @@ bool same(const Change& a, const Change& b) {
 bool same(const Obstacle& a, const Obstacle& b) {
   return a.code == b.code && a.reason == b.reason && a.where.line == b.where.line &&
          a.where.file == b.where.file;
+}
+
+/// Programs of one package may give one name to different things.
+bool same(const Entity& a, const Entity& b) {
+  return a.role == b.role && a.storage == b.storage && a.ported_as.name == b.ported_as.name;
+}
+
+Obstacle named_twice(const Entity& entity) {
+  return {codes::TZC1001, "'" + entity.name + "' is something else in another program of the package",
+          entity.where};
 }
 
 template <class T>
@@ -38,9 +50,16 @@ void unite(std::map<EntityId, Entity>& into, std::map<EntityId, Entity>& from) {
   for (auto& [id, entity] : from) {
     auto [known, is_new] = into.emplace(id, entity);
     if (is_new) continue;
+    if (!same(known->second, entity)) known->second.obstacles.push_back(named_twice(entity));
     unite(known->second.changes, entity.changes);
     unite(known->second.obstacles, entity.obstacles);
   }
+}
+
+/// Instances of a template, and units, may give one subscription different callbacks.
+void unite(std::map<SiteId, Subscribe>& into, std::map<SiteId, Subscribe>& from) {
+  for (auto& [id, site] : from)
+    if (auto [known, is_new] = into.emplace(id, site); !is_new) known->second.add_callbacks(site);
 }
 
 void unite(std::map<EntityId, Factory>& into, std::map<EntityId, Factory>& from) {
@@ -56,12 +75,37 @@ void unite(std::map<std::string, std::set<std::string>>& into,
 
 }  // namespace
 
+void Facts::refuse_unseen_functions() {
+  for (const auto& [id, function] : parameters) {
+    const auto entity = entities.find(id);
+    if (entity == entities.end() || bodies.count(function) != 0) continue;
+    Entity& parameter = entity->second;
+    parameter.obstacles.push_back(
+        {codes::TZC1001, "'" + parameter.name + "' is a parameter of a function whose body was not seen",
+         parameter.where});
+  }
+}
+
+void Subscribe::add_callbacks(const Subscribe& other) {
+  writes |= other.writes;
+  converts |= other.converts;
+  for (const EntityId& callback : other.callbacks)
+    if (std::count(callbacks.begin(), callbacks.end(), callback) == 0) callbacks.push_back(callback);
+}
+
+void Facts::add_content(const std::string& usr, ContentFlow flow) {
+  const auto [known, is_new] = contents.emplace(usr, flow);
+  if (!is_new) known->second.add_alternative(std::move(flow));
+}
+
 void Facts::merge(Facts&& other) {
   unite(entities, other.entities);
   append(flows, other.flows);
   append(uses, other.uses);
   cuts.merge(other.cuts);
   objects.merge(other.objects);
+  parameters.merge(other.parameters);
+  bodies.merge(other.bodies);
   append(allocations, other.allocations);
   unite(factories, other.factories);
   append(data_uses, other.data_uses);
@@ -74,13 +118,13 @@ void Facts::merge(Facts&& other) {
   for (auto& [usr, events] : other.effects) append(effects[usr], events);
   lasting.merge(other.lasting);
   early.merge(other.early);
-  contents.merge(other.contents);
+  for (auto& [usr, flow] : other.contents) add_content(usr, std::move(flow));
   addressed.merge(other.addressed);
   changing.merge(other.changing);
   locking.merge(other.locking);
   advertises.merge(other.advertises);
   publishes.merge(other.publishes);
-  subscribes.merge(other.subscribes);
+  unite(subscribes, other.subscribes);
   unite(bases, other.bases);
   unite(units_of_file, other.units_of_file);
   for (auto& [callback, use] : other.filter_callbacks) {

@@ -100,8 +100,6 @@ struct InsertedAllocation {
   bool own_line = true;     ///< the inserted statement gets a line of its own
   bool before = false;      ///< the insertion stands before the statement at `at`, not behind it
   bool filled = false;      ///< the message already has content there, which allocate would copy
-  std::string
-      may_have_content;  ///< the object that it is part of, which this function does not make; "": none
 };
 
 /// A library call that makes the message is replaced by an adapter that is given the publisher.
@@ -177,6 +175,8 @@ struct Publish : SiteFact {
   bool pcl = false;       ///< a pcl::PointCloud or a cv_bridge::CvImage is published as such
   bool nested_only = false;
   bool twin = false;  ///< a tzc:: message is published
+  std::string
+      filled_object;  ///< it is part of a local object, or a parameter, that comes with its content; "": no
 };
 
 struct Subscribe : SiteFact {
@@ -189,6 +189,9 @@ struct Subscribe : SiteFact {
   std::string scope;                ///< USR of the class around it
   std::vector<Change> changes;
   std::string rule;
+
+  /// Those that another instance, or unit, gives the same subscription.
+  void add_callbacks(const Subscribe& other);
 };
 
 /// A use of a data array of an entity.
@@ -223,7 +226,8 @@ struct EntityFacts {
   std::vector<Use> uses;
   std::map<EntityId, Cut> cuts;  ///< in front of a declarator
   std::vector<DataUse> data_uses;
-  std::set<EntityId> objects;  ///< messages, and new ones: what flows into them is copied
+  std::set<EntityId> objects;                  ///< messages, and new ones: what flows into them is copied
+  std::map<EntityId, std::string> parameters;  ///< USR of their function
 };
 
 /// Something that may publish a message: what a pointer into its data must not live across.
@@ -298,9 +302,14 @@ struct Facts : EntityFacts, EscapeFacts, ThreadFacts {
   std::map<SiteId, Subscribe> subscribes;
   std::map<FilterCallback, FilterCallbackUse> filter_callbacks;
   std::map<std::string, std::set<std::string>> bases;  ///< record USR -> USRs of its base classes
+  std::set<std::string> bodies;                        ///< USRs of the functions whose bodies were seen
   bool shadows_tzc = false;  ///< the package gives the name tzc to something of its own
   std::map<std::string, std::set<std::string>> units_of_file;  ///< package file -> main files that include it
 
+  /// What a function does in one unit, or instance of a template; it may do something else in another one.
+  void add_content(const std::string& usr, ContentFlow flow);
+  /// A function that is defined elsewhere, or not in C++ (a signal of Qt), keeps its parameters.
+  void refuse_unseen_functions();
   /// Adds what another unit saw; the same entity or site counts once.
   void merge(Facts&& other);
 };

@@ -65,10 +65,15 @@ bool Binder::may_change_under_lock(ComponentId publisher) const {
          });
 }
 
+/// A member, in a function that runs before the members of its object are all there.
+bool Binder::may_be_missing(const AllocationSite& site, const Entity& publisher) {
+  const std::string& result = site.function.text();  // the function's USR and "#r"
+  return publisher.storage == Storage::member && runs_early(result.substr(0, result.rfind('#')));
+}
+
 bool Binder::visible(const AllocationSite& site, const Entity& publisher) {
   if (std::count(site.later.begin(), site.later.end(), publisher.id) != 0) return false;
-  const std::string& result = site.function.text();  // the function's USR and "#r"
-  if (publisher.storage == Storage::member && runs_early(result.substr(0, result.rfind('#')))) return false;
+  if (may_be_missing(site, publisher)) return false;
   if (publisher.storage == Storage::member) return inherits(site.record, publisher.record);
   return publisher.storage == Storage::global && publisher.where.file == site.where.file &&
          publisher.where.line < site.where.line;
@@ -92,7 +97,8 @@ std::optional<BoundAllocation> Binder::available_at(const AllocationSite& site) 
     for (const PublisherName& name : site.publishers) {
       const Component* publisher = components_.of(name.publisher);
       if (publisher && publishers_.count(publisher->id) && closeness(name, site) >= wanted &&
-          !(name.guarded && takes_reference) && !locks_.may_be_taken_in(name.callees))
+          !(name.guarded && takes_reference) && !locks_.may_be_taken_in(name.callees) &&
+          !may_be_missing(site, facts_.entities.at(name.publisher)))
         return bound(site, name, &facts_.entities.at(name.publisher));
     }
   for (const ComponentId id : publishers_)

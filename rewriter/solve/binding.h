@@ -36,6 +36,7 @@ class Binder {
   int closeness(const PublisherName& name, const AllocationSite& site) const;
   std::optional<BoundAllocation> available_at(const AllocationSite& site);
   bool may_change_under_lock(ComponentId publisher) const;
+  bool may_be_missing(const AllocationSite& site, const Entity& publisher);
   bool visible(const AllocationSite& site, const Entity& publisher);
   bool runs_early(const std::string& function);
   bool inherits(const std::string& record, const std::string& base) const;

@@ -71,7 +71,6 @@ class SiteDescriber {
   void describe_origins(const Publish& fact, Site& site) const;
   bool advertised_as_cloud(const EntityId& publisher) const;
   bool publishes_without_copy(const Advertise& fact) const;
-  std::optional<Obstacle> why_filled_before(const Publish& fact) const;
   std::optional<std::string> why_copied(const Subscribe& fact) const;
   std::string trust_of(const Publish& fact) const;
   const Decision* decision_of(const EntityId& entity) const;
@@ -112,23 +111,11 @@ void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
   }
   if (site.level != Level::zero_copy) return;
   std::optional<Obstacle> why = copied_.why_copied(fact.id());
-  if (!why) why = why_filled_before(fact);
+  if (!why && !fact.filled_object.empty())
+    why = Obstacle{codes::TZC1022,
+                   "'" + fact.filled_object + "' may come with content, which is copied when it is allocated",
+                   site.where};
   if (why) refuse(site, *why, Level::one_copy);
-}
-
-/// Where the message is part of an object that comes in, it may have content when allocate is called for it.
-std::optional<Obstacle> SiteDescriber::why_filled_before(const Publish& fact) const {
-  for (const AllocationSite& site : facts_.allocations) {
-    const auto* how = std::get_if<InsertedAllocation>(&site.how);
-    if (!how || how->may_have_content.empty() ||
-        std::count(fact.messages.begin(), fact.messages.end(), site.entity) == 0)
-      continue;
-    return Obstacle{
-        codes::TZC1022,
-        "'" + how->may_have_content + "' may come with content, which is copied when it is allocated",
-        site.where};
-  }
-  return {};
 }
 
 /// What the level rests on besides the analysis.

@@ -62,6 +62,23 @@ class SeveralPackages : public ::testing::Test {
   Judges judges;
 };
 
+TEST_F(SeveralPackages, one_name_for_different_things_in_two_programs_changes_neither) {
+  files["node/src/publisher.cpp"] = ros_headers +
+                                    "ros::Publisher out;\nvoid open(ros::NodeHandle& nh) {\n"
+                                    "  out = nh.advertise<sensor_msgs::Image>(\"out\", 10);\n}\n";
+  files["node/src/node.cpp"] =
+      ros_headers +
+      "ros::Publisher pub;\nsensor_msgs::Image out;\nvoid step() {\n"
+      "  uint8_t* pixels = &out.data[0];\n  pub.publish(out);\n  pixels[0] = 1;\n}\n"
+      "void open(ros::NodeHandle& nh, int) { pub = nh.advertise<sensor_msgs::Image>(\"a\", 1); }\n";
+  const auto plans = plan({"node"});
+  ASSERT_TRUE(plans) << to_string(plans.error());
+  const PortPlan& node = plans->at(folder("node"));
+  EXPECT_EQ(level(node), Level::one_copy);
+  for (const auto& [file, content] : node.contents)
+    EXPECT_THAT(content, ::testing::Not(HasSubstr("allocate"))) << file;
+}
+
 TEST_F(SeveralPackages, a_converter_changes_with_its_caller) {
   const auto plans = plan({"lib", "node", "other"});
   ASSERT_TRUE(plans) << to_string(plans.error());

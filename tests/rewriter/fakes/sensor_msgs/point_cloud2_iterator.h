@@ -23,6 +23,7 @@ class PointCloud2ConstIterator {
  public:
   PointCloud2ConstIterator(const PointCloud2&, const std::string&) {}
   const T& operator*() const { return *p_; }
+  PointCloud2ConstIterator& operator++() { return *this; }
   T* p_ = nullptr;
 };
 }  // namespace sensor_msgs
