@@ -36,9 +36,9 @@ Edits add_optional_tzc(const CmakeProject& project, const std::set<std::string>&
 /// catkin_package(CATKIN_DEPENDS tzc), for packages whose exported headers include TZC's.
 Edits add_catkin_depends(const CmakeProject& project);
 
-/// Folders that catkin_package(INCLUDE_DIRS) exports, absolute.
-/// That catkin_package names for other packages to link.
+/// Libraries that catkin_package(LIBRARIES) names for other packages to link.
 std::set<std::string> exported_libraries(const CmakeProject& project);
+/// Folders that catkin_package(INCLUDE_DIRS) exports, absolute; include/ where nothing says so.
 std::set<std::string> exported_folders(const CmakeProject& project, const std::string& package_dir);
 
 }  // namespace tzc::rewriter

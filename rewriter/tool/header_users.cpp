@@ -105,16 +105,17 @@ class PackageHeaders {
 
   std::set<std::string> included_by(const std::string& file) const {
     static const std::regex directive(R"(^\s*#\s*(?:include|include_next|import)\s*([<"])([^>"]+)[>"])");
-    static const std::regex precompiled(
+    static const std::regex name(
         R"(([<"])([^<>"\s]+)[>"])");  // target_precompile_headers(node PRIVATE <lib/a.h>)
     const bool is_cmake = is_cmake_file(file);
     std::set<std::string> found;
     std::istringstream stream(text_of(file));
-    std::smatch match;
-    for (std::string line; std::getline(stream, line);)
-      if (is_cmake ? std::regex_search(line, match, precompiled)
-                   : line.find('#') != std::string::npos && std::regex_search(line, match, directive))
-        found.merge(meant_by(match[2], match[1] == "\"", file));
+    for (std::string line; std::getline(stream, line);) {
+      if (!is_cmake && line.find('#') == std::string::npos) continue;
+      for (std::sregex_iterator match(line.begin(), line.end(), is_cmake ? name : directive), end;
+           match != end; ++match)
+        found.merge(meant_by((*match)[2], (*match)[1] == "\"", file));
+    }
     return found;
   }
 

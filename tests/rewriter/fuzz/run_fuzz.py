@@ -6,8 +6,8 @@
 
 Of every batch of programs (one package, or two with --siblings): tzc-rewrite ports it; original and port are compiled
 against the real roscpp, image_transport, cv_bridge and PCL; both run under a roscore; every message that subscribers
-and a recorder get is equal. No site stays on TCPROS. Of the first batch and of each Nth after it (--twice), a second tzc-rewrite --apply
-changes nothing and reports the same sites. A failing batch stays in FOLDER; the exit status is 1.
+and a recorder get is equal. No site stays on TCPROS. Of the first batch and of each Nth after it (--twice), a second
+tzc-rewrite --apply changes nothing and reports the same sites. A failing batch stays in FOLDER; the exit status is 1.
 """
 import argparse
 import json

@@ -9,8 +9,8 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from execution import differences, last_program  # noqa: E402
-from grammar import absent, attacks, builders, effects, keepers, libraries, messages, outputs, owners, package  # noqa: E402
-from grammar import pointers, publishers, subscribers, times  # noqa: E402
+from grammar import absent, attacks, builders, effects, keepers, libraries, messages, outputs  # noqa: E402
+from grammar import owners, package, pointers, publishers, subscribers, times  # noqa: E402
 from grammar.program import Program  # noqa: E402
 from grammar.uses import Use  # noqa: E402
 from port import check_levels, check_sites  # noqa: E402
@@ -72,7 +72,6 @@ class Programs(unittest.TestCase):
                 if pointer in made_once and other not in made_once:
                     filled = rf"Ptr {other} = boost::make_shared<.*\n *{other}\.swap\({pointer}\)"
                     self.assertTrue(re.search(filled, text), f"{program.name}: {pointer}")
-
 
     def test_no_loop_waits_for_a_step_of_what_is_published(self):
         """An output may leave that out, as in_branch does."""
