@@ -119,7 +119,7 @@ class ClassEmitter {
       case Part::control:
         return fmt::format("    _stock.{0} = {0};\n", name);
       case Part::data:
-        return fmt::format("    _stock.{0}.assign({0}.begin(), {0}.end());\n", name);
+        return fmt::format("    {0}.copy_to(_stock.{0});\n", name);
       case Part::mixed:
         break;
     }

@@ -39,19 +39,19 @@ void ControlWriter::reference(const void* data, std::size_t count, std::size_t e
   end_entry(index_of(buffer), static_cast<const std::uint8_t*>(data) - buffer->data());
 }
 
-void ControlWriter::array(const void* data, std::size_t count, std::size_t element_size) {
+void ControlWriter::array(const void* data, std::size_t count, std::size_t element_size, CopiedArray owner) {
   const std::size_t bytes = count * element_size;
   if (bytes != 0) {
     if (const BufferPtr buffer = find_buffer(data, bytes))
       return reference(data, count, element_size, buffer);
   }
   if (!begin_entry(count, element_size)) return;
-  copies_.push_back(Copy{data, bytes, encoded_.control.size()});
+  copies_.push_back(Copy{data, bytes, encoded_.control.size(), owner});
   end_entry(0, copied_size_);
   copied_size_ += aligned(bytes);
 }
 
-bool ControlWriter::finish(MemorySource& memory) {
+bool ControlWriter::finish(const std::shared_ptr<MemorySource>& memory) {
   if (too_long_ || is_overused()) return false;
   return copies_.empty() || make_copies(memory);
 }
@@ -83,14 +83,16 @@ bool ControlWriter::is_overused() const {
   return referenced_bytes_ > most_overlap * size;
 }
 
-bool ControlWriter::make_copies(MemorySource& memory) {
-  const BufferPtr buffer = memory.allocate(copied_size_);
+bool ControlWriter::make_copies(const std::shared_ptr<MemorySource>& memory) {
+  const BufferPtr buffer = memory->allocate(copied_size_);
   if (!buffer) return false;
   const auto block = static_cast<std::uint32_t>(encoded_.buffers.size());
   encoded_.buffers.push_back(buffer);
   std::size_t offset = 0;
   for (const Copy& copy : copies_) {
-    std::memcpy(buffer->data() + offset, copy.data, copy.bytes);
+    std::uint8_t* const at = buffer->data() + offset;
+    std::memcpy(at, copy.data, copy.bytes);
+    if (copy.owner.note_sent != nullptr) copy.owner.note_sent(copy.owner.owner, memory, buffer, at);
     put(encoded_.control.data() + copy.entry, block);
     offset += aligned(copy.bytes);
     encoded_.copied_bytes += copy.bytes;

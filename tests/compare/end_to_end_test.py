@@ -60,9 +60,16 @@ def camera_workspace(name):
     return workspace
 
 
+def is_newer(path, than):
+    return not os.path.exists(than) or os.path.getmtime(path) > os.path.getmtime(than)
+
+
 def ported_workspace():
+    """Made again when the tool or the runtime has changed since, whose headers the node was compiled with."""
     workspace = os.path.join(SCRATCH, "camera_ported")
-    if not os.path.exists(os.path.join(workspace, "devel", "lib", "camera_pair", "camera_node")):
+    node = os.path.join(workspace, "devel", "lib", "camera_pair", "camera_node")
+    made_with = [os.path.join(BUILD, "bin", "tzc-rewrite"), os.path.join(BUILD, "devel", "lib", "libtzc_roscpp.so")]
+    if any(is_newer(path, node) for path in made_with):
         original = camera_workspace("original")
         shutil.rmtree(workspace, ignore_errors=True)
         os.makedirs(os.path.join(workspace, "src"))

@@ -73,7 +73,7 @@ OutgoingMessage RecordEncoder::encode(const ros::SerializedMessage& message, std
   const void* address = message.message.get();
   message::Encoded own;
   const bool is_encoded = scoped_encoded && scoped_message == address;
-  if (!is_encoded && !codec.encode(address, *memory_, own)) return exhausted(codec, address, sequence);
+  if (!is_encoded && !codec.encode(address, memory_, own)) return exhausted(codec, address, sequence);
   message::Encoded& encoded = is_encoded ? *scoped_encoded : own;
   return fits(encoded) ? control_record(codec, encoded, sequence)
                        : too_scattered(codec, address, sequence, encoded.buffers.size());

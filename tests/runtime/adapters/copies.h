@@ -18,13 +18,13 @@ struct FakePublisher {
 /// How many places of at least `size` bytes `work` asks for, on the heap and in `memory`: the copies that it
 /// can make.
 template <class Work>
-std::size_t places_for(std::size_t size, TestMemory& memory, Work work) {
-  const int before = memory.allocations;
+std::size_t places_for(std::size_t size, const std::shared_ptr<TestMemory>& memory, Work work) {
+  const int before = memory->allocations;
   big_allocations = 0;
   big_size = size;
   work();
   big_size = static_cast<std::size_t>(-1);
-  return big_allocations + static_cast<std::size_t>(memory.allocations - before);
+  return big_allocations + static_cast<std::size_t>(memory->allocations - before);
 }
 
 }  // namespace test

@@ -66,7 +66,7 @@ TEST_F(CvBridge, copies_once_like_the_library) {
   const auto image = picture("bgr8", 480, 640);
   const std::size_t size = 480 * 640 * 3;
   sensor_msgs::ImagePtr message;
-  auto& memory = *publisher_.test_memory;
+  const auto& memory = publisher_.test_memory;
   const auto librarys = test::places_for(size, memory, [&] { image.toImageMsg(); });
   const auto ours = test::places_for(size, memory, [&] {
     message = cv_bridge::to_image_msg(image, publisher_);
@@ -84,7 +84,7 @@ TEST_F(CvBridge, a_reused_message_gets_fresh_memory_after_publishing) {
   const auto first = picture("bgr8"), second = picture("bgr8");
   cv_bridge::to_image_msg(first, message);
   message::Encoded encoded;
-  ASSERT_TRUE(message::encode(message, *publisher_.test_memory, encoded));
+  ASSERT_TRUE(message::encode(message, publisher_.test_memory, encoded));
   const auto view = message::stock_view(message, encoded);
   cv_bridge::to_image_msg(second, message);
   EXPECT_EQ(*first.toImageMsg(), *view);

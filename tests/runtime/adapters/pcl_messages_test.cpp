@@ -39,7 +39,7 @@ Cloud colored_cloud(std::uint32_t width, std::uint32_t height) {
 template <class Twin, class Convert>
 void expect_same_and_no_more_copies(std::size_t size, std::size_t librarys_places, Convert convert) {
   test::FakePublisher publisher;
-  auto& memory = *publisher.test_memory;
+  const auto& memory = publisher.test_memory;
   typename Twin::Stock stock;
   Twin twin;
   ASSERT_TRUE(message::allocate(twin, publisher.memory()));

@@ -49,7 +49,7 @@ class Pcl : public ::testing::Test {
  protected:
   message::Encoded encoded(const Cloud& cloud) {
     message::Encoded result;
-    EXPECT_TRUE(message::encode(cloud, *publisher_.test_memory, result));
+    EXPECT_TRUE(message::encode(cloud, publisher_.test_memory, result));
     return result;
   }
   static std::vector<ConstBlock> blocks(const message::Encoded& encoded) {
@@ -83,7 +83,7 @@ TEST_F(Pcl, to_ros_msg_builds_the_librarys_message) {
 TEST_F(Pcl, to_ros_msg_copies_once_like_the_library) {
   const Cloud cloud = cloud_of(1000, 100);
   const std::size_t size = cloud.points.size() * sizeof(Point);
-  auto& memory = *publisher_.test_memory;
+  const auto& memory = publisher_.test_memory;
   const auto librarys = test::places_for(size, memory, [&] { librarys_message(cloud); });
   const auto ours = test::places_for(size, memory, [&] {
     sensor_msgs::PointCloud2 message;
@@ -166,7 +166,7 @@ TEST_F(Pcl, pcl_point_cloud2_is_published_without_its_own_type) {
   ::pcl::PCLPointCloud2 blob;
   ::pcl::toPCLPointCloud2(cloud, blob);
   message::Encoded result;
-  ASSERT_TRUE(message::encode(blob, *publisher_.test_memory, result));
+  ASSERT_TRUE(message::encode(blob, publisher_.test_memory, result));
   EXPECT_EQ(librarys_message(cloud), *message::stock_view(blob, result));
 }
 

@@ -71,7 +71,7 @@ TEST(FillImage, copies_once_like_the_library) {
   test::FakePublisher publisher;
   sensor_msgs::Image ours;
   ASSERT_TRUE(message::allocate(ours, publisher.memory()));
-  EXPECT_EQ(1u, test::places_for(pixels.size(), *publisher.test_memory, [&] {
+  EXPECT_EQ(1u, test::places_for(pixels.size(), publisher.test_memory, [&] {
               sensor_msgs::fillImage(ours, "mono8", 1024, 1024, 1024, pixels.data());
             }));
   EXPECT_TRUE(in_segment(ours.data.data()));
@@ -113,13 +113,13 @@ TEST(PointCloud2Modifier, a_cloud_is_built_in_one_place_like_the_librarys) {
   test::FakePublisher publisher;
   Clouds clouds;
   ASSERT_TRUE(message::allocate(clouds.ours, publisher.memory()));
-  const auto librarys = test::places_for(size, *publisher.test_memory, [&] {
+  const auto librarys = test::places_for(size, publisher.test_memory, [&] {
     build< ::sensor_msgs::PointCloud2Modifier, ::sensor_msgs::PointCloud2Iterator>(clouds.stock, points);
   });
-  const auto ours = test::places_for(size, *publisher.test_memory, [&] {
+  const auto ours = test::places_for(size, publisher.test_memory, [&] {
     build<sensor_msgs::PointCloud2Modifier, sensor_msgs::PointCloud2Iterator>(clouds.ours, points);
     message::Encoded encoded;
-    ASSERT_TRUE(message::encode(clouds.ours, *publisher.test_memory, encoded));
+    ASSERT_TRUE(message::encode(clouds.ours, publisher.test_memory, encoded));
     EXPECT_EQ(0u, encoded.copied_bytes) << "publishing copies nothing more";
   });
   clouds.expect_equal();
@@ -186,7 +186,7 @@ TEST_F(PointIterators, writing_after_publishing_reaches_nobody) {
   test::FakePublisher publisher;
   ASSERT_TRUE(message::allocate(clouds_.ours, publisher.memory()));
   message::Encoded encoded;
-  ASSERT_TRUE(message::encode(clouds_.ours, *publisher.test_memory, encoded));
+  ASSERT_TRUE(message::encode(clouds_.ours, publisher.test_memory, encoded));
   const auto view = message::stock_view(clouds_.ours, encoded);
   sensor_msgs::PointCloud2Iterator<float> x(clouds_.ours, "x");
   *x = 77;

@@ -301,6 +301,28 @@ TEST(Guard, heap_buffers_that_were_replaced_in_a_child) {
   EXPECT_TRUE(outcome.says("topic /camera/image") && outcome.says("moved here:")) << outcome.errors;
 }
 
+TEST(Guard, heap_buffers_that_were_sent_in_a_child) {
+  const Outcome outcome = run([] {
+    const auto memory = named_memory();
+    auto* const elements = static_cast<std::uint8_t*>(guard::allocate(200'000));
+    if (elements == nullptr) return 3;  // another operator new: nothing to test
+    std::memset(elements, 1, 200'000);
+    for (int round = 0; round < 10; ++round) {
+      guard::freeze(elements, 200'000, memory.get());
+      if (elements[100'000] != 1) return 1;
+      if (round == 5) write_late(elements, 100'001);
+      guard::thaw(elements);
+      elements[50'000] = static_cast<std::uint8_t>(round);
+    }
+    guard::thaw(elements);
+    return elements[50'000] == 9 && elements[100'001] == 99 ? 0 : 1;
+  });
+  if (ended_with(outcome, 3)) GTEST_SKIP() << "this program's operator new is not the C++ library's";
+  EXPECT_TRUE(ended_with(outcome, 0)) << outcome.status << outcome.errors;
+  EXPECT_EQ(outcome.reports(), 1u) << outcome.errors;
+  EXPECT_TRUE(outcome.says("topic /camera/image") && outcome.says("published here:")) << outcome.errors;
+}
+
 TEST(Guard, a_forked_child_writes_to_memory_of_its_own_in_a_child) {
   const Outcome outcome = run([] {
     const Exchange exchange;

@@ -65,12 +65,22 @@ class Pair {
     }
   }
 
+  /// As encode does it.
   void publish() {
-    if (!array_.buffer()) return;
-    array_.storage().share();
-    array_.buffer()->seal();
     const Array<T>& array = array_;
-    published_.push_back(Published{array.buffer(), array.data(), vector_});
+    const T* const elements = array.data();
+    auto shared = array.storage().share();
+    if (!shared.buffer && !vector_.empty()) {
+      shared.buffer = memory_->allocate(vector_.size() * sizeof(T));
+      if (!shared.buffer) return;
+      std::memcpy(shared.buffer->data(), elements, vector_.size() * sizeof(T));
+      shared.begin = reinterpret_cast<T*>(shared.buffer->data());
+      array.storage().note_sent(memory_, shared.buffer, shared.buffer->data());
+    }
+    ASSERT_EQ(elements, array.data()) << "other threads may read them";
+    if (!shared.buffer) return;
+    shared.buffer->seal();
+    published_.push_back(Published{shared.buffer, shared.begin, vector_});
     if (published_.size() > 8) published_.pop_front();
   }
 

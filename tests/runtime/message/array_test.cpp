@@ -144,6 +144,17 @@ TEST_F(ArrayInMemory, moves_carry_the_binding) {
   EXPECT_TRUE(in_segment(address(target))) << "assignment keeps the target's binding";
 }
 
+TEST_F(ArrayInMemory, an_array_without_memory_gets_it_from_one_it_is_swapped_with) {
+  for (const bool bound_first : {true, false}) {
+    Bytes one = bound(10), other(20);
+    bound_first ? one.swap(other) : other.swap(one);
+    one.clear(), other.clear();
+    one.resize(100), other.resize(100);
+    EXPECT_TRUE(in_segment(address(one)));
+    EXPECT_TRUE(in_segment(address(other)));
+  }
+}
+
 TEST_F(ArrayInMemory, swaps_with_vectors_without_copying) {
   Vector vector(1000, 3);
   const auto* const memory = vector.data();
@@ -190,6 +201,111 @@ TEST_F(ArrayInMemory, fresh_elements_are_zero_even_in_reused_memory) {
     EXPECT_EQ(array.end(), std::find_if(array.begin(), array.end(), [](int byte) { return byte != 0; }));
     std::fill(array.begin(), array.end(), 0xff);
   }
+}
+
+/// An array that no one bound: its elements are on the heap when they are published.
+class ArrayOnTheHeap : public ArrayInMemory {
+ protected:
+  ArrayOnTheHeap() : array_(100, 7) {}
+  void send() {
+    sent_ = memory_->allocate(array_.size());
+    std::copy(read().begin(), read().end(), sent_->data());
+    read().storage().note_sent(memory_, sent_, sent_->data());
+    sent_->seal();
+  }
+  const Bytes& read() const { return array_; }
+
+  Bytes array_;
+  BufferPtr sent_;
+};
+
+TEST_F(ArrayOnTheHeap, publishing_leaves_the_elements_where_others_read_them) {
+  const std::uint8_t* const elements = read().data();
+  send();
+  EXPECT_EQ(elements, read().data());
+  EXPECT_EQ(sent_, read().storage().share().buffer) << "what was not written is not copied again";
+  EXPECT_EQ(elements, read().data());
+}
+
+TEST_F(ArrayOnTheHeap, the_next_write_moves_them_to_shared_memory) {
+  const std::uint8_t* const elements = read().data();
+  send();
+  array_[3] = 200;
+  EXPECT_TRUE(in_segment(read().data()));
+  EXPECT_NE(sent_, array_.buffer());
+  EXPECT_EQ(7, sent_->data()[3]);
+  EXPECT_EQ(7, elements[3]) << "what another thread got at stays readable";
+  publish(array_);
+  array_[4] = 200;
+  EXPECT_EQ(7, elements[4]);
+}
+
+TEST_F(ArrayOnTheHeap, overwriting_copies_nothing) {
+  send();
+  const int allocations = memory_->allocations;
+  array_.clear();
+  array_.resize(100);
+  EXPECT_EQ(allocations + 1, memory_->allocations);
+  EXPECT_TRUE(in_segment(read().data()));
+}
+
+TEST_F(ArrayOnTheHeap, without_memory_they_are_written_in_place) {
+  send();
+  const std::uint8_t* const elements = read().data();
+  memory_->exhausted = true;
+  array_[3] = 200;
+  EXPECT_EQ(elements, read().data());
+  EXPECT_EQ(7, sent_->data()[3]);
+  EXPECT_FALSE(read().storage().share().buffer) << "what was sent is not what is there now";
+}
+
+TEST_F(ArrayOnTheHeap, without_memory_there_is_the_room_that_was_reserved) {
+  send();
+  memory_->exhausted = true;
+  array_.reserve(5000);
+  const std::uint8_t* const elements = array_.data();
+  array_.resize(5000, 8);
+  EXPECT_EQ(elements, read().data());
+  EXPECT_EQ(7, read()[99]);
+}
+
+/// Memory runs out between two publishes, so that elements are on the heap once more.
+TEST_F(ArrayOnTheHeap, twice) {
+  send();
+  array_[0] = 1;
+  publish(array_);
+  memory_->exhausted = true;
+  array_[0] = 2;
+  EXPECT_FALSE(in_segment(read().data()));
+  memory_->exhausted = false;
+  send();
+  array_[0] = 3;
+  send();
+  EXPECT_EQ(3, sent_->data()[0]);
+  array_.clear();
+  array_.resize(10);
+  EXPECT_TRUE(in_segment(read().data()));
+}
+
+TEST_F(ArrayOnTheHeap, copies_share_what_was_sent) {
+  send();
+  const Bytes copy(array_);
+  EXPECT_EQ(sent_, copy.buffer());
+  Bytes moved(std::move(array_));
+  EXPECT_EQ(sent_, static_cast<const Bytes&>(moved).storage().share().buffer);
+  moved.resize(50);
+  EXPECT_EQ(Bytes(50, 7), Bytes(moved));
+}
+
+TEST_F(ArrayOnTheHeap, is_given_to_a_vector_without_a_copy) {
+  send();
+  const std::uint8_t* const elements = read().data();
+  Vector vector(3, 1);
+  array_.swap(vector);
+  EXPECT_EQ(elements, vector.data());
+  EXPECT_FALSE(read().storage().share().buffer);
+  vector[0] = 9;
+  EXPECT_EQ(7, sent_->data()[0]);
 }
 
 TEST(Array, throws_where_vector_does) {

@@ -33,7 +33,7 @@ TEST(Cxx14, messages_compile_and_work) {
   ASSERT_TRUE(bool(memory));
   ASSERT_TRUE(message::allocate(cloud, memory.value()));
   message::Encoded encoded;
-  ASSERT_TRUE(message::encode(cloud, *memory.value(), encoded));
+  ASSERT_TRUE(message::encode(cloud, memory.value(), encoded));
   EXPECT_EQ(3u, message::stock_view(cloud, encoded)->points.size());
   EXPECT_TRUE(message::make_copy<::sensor_msgs::PointCloud>(nullptr, 0, {}) == nullptr);
 }

@@ -65,7 +65,7 @@ struct Case {
 };
 
 template <class M>
-void add_cases(std::vector<Case>& cases, TestMemory& memory) {
+void add_cases(std::vector<Case>& cases, const std::shared_ptr<TestMemory>& memory) {
   for (unsigned seed = 0; seed < 3; ++seed) {
     Encoded encoded;
     if (!encode(test::random_message<M>(seed), memory, encoded))
@@ -76,7 +76,7 @@ void add_cases(std::vector<Case>& cases, TestMemory& memory) {
 
 template <class... M>
 std::vector<Case> cases_of(::testing::Types<M...>) {
-  TestMemory memory;
+  const auto memory = std::make_shared<TestMemory>();
   std::vector<Case> cases;
   (add_cases<M>(cases, memory), ...);
   return cases;

@@ -32,7 +32,7 @@ void EncodeTwin(benchmark::State& state) {
   const auto image = allocated_image(static_cast<std::size_t>(state.range(0)));
   message::Encoded encoded;
   for (auto _ : state) {
-    if (!message::encode(image, *memory(), encoded)) state.SkipWithError("no memory");
+    if (!message::encode(image, memory(), encoded)) state.SkipWithError("no memory");
     benchmark::DoNotOptimize(encoded.control.data());
   }
 }
@@ -41,10 +41,10 @@ BENCHMARK(EncodeTwin)->Arg(4096)->Arg(four_megabytes)->Arg(64 << 20);
 void EncodeStockView(benchmark::State& state) {
   const auto image = allocated_image(four_megabytes);
   message::Encoded encoded, again;
-  message::encode(image, *memory(), encoded);
+  message::encode(image, memory(), encoded);
   const auto view = message::stock_view(image, encoded);
   for (auto _ : state) {
-    if (!message::encode(*view, *memory(), again)) state.SkipWithError("no memory");
+    if (!message::encode(*view, memory(), again)) state.SkipWithError("no memory");
     benchmark::DoNotOptimize(again.control.data());
   }
 }
@@ -55,7 +55,7 @@ void EncodeStock(benchmark::State& state) {
   image.data.resize(static_cast<std::size_t>(state.range(0)));
   message::Encoded encoded;
   for (auto _ : state) {
-    if (!message::encode(image, *memory(), encoded)) state.SkipWithError("no memory");
+    if (!message::encode(image, memory(), encoded)) state.SkipWithError("no memory");
   }
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) * state.range(0));
 }
@@ -64,7 +64,7 @@ BENCHMARK(EncodeStock)->Arg(4096)->Arg(four_megabytes);
 void MakeView(benchmark::State& state) {
   const auto image = allocated_image(four_megabytes);
   message::Encoded encoded;
-  message::encode(image, *memory(), encoded);
+  message::encode(image, memory(), encoded);
   const auto blocks = test::blocks_of(encoded);
   const auto hold = std::make_shared<int>();
   for (auto _ : state) {

@@ -13,7 +13,7 @@ class StockMessage : public ::testing::Test {
  protected:
   static constexpr unsigned seeds = 20;
 
-  test::TestMemory memory_;
+  std::shared_ptr<test::TestMemory> memory_ = std::make_shared<test::TestMemory>();
 };
 TYPED_TEST_SUITE(StockMessage, test::MessageTypes);
 
@@ -67,7 +67,7 @@ TYPED_TEST(StockMessage, publishing_a_view_copies_nothing) {
 
 TYPED_TEST(StockMessage, exhausted_memory_is_reported) {
   const auto original = test::random_message<TypeParam>(3);
-  this->memory_.exhausted = true;
+  this->memory_->exhausted = true;
   Encoded encoded;
   EXPECT_EQ(test::data_size(original) == 0, encode(original, this->memory_, encoded));
 }

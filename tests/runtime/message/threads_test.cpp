@@ -41,7 +41,7 @@ class Threads : public ::testing::Test {
   }
   boost::shared_ptr<const ::sensor_msgs::Image> published(const Image& image) const {
     Encoded encoded;
-    EXPECT_TRUE(encode(image, *memory_, encoded));
+    EXPECT_TRUE(encode(image, memory_, encoded));
     return stock_view(image, encoded);
   }
 
@@ -102,6 +102,24 @@ TEST_F(Threads, read_while_others_publish_and_copy) {
       EXPECT_EQ(7, published(copy)->data[round]);
     }
   });
+}
+
+/// A map that is filled once: nobody writes, so nobody locks.
+TEST_F(Threads, publish_and_read_a_message_that_was_never_allocated) {
+  for (int round = 0; round < 100; ++round) {
+    Image map;
+    map.data.assign(bytes, 7);
+    const Image& constant = map;
+    in_threads([&](std::size_t thread) {
+      if (thread % 2 == 0) {
+        for (int i = 0; i < 3; ++i) EXPECT_EQ(7, published(map)->data[i]);
+        return;
+      }
+      for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(static_cast<std::ptrdiff_t>(bytes),
+                  std::count(constant.data.begin(), constant.data.end(), 7));
+    });
+  }
 }
 
 TEST_F(Threads, publish_and_copy_one_message) {

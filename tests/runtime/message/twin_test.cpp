@@ -50,7 +50,7 @@ class Twin : public ::testing::Test {
   stock::PointCloud stock_cloud(unsigned seed = 3) { return test::random_message<stock::PointCloud>(seed); }
   Encoded encoded(const Image& message) {
     Encoded result;
-    EXPECT_TRUE(encode(message, *memory_, result));
+    EXPECT_TRUE(encode(message, memory_, result));
     return result;
   }
 
@@ -77,8 +77,8 @@ TEST_F(Twin, has_the_partial_form_of_its_stock_type) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const auto cloud = stock_cloud(seed);
     Encoded of_stock, of_twin;
-    ASSERT_TRUE(encode(cloud, *memory_, of_stock));
-    ASSERT_TRUE(encode(PointCloud(cloud), *memory_, of_twin));
+    ASSERT_TRUE(encode(cloud, memory_, of_stock));
+    ASSERT_TRUE(encode(PointCloud(cloud), memory_, of_twin));
     EXPECT_EQ(of_stock.control, of_twin.control);
     EXPECT_EQ(cloud, *stock_view(PointCloud(cloud), of_twin));
   }
@@ -92,7 +92,7 @@ TEST_F(Twin, allocate_puts_all_arrays_into_one_buffer) {
   EXPECT_EQ(cloud, to_stock(twin)) << "contents are kept";
 
   Encoded encoded;
-  ASSERT_TRUE(encode(twin, *memory_, encoded));
+  ASSERT_TRUE(encode(twin, memory_, encoded));
   EXPECT_EQ(0u, encoded.copied_bytes);
   EXPECT_EQ(1u, encoded.buffers.size());
   EXPECT_EQ(array_addresses(twin), array_addresses(*stock_view(twin, encoded)));
@@ -185,16 +185,44 @@ TEST_F(Twin, no_write_after_publish_reaches_a_subscriber) {
   EXPECT_EQ(before, *view);
 }
 
+/// A message that lasts, and that nobody allocated.
+TEST_F(Twin, published_from_the_heap_is_copied_once) {
+  Image message = image(1000);
+  const Encoded first = encoded(message);
+  EXPECT_EQ(1000u, first.copied_bytes);
+  const Encoded second = encoded(message);
+  EXPECT_EQ(0u, second.copied_bytes);
+  EXPECT_EQ(first.buffers, second.buffers);
+  for (int i = 0; i < 3; ++i) {
+    message.data.assign(2000, static_cast<std::uint8_t>(i));
+    Encoded later = encoded(message);
+    EXPECT_EQ(0u, later.copied_bytes);
+    EXPECT_EQ(to_stock(message), *stock_view(message, later));
+  }
+}
+
+TEST_F(Twin, published_from_the_heap_without_memory_stays_there) {
+  Image message = image(1000);
+  memory_->exhausted = true;
+  Encoded none;
+  EXPECT_FALSE(encode(message, memory_, none));
+  message.data[0] = 5;
+  memory_->exhausted = false;
+  Encoded later = encoded(message);
+  EXPECT_EQ(1000u, later.copied_bytes);
+  EXPECT_EQ(5, stock_view(message, later)->data[0]);
+}
+
 TEST_F(Twin, published_twice_and_to_two_memories_is_copied_never) {
   Image message = image(1000);
   ASSERT_TRUE(allocate(message, memory_));
   const Encoded first = encoded(message), second = encoded(message);
   EXPECT_EQ(first.buffers, second.buffers);
-  test::TestMemory other;
+  const auto other = std::make_shared<test::TestMemory>();
   Encoded third;
   ASSERT_TRUE(encode(message, other, third));
   EXPECT_EQ(0u, third.copied_bytes);
-  EXPECT_EQ(0, other.allocations);
+  EXPECT_EQ(0, other->allocations);
 }
 
 TEST_F(Twin, an_array_shared_too_often_in_one_message_is_refused) {
@@ -203,14 +231,14 @@ TEST_F(Twin, an_array_shared_too_often_in_one_message_is_refused) {
   cloud.channels[0].values.resize(1000);
   ASSERT_TRUE(allocate(cloud, memory_));
   Encoded encoded;
-  ASSERT_TRUE(encode(cloud, *memory_, encoded));
+  ASSERT_TRUE(encode(cloud, memory_, encoded));
   const auto shared = cloud.channels[0];
   cloud.channels.assign(10, shared);
-  ASSERT_TRUE(encode(cloud, *memory_, encoded));
+  ASSERT_TRUE(encode(cloud, memory_, encoded));
   EXPECT_EQ(1u, encoded.buffers.size());
   EXPECT_TRUE(stock_view(cloud, encoded));
   cloud.channels.assign(1000, shared);
-  EXPECT_FALSE(encode(cloud, *memory_, encoded)) << "receivers would not believe it";
+  EXPECT_FALSE(encode(cloud, memory_, encoded)) << "receivers would not believe it";
 }
 
 TEST_F(Twin, control_part_is_laid_out_as_documented) {

@@ -25,7 +25,7 @@ class View : public ::testing::Test {
   }
   Encoded encoded(const Image& message) {
     Encoded result;
-    EXPECT_TRUE(encode(message, *memory_, result));
+    EXPECT_TRUE(encode(message, memory_, result));
     return result;
   }
 

@@ -28,7 +28,8 @@ constexpr uninitialized_t uninitialized{0};
 /// tzc::message::allocate for a whole message), then in that memory. Growth stays there; when the memory is
 /// exhausted the elements move to the heap, nothing is lost, and publishing copies them once.
 ///
-/// *Publishing* shares the elements with subscribers. The first later write through this object gets fresh
+/// *Publishing* shares the elements with subscribers, or copies those on the heap once for all subscribers, and binds an
+/// array that was not bound. It moves no element. The first later write through this object gets fresh
 /// memory (copy-on-write), so no write reaches a subscriber. clear(), assign(), = and resize(n,
 /// uninitialized) copy nothing then; every other non-const access to elements, begin() and operator[]
 /// included, copies them all: read a published array through a const reference. Copies of a published array
@@ -41,7 +42,8 @@ constexpr uninitialized_t uninitialized{0};
 ///
 /// *Thread-safety* as std::vector's: concurrent const access is safe, publishing and copying count as const;
 /// so is concurrent access to different elements, also the first one after publishing: one thread copies, the
-/// others wait for it.
+/// others wait for it. But a begin() and an end() that are not const may belong to different memory when another
+/// thread publishes in between: go through elements that others may publish meanwhile by const access.
 /// *Errors*: std::length_error, std::out_of_range and std::bad_alloc where std::vector throws them.
 template <class T>
 class Array {
@@ -117,7 +119,17 @@ class Array {
     return *this;
   }
 
-  explicit operator std::vector<T>() const { return std::vector<T>(begin(), end()); }
+  explicit operator std::vector<T>() const {
+    std::vector<T> vector;
+    copy_to(vector);
+    return vector;
+  }
+  /// Assigns the elements to a std::vector<T> with any allocator, also while other threads read, publish or copy this array.
+  template <class Vector>
+  void copy_to(Vector& vector) const {
+    const T* const first = data();  // asked for twice it might have moved meanwhile
+    vector.assign(first, first + size());
+  }
 
   void assign(size_type n, const T& value) {
     const T copy = value;
@@ -149,7 +161,7 @@ class Array {
   size_type capacity() const noexcept { return storage_.capacity(); }
   void reserve(size_type n) {
     if (n <= capacity()) return;
-    if (storage_.is_shared()) return storage_.set_capacity(checked(n));
+    if (storage_.is_shared() && !storage_.on_heap()) return storage_.set_capacity(checked(n));
     storage_.remake(checked(n), size());
   }
   void shrink_to_fit() {
@@ -222,8 +234,11 @@ class Array {
     return gap;
   }
 
-  /// Exchanges the elements; each object keeps its own binding.
-  void swap(Array& other) noexcept { storage_.swap_elements(other.storage_); }
+  /// Exchanges the elements; each object keeps its own binding, and one without takes the other's.
+  void swap(Array& other) noexcept {
+    storage_.swap_elements(other.storage_);
+    storage_.share_memory_with(other.storage_);
+  }
   /// Exchanges the elements. Copies none of them unless this array's are in a segment.
   void swap(std::vector<T>& other) {
     std::vector<T> mine = release_to_vector();

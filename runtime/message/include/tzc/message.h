@@ -65,11 +65,12 @@ struct HasPartialForm<Message<std::allocator<void> > > : std::true_type {};
 
 /// Prepares `message` (stock or tzc::) for publishing. Arrays that lie in a segment of this process are
 /// referenced, the others are copied, together, into one new buffer from `memory`. Arrays of a tzc:: message
-/// that are referenced count as shared from now on: a later write through the message gets fresh memory.
+/// count as shared from now on: a later write through the message gets fresh memory, from `memory` when they were on
+/// the heap and not bound. What is encoded again before it was written is not copied again.
 /// `encoded` may be reused; what it held is replaced. It keeps the buffers alive; make_record seals them.
 /// Returns false, and nothing is shared, when `memory` is exhausted or an array has 2^32 elements or more.
 template <class M>
-bool encode(const M& message, MemorySource& memory, Encoded& encoded);
+bool encode(const M& message, const std::shared_ptr<MemorySource>& memory, Encoded& encoded);
 
 /// The message that a control part and its blocks describe, as type S (stock), without copying data arrays:
 /// their vectors point into the blocks, which must be readable as long as `hold` lives; the view keeps it.

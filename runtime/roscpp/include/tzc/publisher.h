@@ -93,7 +93,7 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
   void publish_shared(const M& message) const {
     detail::SharedMessage<M> shared;
     if (!publisher_) return publisher_.publish(message);  // logs the error
-    if (!shared.encode(message, *attachment_->memory())) return publish_exhausted(message);
+    if (!shared.encode(message, attachment_->memory())) return publish_exhausted(message);
     if (attachment_->publish_directly(typeid(Stock<M>), shared.encoded)) return;
     if (!shared.make_local_view(*attachment_, message)) return publish_exhausted(message);
     const detail::EncodedScope scope(shared.view.get(), shared.encoded);

@@ -21,6 +21,11 @@ void* allocate(std::size_t bytes) noexcept;
 /// The elements of an array have moved from there into a block of `source`, so pointers that a program kept are stale. An
 /// access through one is reported from now on. Takes over the memory, which std::allocator frees, or allocate() made.
 void retire(void* memory, std::size_t bytes, const MemorySource* source) noexcept;
+/// The elements there were sent as a copy in a block of `source`, so a write through a pointer that a program kept changes what
+/// nobody sees. Such a write is reported until thaw(). The memory stays the caller's.
+void freeze(void* memory, std::size_t bytes, const MemorySource* source) noexcept;
+/// The memory may be written again. Does nothing for memory that was not frozen.
+void thaw(const void* memory) noexcept;
 
 /// While it lives, reports call what this thread publishes "message NUMBER".
 class MessageNumber {

@@ -11,7 +11,9 @@ namespace tzc {
 template <class T>
 void Array<T>::copy_from(const Array& other) {
   const bool has_room = storage_.is_writable() && other.size() <= capacity();
-  if (has_room || !storage_.share_with(other.storage_)) assign(other.begin(), other.end());
+  if (!has_room && storage_.share_with(other.storage_)) return;
+  const T* const first = other.data();  // asked for twice it might have moved meanwhile
+  assign(first, first + other.size());
 }
 
 template <class T>

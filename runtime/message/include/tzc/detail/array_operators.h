@@ -6,7 +6,8 @@ namespace tzc {
 
 template <class T>
 bool operator==(const Array<T>& a, const Array<T>& b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
+  const T* const first = a.data();  // asked for twice it might have moved meanwhile
+  return a.size() == b.size() && std::equal(first, first + a.size(), b.begin());
 }
 template <class T>
 bool operator!=(const Array<T>& a, const Array<T>& b) {
@@ -14,7 +15,9 @@ bool operator!=(const Array<T>& a, const Array<T>& b) {
 }
 template <class T>
 bool operator<(const Array<T>& a, const Array<T>& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  const T* const first = a.data();
+  const T* const second = b.data();
+  return std::lexicographical_compare(first, first + a.size(), second, second + b.size());
 }
 template <class T>
 bool operator>(const Array<T>& a, const Array<T>& b) {
@@ -31,7 +34,8 @@ bool operator>=(const Array<T>& a, const Array<T>& b) {
 
 template <class T, class A>
 bool operator==(const Array<T>& a, const std::vector<T, A>& b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
+  const T* const first = a.data();  // asked for twice it might have moved meanwhile
+  return a.size() == b.size() && std::equal(first, first + a.size(), b.begin());
 }
 template <class T, class A>
 bool operator==(const std::vector<T, A>& a, const Array<T>& b) {

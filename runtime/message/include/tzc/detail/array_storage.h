@@ -38,20 +38,25 @@ struct ArrayBlock {
 /// The memory behind a tzc::Array and its copy-on-write rule.
 ///
 ///   writable_ != null   this object alone owns the elements; they may be written in place
-///   writable_ == null   shared with subscribers and copies (block_.begin != null), or no memory yet although
-///                       capacity_ promises some (block_.begin == null): the next write makes memory first
+///   writable_ == null   published: others have them (block_.begin != null), in block_ or in a copy of it, sent_. Or no
+///                       memory yet although capacity_ promises some (block_.begin == null). The next write makes memory
+///                       first
 ///
 /// What several threads may do with a std::vector at once, they may do here: reading, writing to different elements
 /// ([container.requirements.dataraces]: operator[], data(), begin() and their like do not modify it), copying, publishing. So
-/// writable(), share() and share_with() may meet: they change hands under a lock, and the elements that writable() leaves stay
-/// readable until the next publish for who got at them before.
+/// writable(), share(), note_sent() and share_with() may meet: they change hands under a lock. Publishing moves no element, and
+/// those that writable() leaves stay readable for who got at them before: on the heap until this object is modified, in a
+/// segment until the next publish.
 template <class T>
 class ArrayStorage {
  public:
   ArrayStorage() = default;
   ArrayStorage(const ArrayStorage&) = delete;
   ArrayStorage& operator=(const ArrayStorage&) = delete;
-  ~ArrayStorage() { release(block_); }
+  ~ArrayStorage() {
+    release(block_);
+    release(old_heap_);
+  }
 
   const T* begin() const noexcept { return element_pointer(block_.begin); }
   std::size_t size() const noexcept { return size_; }
@@ -76,12 +81,28 @@ class ArrayStorage {
 
   T* writable_or_null() noexcept { return writable_; }
 
-  /// From now on the elements are read by others; the next write through this object gets fresh memory. Returns them.
+  /// Where others may read the elements. Those in a segment are shared from now on: the next write through this object gets
+  /// fresh memory. Of those on the heap it returns the copy that was sent before, if there is one, otherwise themselves.
   ArrayBlock<T> share() const noexcept {
     const std::lock_guard<SleepLock> changing_hands(lock_);
     left_ = nullptr;
     if (block_.buffer) publish_pointer(writable_, static_cast<T*>(nullptr));
-    return block_;
+    return sent_.buffer ? sent_ : block_;
+  }
+
+  /// The elements on the heap, which share() returned, were copied to `at`, inside `buffer`, and are sent from there, again and
+  /// again until they are written. The next write moves them into `memory`, unless the array has a memory already.
+  void note_sent(const std::shared_ptr<MemorySource>& memory, const BufferPtr& buffer,
+                 std::uint8_t* at) const noexcept {
+    const std::lock_guard<SleepLock> changing_hands(lock_);
+    if (block_.buffer || sent_.buffer) return;  // another thread was faster
+    if (!memory_) memory_ = memory;
+    sent_.begin = reinterpret_cast<T*>(at);
+    sent_.capacity = size_;
+    sent_.buffer = buffer;
+    if (__builtin_expect(guard::active, 0))
+      guard::freeze(block_.begin, block_.capacity * sizeof(T), memory.get());
+    publish_pointer(writable_, static_cast<T*>(nullptr));
   }
 
   /// Replaces the memory by fresh memory for `capacity` elements and keeps the first `kept` of them.
@@ -104,6 +125,7 @@ class ArrayStorage {
 
   /// Gives heap memory away; the caller frees it with std::allocator<T>. Leaves this object empty.
   void give_up_heap() noexcept {
+    if (__builtin_expect(guard::active, 0)) guard::thaw(block_.begin);
     block_ = ArrayBlock<T>();
     forget();
   }
@@ -118,7 +140,10 @@ class ArrayStorage {
 
   /// Drops shared elements without copying them; capacity() stays, as after std::vector::clear.
   void drop_elements() noexcept {
-    if (is_shared()) release(block_);
+    if (is_shared()) {
+      release(block_);
+      leave_others();
+    }
     size_ = 0;
   }
 
@@ -139,10 +164,16 @@ class ArrayStorage {
     std::swap(size_, other.size_);
     std::swap(capacity_, other.capacity_);
     std::swap(left_, other.left_);
+    std::swap(sent_, other.sent_);
+    std::swap(old_heap_, other.old_heap_);
   }
 
   /// Later growth takes memory from `memory`, or from the heap when that is exhausted.
   void bind(std::shared_ptr<MemorySource> memory) noexcept { memory_ = std::move(memory); }
+  void share_memory_with(ArrayStorage& other) noexcept {
+    if (!memory_) memory_ = other.memory_;
+    if (!other.memory_) other.memory_ = memory_;
+  }
   void take_memory_of(ArrayStorage& other) noexcept {
     memory_ = std::move(other.memory_);
     spare_ = std::move(other.spare_);
@@ -176,8 +207,14 @@ class ArrayStorage {
       if (capacity_ != 0) remake(capacity_, 0);
       return writable_;
     }
+    if (on_heap() && (old_heap_.begin != nullptr || !reserve_segment(capacity_))) return take_back_heap();
     ArrayBlock<T> fresh = acquire(capacity_);
     if (size_ != 0) std::memcpy(static_cast<void*>(fresh.begin), block_.begin, size_ * sizeof(T));
+    if (on_heap()) {
+      old_heap_.begin = block_.begin;
+      old_heap_.capacity = block_.capacity;
+      sent_ = ArrayBlock<T>();
+    }
     left_ = std::exchange(block_.buffer, std::move(fresh.buffer));
     block_.capacity = fresh.capacity;
     publish_pointer(block_.begin, fresh.begin);
@@ -185,8 +222,29 @@ class ArrayStorage {
     return fresh.begin;
   }
 
+  /// Memory in a segment for the next acquire(). False: there is none.
+  bool reserve_segment(std::size_t capacity) {
+    if (spare_.begin != nullptr && spare_.capacity >= capacity) return true;
+    spare_ = ArrayBlock<T>();
+    if (memory_) spare_.buffer = memory_->allocate(capacity * sizeof(T));
+    if (!spare_.buffer) return false;
+    spare_.begin = reinterpret_cast<T*>(spare_.buffer->data());
+    spare_.capacity = capacity;
+    return true;
+  }
+
+  /// Others have a copy of what was sent, so without memory for another one the elements are written where they are. So they
+  /// are when one more thread might read elements that were on the heap before.
+  T* take_back_heap() {
+    sent_ = ArrayBlock<T>();
+    if (__builtin_expect(guard::active, 0)) guard::thaw(block_.begin);
+    publish_pointer(writable_, block_.begin);
+    return block_.begin;
+  }
+
   ArrayBlock<T> shared_block() const {
     const std::lock_guard<SleepLock> changing_hands(lock_);
+    if (sent_.buffer) return sent_;
     return is_writable() ? ArrayBlock<T>() : block_;
   }
 
@@ -230,19 +288,29 @@ class ArrayStorage {
   }
 
   void install(ArrayBlock<T>&& block) noexcept {
-    left_ = nullptr;
+    leave_others();
     release(block_);
     block_ = std::move(block);
     writable_ = block_.begin;
   }
 
   static void release(ArrayBlock<T>& block) noexcept {
-    if (block.begin != nullptr && !block.buffer) std::allocator<T>().deallocate(block.begin, block.capacity);
+    if (block.begin != nullptr && !block.buffer) {
+      if (__builtin_expect(guard::active, 0)) guard::thaw(block.begin);
+      std::allocator<T>().deallocate(block.begin, block.capacity);
+    }
     block = ArrayBlock<T>();
   }
 
-  void forget() noexcept {
+  /// This object is modified, so no other thread reads through it.
+  void leave_others() noexcept {
     left_ = nullptr;
+    sent_ = ArrayBlock<T>();
+    release(old_heap_);
+  }
+
+  void forget() noexcept {
+    leave_others();
     writable_ = nullptr;
     size_ = capacity_ = 0;
   }
@@ -252,9 +320,11 @@ class ArrayStorage {
   std::size_t capacity_ = 0;
   ArrayBlock<T> block_;
   ArrayBlock<T> spare_;
-  std::shared_ptr<MemorySource> memory_;
+  mutable std::shared_ptr<MemorySource> memory_;
   mutable SleepLock lock_;
-  mutable BufferPtr left_;  ///< what writable() has copied from
+  mutable BufferPtr left_;      ///< what writable() has copied from
+  mutable ArrayBlock<T> sent_;  ///< the same elements in a segment, while those on the heap are not written
+  ArrayBlock<T> old_heap_;      ///< what writable() has copied from, and nobody else has
 };
 
 }  // namespace detail

@@ -40,7 +40,7 @@ std::shared_ptr<const void> hold_buffers(const Encoded& encoded);
 }  // namespace detail
 
 template <class M>
-bool encode(const M& message, MemorySource& memory, Encoded& encoded) {
+bool encode(const M& message, const std::shared_ptr<MemorySource>& memory, Encoded& encoded) {
   detail::PartialOutput output(encoded);
   Codec<M>::write(output, message);
   return output.finish(memory);

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace tzc {
@@ -20,6 +21,13 @@ namespace detail {
 /// big: a hostile control part cannot make a copying subscriber fill its memory.
 constexpr std::uint64_t most_overlap = 16;
 
+/// Somebody who wants to know where an array was copied to; type-erased.
+struct CopiedArray {
+  const void* owner = nullptr;
+  void (*note_sent)(const void* owner, const std::shared_ptr<MemorySource>& memory, const BufferPtr& buffer,
+                    std::uint8_t* at) = nullptr;
+};
+
 /// Builds an Encoded: control bytes, array entries, and the copies that arrays outside of segments need.
 class ControlWriter {
  public:
@@ -30,23 +38,26 @@ class ControlWriter {
   /// An entry for an array that lies in `buffer`.
   void reference(const void* data, std::size_t count, std::size_t element_size, const BufferPtr& buffer);
   /// An entry for an array that may lie anywhere.
-  void array(const void* data, std::size_t count, std::size_t element_size);
+  /// @param owner is told where its elements were copied to, if they are
+  void array(const void* data, std::size_t count, std::size_t element_size,
+             CopiedArray owner = CopiedArray());
   /// Copies the arrays that lie outside of segments. False when there is no memory for them, or an array is
   /// too long.
-  bool finish(MemorySource& memory);
+  bool finish(const std::shared_ptr<MemorySource>& memory);
 
  private:
   struct Copy {
     const void* data;
     std::size_t bytes;
     std::size_t entry;  // where in the control part
+    CopiedArray owner;
   };
 
   bool begin_entry(std::size_t count, std::size_t element_size);
   bool is_overused() const;
   void end_entry(std::uint32_t block, std::uint64_t offset);
   std::uint32_t index_of(const BufferPtr& buffer);
-  bool make_copies(MemorySource& memory);
+  bool make_copies(const std::shared_ptr<MemorySource>& memory);
 
   Encoded& encoded_;
   std::vector<Copy> copies_;
@@ -74,7 +85,8 @@ class PartialOutput : public ControlWriter {
     if (elements.buffer && !array.empty())
       reference(elements.begin, array.size(), sizeof(T), elements.buffer);
     else
-      this->array(elements.begin, array.size(), sizeof(T));
+      this->array(elements.begin, array.size(), sizeof(T),
+                  CopiedArray{&array.storage(), &note_sent<tzc::detail::ArrayStorage<T> >});
   }
   template <class T, class Allocator>
   void next(const std::vector<T, Allocator>& vector) {
@@ -86,6 +98,11 @@ class PartialOutput : public ControlWriter {
   }
 
  private:
+  template <class Storage>
+  static void note_sent(const void* storage, const std::shared_ptr<MemorySource>& memory,
+                        const BufferPtr& buffer, std::uint8_t* at) {
+    static_cast<const Storage*>(storage)->note_sent(memory, buffer, at);
+  }
   template <class Vector>
   void next_vector(const Vector& vector, ros::message_traits::TrueType) {
     array(vector.data(), vector.size(), sizeof(typename Vector::value_type));

@@ -28,7 +28,7 @@ struct MessageCodec {
   bool has_header;
 
   /// Partial serialization of the message at `message` (of C++ type `*type`). False: no shared memory left.
-  bool (*encode)(const void* message, MemorySource& memory, message::Encoded& encoded);
+  bool (*encode)(const void* message, const std::shared_ptr<MemorySource>& memory, message::Encoded& encoded);
   /// The stock wire format, four bytes of length in front, as roscpp's own serializeMessage.
   ros::SerializedMessage (*serialize)(const void* message);
   /// A read-only message whose arrays borrow the shared bytes; null when the control part is malformed.
@@ -61,7 +61,8 @@ struct IsForeign<M, typename Void<typename M::Stock>::type> : std::false_type {}
 
 template <class M>
 struct CodecFunctions {
-  static bool encode(const void* message, MemorySource& memory, message::Encoded& encoded) {
+  static bool encode(const void* message, const std::shared_ptr<MemorySource>& memory,
+                     message::Encoded& encoded) {
     return message::encode(*static_cast<const M*>(message), memory, encoded);
   }
   static ros::SerializedMessage serialize(const void* message) {

@@ -65,7 +65,7 @@ class PublisherBase {
   boost::shared_ptr<const typename message::StockOf<M>::type> stock_view(const M& message) const {
     typedef typename message::StockOf<M>::type View;
     SharedMessage<M> shared;
-    if (attachment_ && shared.encode(message, *attachment_->memory()) && shared.make_view(message))
+    if (attachment_ && shared.encode(message, attachment_->memory()) && shared.make_view(message))
       return shared.view;
     return boost::make_shared<View>(message::to_stock(message));
   }

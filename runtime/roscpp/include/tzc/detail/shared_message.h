@@ -17,7 +17,9 @@ struct SharedMessage {
   typedef typename message::StockOf<M>::type Stock;
 
   /// False when no shared memory is left.
-  bool encode(const M& message, MemorySource& memory) { return message::encode(message, memory, encoded); }
+  bool encode(const M& message, const std::shared_ptr<MemorySource>& memory) {
+    return message::encode(message, memory, encoded);
+  }
   /// Sets `view`; call encode first. False: no view is possible, which does not happen for a valid message.
   bool make_view(const M& message) {
     view = message::stock_view(message, encoded);
@@ -41,7 +43,7 @@ template <class M, class Publish>
 void publish_as_stock(Attachment* attachment, const M& message, Publish publish) {
   typedef typename message::StockOf<M>::type Stock;
   SharedMessage<M> shared;
-  if (attachment && shared.encode(message, *attachment->memory()) &&
+  if (attachment && shared.encode(message, attachment->memory()) &&
       shared.make_local_view(*attachment, message)) {
     const EncodedScope scope(shared.view.get(), shared.encoded);
     publish(shared.view);

@@ -31,9 +31,9 @@ struct Buttons {
 
   explicit operator ::demo::Buttons() const {
     ::demo::Buttons _stock;
-    _stock.array.assign(array.begin(), array.end());
-    _stock.pressed.assign(pressed.begin(), pressed.end());
-    _stock.since.assign(since.begin(), since.end());
+    array.copy_to(_stock.array);
+    pressed.copy_to(_stock.pressed);
+    since.copy_to(_stock.since);
     return _stock;
   }
 

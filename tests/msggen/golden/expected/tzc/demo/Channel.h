@@ -30,7 +30,7 @@ struct Channel {
   explicit operator ::demo::Channel() const {
     ::demo::Channel _stock;
     _stock.name = name;
-    _stock.values.assign(values.begin(), values.end());
+    values.copy_to(_stock.values);
     return _stock;
   }
 

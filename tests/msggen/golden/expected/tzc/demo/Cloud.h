@@ -38,7 +38,7 @@ struct Cloud {
     ::demo::Cloud _stock;
     _stock.header = header;
     _stock.origin = origin;
-    _stock.points.assign(points.begin(), points.end());
+    points.copy_to(_stock.points);
     _stock.channels = ::std::vector<::demo::Channel>(channels.begin(), channels.end());
     _stock.notes = notes;
     return _stock;

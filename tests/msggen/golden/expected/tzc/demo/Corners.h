@@ -66,11 +66,11 @@ struct Corners_ : CornersConstants_<void> {
     _stock.fixed = fixed;
     for (::std::size_t _i = 0; _i < _stock.both.size(); ++_i) _stock.both[_i] = static_cast<::demo::Channel>(both[_i]);
     _stock.one = static_cast<::demo::Channel>(one);
-    _stock.Corners.assign(Corners.begin(), Corners.end());
+    Corners.copy_to(_stock.Corners);
     _stock.none = none;
     _stock.nothing = nothing;
     _stock.Stock = Stock;
-    _stock.i.assign(i.begin(), i.end());
+    i.copy_to(_stock.i);
     _stock.stream = stream;
     _stock.message = message;
     return _stock;

@@ -39,7 +39,7 @@ struct Picture {
     _stock.height = height;
     _stock.width = width;
     _stock.encoding = encoding;
-    _stock.data.assign(data.begin(), data.end());
+    data.copy_to(_stock.data);
     return _stock;
   }
 
