@@ -23,14 +23,6 @@ std::vector<std::string> definitions(const fs::path& package) {
   return files;
 }
 
-/// The folder that holds the workspace's packages: the highest one above the package that a catkin workspace
-/// marks, else the package's parent.
-fs::path source_space(const fs::path& package) {
-  for (fs::path folder = package.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
-    if (folder.filename() == "src" || fs::exists(folder.parent_path() / ".catkin_workspace")) return folder;
-  return package.parent_path();
-}
-
 /// Message packages of the workspace by name, the package itself among them.
 std::map<std::string, fs::path> message_packages(const std::string& package_dir) {
   std::map<std::string, fs::path> found;

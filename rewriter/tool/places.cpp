@@ -119,6 +119,19 @@ Expected<std::vector<std::string>> find_packages_at(const std::string& argument)
   return packages;
 }
 
+std::string source_space(const std::string& package_dir) {
+  fs::path marked, named;
+  for (fs::path folder = fs::path(package_dir).parent_path(); folder.has_relative_path();
+       folder = folder.parent_path()) {
+    const fs::path beside = folder.parent_path();
+    for (const char* mark : {".catkin_workspace", ".catkin_tools", "build_isolated"})
+      if (fs::exists(beside / mark)) marked = folder;
+    if (named.empty() && folder.filename() == "src") named = folder;
+  }
+  if (marked.empty() && named.empty()) return fs::path(package_dir).parent_path();
+  return marked.empty() ? named : marked;
+}
+
 Expected<std::string> find_build_dir(const std::string& package_dir, const std::string& package,
                                      const std::string& given, const std::vector<std::string>& arguments) {
   if (!given.empty()) return checked_build_dir(given, package_dir);

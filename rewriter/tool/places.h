@@ -16,6 +16,10 @@ std::string user_folder(const char* variable, const char* in_home);
 /// (without CATKIN_IGNORE and hidden folders). Canonical, sorted.
 Expected<std::vector<std::string>> find_packages_at(const std::string& argument);
 
+/// The folder that holds the packages of the package's workspace: the highest one above it beside which catkin's tools have left
+/// their marks, else the next one that is called src, else the package's parent.
+std::string source_space(const std::string& package_dir);
+
 /// The folder of the compile_commands.json that knows the package's files. `given` is -p (a folder or the
 /// file itself); empty: the places where catkin_make, catkin build and catkin_make_isolated put it, walking
 /// up from the package and then from `arguments`, the packages as the user named them (a workspace may hold a

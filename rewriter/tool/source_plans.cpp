@@ -165,6 +165,7 @@ class SourcePlanner {
       const std::vector<std::string> roots = roots_of_users(
           package.name, workspace(), inputs_.options.packages, share_folders(package.build_dir));
       all.insert(all.end(), roots.begin(), roots.end());
+      all.push_back(source_space(package.dir));
     }
     return all;
   }

@@ -133,6 +133,17 @@ TEST_F(Cli, who_uses_exported_headers_is_said_when_they_may_change) {
   EXPECT_THAT(errors, Not(HasSubstr("own.h")));
 }
 
+/// catkin build and catkin_make_isolated configure each package by itself, so that no build folder tells of the others.
+TEST_F(Cli, users_of_exported_headers_are_searched_in_the_whole_workspace) {
+  ws.folder().write("ws/src/demo/include/demo/api.h", "");
+  ws.folder().write("ws/src/group/user/main.cpp", "#include <demo/api.h>\n");
+  ws.folder().write("ws/.catkin_tools/profile", "");
+  ws.folder().write("ws/build/CMakeCache.txt", "CMAKE_HOME_DIRECTORY:INTERNAL=" + ws.package() + "\n");
+  const std::string errors = ws.rewrite({"--exported-headers=change"}).errors;
+  EXPECT_THAT(errors,
+              HasSubstr("include/demo/api.h (by " + (ws.folder() / "ws/src/group/user/main.cpp") + ")"));
+}
+
 TEST_F(Cli, exported_headers_are_kept_or_changed) {
   const auto mistake = ws.rewrite({"--exported-headers=both"});
   EXPECT_EQ(mistake.status, 2);
