@@ -11,10 +11,9 @@ bool same(const Edit& a, const Edit& b) {
   return std::tie(a.offset, a.length, a.text) == std::tie(b.offset, b.length, b.text);
 }
 
-/// Insertions stand before a replacement that starts at the same place, whole statements before all others.
+/// Insertions stand before a replacement that starts at the same place.
 bool before(const Edit& a, const Edit& b) {
-  return std::make_tuple(a.offset, !a.statement, a.length != 0) <
-         std::make_tuple(b.offset, !b.statement, b.length != 0);
+  return std::make_pair(a.offset, a.length != 0) < std::make_pair(b.offset, b.length != 0);
 }
 
 /// By place, duplicates dropped.

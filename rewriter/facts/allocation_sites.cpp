@@ -5,8 +5,7 @@
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
-#include "facts/member_mentions.h"
-#include "facts/must_execute.h"
+#include "facts/containing_object.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -71,7 +70,7 @@ class Connector {
   /// For a local message before the publisher that is declared later in the same block.
   std::optional<InsertedAllocation> behind_publisher(const AllocationDraft& draft) const {
     const auto* how = std::get_if<InsertedAllocation>(&draft.site.how);
-    if (!how || !how->at || how->before) return {};
+    if (!how || !how->at) return {};
     for (const PublisherMention& mention : mentions_) {
       if (mention.function != draft.function) continue;
       const std::optional<Place> at = line_behind(mention);
@@ -163,8 +162,8 @@ bool AllocationCollector::is_result(const FlowSources& sources) const {
 
 std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::VarDecl* variable) {
   const auto message = message_of(variable->getType());
-  if (!variable->isLocalVarDecl() || variable->getType()->isReferenceType() || !message ||
-      !message->has_data_part)
+  if (!variable->hasLocalStorage() || llvm::isa<clang::ParmVarDecl>(variable) ||
+      variable->getType()->isReferenceType() || !message || !message->has_data_part)
     return {};
   if (variable->isCXXForRangeDecl() || variable->isImplicit()) return {};
   const EntityId id = entities_.declare(variable);
@@ -211,21 +210,21 @@ bool is_last_declared(const Unit& unit, const clang::VarDecl* variable) {
 std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr* expr, const EntityId& id,
                                                               const FlowEnd& end) {
   const bool is_value = message_of(expr->getType()).has_value();
-  if (is_value && !end.target) return {};  // its variable is the site, or it is a temporary without arrays
+  if (is_value)
+    return {};  // its variable is the site, what it is assigned to keeps its memory, or it has no arrays
   AllocationDraft draft = draft_at(unit_, entities_, id, *expr);
-  const std::string star = is_value ? "" : "*";
   InsertedAllocation how;
   if (end.variable && !llvm::isa<clang::ParmVarDecl>(end.variable)) {
-    how.object = star + end.variable->getNameAsString();
+    how.object = "*" + end.variable->getNameAsString();
     place_behind(how, statement_around(unit_, *end.variable));
   } else if (end.target && end.statement) {
-    how.object = star + unit_.text(end.target->IgnoreImpCasts());
+    how.object = "*" + unit_.text(end.target->IgnoreImpCasts());
     place_behind(how, statement_around(unit_, *end.statement));
     if (how.at && !Hoisting(unit_).names_the_same(end.target, draft.function, how.at->begin))
       draft.site.refusal = not_nameable;
   }
-  if (!is_value && !is_always_made(unit_, expr)) draft.site.refusal = "it is made under a condition only";
-  if (!is_value && end.variable && !is_last_declared(unit_, end.variable))
+  if (!is_always_made(unit_, expr)) draft.site.refusal = "it is made under a condition only";
+  if (end.variable && !is_last_declared(unit_, end.variable))
     draft.site.refusal = "other variables are declared behind it in the same statement";
   draft.site.how = how;
   return draft;
@@ -246,69 +245,17 @@ std::optional<AllocationDraft> AllocationCollector::of_adapter(const clang::CXXM
   return draft;
 }
 
-namespace {
-
-/// The innermost statement of a block in which the mentions from `first` on lie, first of them in it.
-const clang::Stmt* statement_of(const Unit& unit, const clang::Expr* mention, unsigned first, unsigned last) {
-  for (const clang::DynTypedNode& node : ancestors(unit.ast(), *mention)) {
-    if (node.get<clang::FunctionDecl>()) return nullptr;
-    const auto* block = node.get<clang::CompoundStmt>();
-    if (!block || unit.offset(block->getLBracLoc()) >= first || unit.offset(block->getRBracLoc()) <= last)
-      continue;
-    for (const clang::Stmt* statement : block->body())
-      if (unit.offset(statement->getEndLoc()) >= first)
-        return llvm::isa<clang::SwitchCase, clang::LabelStmt>(statement) ? nullptr : statement;
-  }
-  return nullptr;
-}
-
-}  // namespace
-
-/// In front of the first mention. Where that cannot be named there yet, or other threads may be waited for between there and the
-/// first use of an array (the arrays may be theirs until then): in front of that use.
-bool AllocationCollector::place_before(const MemberMentions& mentions, AllocationSite& site,
-                                       InsertedAllocation& how, const StandingMessage& member) const {
-  const clang::Stmt* body = member.function->getBody();
-  for (const unsigned first : {mentions.first, mentions.first_of_arrays}) {
-    const clang::Stmt* statement = statement_of(unit_, member.expr, first, mentions.last);
-    how.at = statement ? unit_.source.before(statement->getBeginLoc()) : std::nullopt;
-    if (!how.at) return false;
-    const NameParts nothing;
-    Waits waits = MustExecute(unit_, nothing, body).waits_between(how.at->begin, mentions.first_of_arrays);
-    site.callees = std::move(waits.callees);
-    site.refusal = waits.locks || waits.unknown ? used_by_others : "";
-    if (!is_nameable(member, how.at->begin)) site.refusal = not_nameable;
-    if (site.refusal.empty() && site.callees.empty()) break;
-  }
-  return site.refusal.empty();
-}
-
-/// What gets the object that the message is part of may fill it, so allocate comes before that where it can.
-void AllocationCollector::place_before_mentions(AllocationSite& site, InsertedAllocation& how,
-                                                const StandingMessage& member) const {
-  const MemberMentions mentions = mentions_of(unit_, entities_, member);
-  const bool is_handed_on = mentions.object_handed_on < mentions.first_of_arrays;
-  if (is_handed_on && place_before(mentions.with_object(), site, how, member)) return;
-  // What lasts is allocated already when it is filled the next time.
-  if (!is_handed_on || object_that_ends(member.expr).empty()) place_before(mentions, site, how, member);
-}
-
-bool AllocationCollector::is_nameable(const StandingMessage& member, unsigned at) const {
-  return way_to(unit_, member.expr).empty() ||
-         Hoisting(unit_).names_the_same(member.expr, member.function, at);
-}
-
-std::optional<AllocationDraft> AllocationCollector::of_member(const StandingMessage& member) {
-  if (!member.function || !member.function->getBody()) return {};
-  AllocationDraft draft = draft_at(unit_, entities_, member.id, *member.expr);
+std::optional<AllocationDraft> AllocationCollector::of_part(const clang::Expr* part, const EntityId& id) {
+  const clang::VarDecl* object = object_that_ends(part);
+  const clang::Stmt* statement =
+      object && is_made_empty(object) ? parent_as<clang::Stmt>(unit_.ast(), *object) : nullptr;
+  if (!statement) return {};
+  AllocationDraft draft = draft_at(unit_, entities_, id, *statement);
   InsertedAllocation how;
-  how.before = true;
-  how.object = unit_.text(member.expr);
-  place_before_mentions(draft.site, how, member);
-  if (how.at) {
-    how.indent = unit_.source.indent(*how.at);
-    how.own_line = unit_.source.starts_line(*how.at);
-  }
+  how.object = unit_.text(part);
+  place_behind(how, statement_around(unit_, *object));
+  if (how.at && !Hoisting(unit_).names_the_same(part, draft.function, how.at->begin))
+    draft.site.refusal = not_nameable;
   draft.site.how = how;
   return draft;
 }

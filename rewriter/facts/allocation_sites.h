@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "facts/hoisting.h"
-#include "facts/member_mentions.h"
 #include "facts/value_flow.h"
 
 namespace tzc::rewriter {
@@ -22,7 +21,8 @@ struct AllocationDraft {
 AllocationDraft draft_at(const Unit& unit, const EntityTable& entities, const EntityId& id,
                          const clang::Stmt& where);
 
-/// Finds where messages are made and allocate can be called.
+/// Finds where messages are made and allocate can be called. Messages that are members, globals or static locals are not among them:
+/// allocate would write where the source perhaps only reads, in several threads at once. The first publish binds them.
 class AllocationCollector {
  public:
   AllocationCollector(const Unit& unit, EntityTable& entities, ValueFlow& flow)
@@ -35,18 +35,13 @@ class AllocationCollector {
   /// A library call that makes a message: toImageMsg().
   std::optional<AllocationDraft> of_adapter(const clang::CXXMemberCallExpr* call, const EntityId& id,
                                             const MethodCall& rule);
-  /// A reused member: allocate goes before its first mention in a function that publishes it.
-  std::optional<AllocationDraft> of_member(const StandingMessage& member);
+  /// Frame frame; and the message frame.image, which `part` names.
+  std::optional<AllocationDraft> of_part(const clang::Expr* part, const EntityId& id);
 
  private:
   void place_behind(InsertedAllocation& how, const clang::Stmt* statement) const;
   bool is_fresh(const FlowSources& sources) const;
   bool is_result(const FlowSources& sources) const;
-  bool is_nameable(const StandingMessage& member, unsigned at) const;
-  bool place_before(const MemberMentions& mentions, AllocationSite& site, InsertedAllocation& how,
-                    const StandingMessage& member) const;
-  void place_before_mentions(AllocationSite& site, InsertedAllocation& how,
-                             const StandingMessage& member) const;
 
   const Unit& unit_;
   EntityTable& entities_;

@@ -4,11 +4,11 @@
 #include <map>
 #include <set>
 #include <string>
-#include <tuple>
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/content_events.h"
+#include "facts/element_uses.h"
 #include "facts/escape.h"
 #include "facts/factories.h"
 #include "facts/library_sites.h"
@@ -60,9 +60,9 @@ void Collectors::name(const clang::Expr* expr, const clang::ValueDecl* decl) {
   if (entities_[id].role == EntityRole::publisher && changes_what_others_see(unit_, expr, decl))
     facts_.changing.insert(id);
   const Storage storage = entities_[id].storage;
-  const bool standing = storage == Storage::member || storage == Storage::global;
-  if (standing && end.publish && message_of(expr->getType()))
-    members_.push_back({id, expr, enclosing_function(unit_.ast(), *expr)});
+  const clang::FunctionDecl* around = enclosing_function(unit_.ast(), *expr);
+  if (storage == Storage::member && around && end.publish && message_of(expr->getType()))
+    parts_.emplace(std::pair(usr_of(around), unit_.text(expr)), std::pair(id, expr));
 }
 
 /// An expression that names the type of a new object.
@@ -192,6 +192,8 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
     const FunctionView& view = analysis.analyse(function);
     facts_.bodies.insert(usr_of(pattern_of(function)));
     if (takes_locks(function)) facts_.locking.insert(usr_of(pattern_of(function)));
+    if (excludes_others(function)) facts_.excluding.insert(usr_of(pattern_of(function)));
+    for (ElementUse& use : element_uses(context, view)) facts_.element_uses.push_back(std::move(use));
     if (std::optional<ContentFlow> flow = content_flow(unit_, view))
       facts_.add_content(usr_of(pattern_of(function)), std::move(*flow));
     mats.analyse(view);
@@ -222,10 +224,7 @@ void Collectors::addressed(const clang::FunctionDecl* function) {
 }
 
 Facts Collectors::finish() {
-  std::set<std::tuple<EntityId, std::string, std::string>> seen;
-  for (const StandingMessage& member : members_)
-    if (member.function && seen.insert({member.id, usr_of(member.function), unit_.text(member.expr)}).second)
-      add(allocations_.of_member(member));
+  for (const auto& [where, part] : parts_) add(allocations_.of_part(part.second, part.first));
   for (AllocationDraft& draft : drafts_)
     facts_.allocations.push_back(connected(unit_, entities_.facts(), std::move(draft), publishers_));
   static_cast<EntityFacts&>(facts_) = entities_.take();

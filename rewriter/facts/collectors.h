@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -71,7 +73,8 @@ class Collectors {
   HiddenCode hidden_;
   std::vector<PublisherMention> publishers_;
   std::vector<AllocationDraft> drafts_;
-  std::vector<StandingMessage> members_;
+  std::map<std::pair<std::string, std::string>, std::pair<EntityId, const clang::Expr*>>
+      parts_;  // of objects that are messages, by function and text
 };
 
 }  // namespace tzc::rewriter

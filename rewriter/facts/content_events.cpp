@@ -62,6 +62,7 @@ class EventReader {
   void assignment(const clang::CXXOperatorCallExpr* call);
   void member_call(const clang::CXXMemberCallExpr* call);
   void iterator(const clang::CXXConstructExpr* construct);
+  void made(const clang::CXXRecordDecl* record, clang::SourceLocation where);
   void publish(const clang::CXXMemberCallExpr* call);
   bool rule_call(const clang::CallExpr* call, const std::string& name);
   void package_call(const clang::FunctionDecl* function, llvm::ArrayRef<const clang::Expr*> arguments,
@@ -165,7 +166,8 @@ void EventReader::publish(const clang::CXXMemberCallExpr* call) {
 bool EventReader::rule_call(const clang::CallExpr* call, const std::string& name) {
   for (const LibraryCall* rule : unit_.rules.calls) {
     if ((name != rule->function && name != rule->to) || rule->argument >= call->getNumArgs()) continue;
-    add(Kind::reset, parts_.part_of(call->getArg(rule->argument)), call->getExprLoc());
+    add(rule->gives_vector ? Kind::take : Kind::reset, parts_.part_of(call->getArg(rule->argument)),
+        call->getExprLoc());
     return true;
   }
   for (const MethodCall* rule : unit_.rules.methods) {
@@ -215,6 +217,19 @@ void EventReader::iterator(const clang::CXXConstructExpr* construct) {
   if (!cloud.empty()) add(Kind::write, cloud + "/data", construct->getBeginLoc());
 }
 
+/// An object of the class comes into being, and the messages that it consists of with it.
+void EventReader::made(const clang::CXXRecordDecl* record, clang::SourceLocation where) {
+  if (!record || !record->hasDefinition() || !unit_.source.in_package(record->getLocation())) return;
+  for (const clang::CXXBaseSpecifier& base : record->bases())
+    made(base.getType()->getAsCXXRecordDecl(), where);
+  for (const clang::FieldDecl* field : record->fields()) {
+    if (is_stock_or_twin(field->getType()) && !field->getType()->isReferenceType())
+      add(Kind::make, parts_.root_of(field), where);
+    else
+      made(field->getType()->getAsCXXRecordDecl(), where);
+  }
+}
+
 /// A closure may be called where it is made, and again: its body's events, twice, in the order of the source.
 void EventReader::closure(const clang::LambdaExpr* lambda) {
   if (!open_.insert(lambda).second) return;
@@ -229,12 +244,15 @@ void EventReader::look_at(const clang::Stmt* stmt) {
   if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) return closure(lambda);
   if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
     iterator(construct);
+    if (!construct->getConstructor()->isCopyOrMoveConstructor())
+      made(construct->getConstructor()->getParent(), construct->getBeginLoc());
     if (unit_.declares(construct->getConstructor()))
       package_call(construct->getConstructor(), {construct->getArgs(), construct->getNumArgs()}, construct);
     return;
   }
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) {
     const clang::FunctionDecl* function = call->getDirectCallee();
+    if (makes_object(call)) made(pointee_of(call->getType())->getAsCXXRecordDecl(), call->getBeginLoc());
     if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call)) assignment(op);
     if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
     if (!function || rule_call(call, qualified_name_of(function)) || !unit_.declares(function)) return;

@@ -38,6 +38,7 @@ Storage storage_of(const clang::ValueDecl* decl) {
   if (llvm::isa<clang::FieldDecl>(decl)) return Storage::member;
   const auto* variable = llvm::cast<clang::VarDecl>(decl);
   if (variable->isStaticDataMember()) return Storage::member;
+  if (variable->isStaticLocal()) return Storage::static_local;
   return variable->isLocalVarDecl() && !variable->hasExternalStorage() ? Storage::local : Storage::global;
 }
 
@@ -189,7 +190,10 @@ EntityId EntityTable::declare(const clang::ValueDecl* decl) {
   if (facts_.cuts.count(id) == 0)
     if (std::optional<Cut> cut = cut_before(unit_, decl, entity)) facts_.cuts.emplace(id, std::move(*cut));
   check_exported(entity, decl);
-  if (!decl->getType()->isReferenceType() && message_of(decl->getType())) facts_.objects.insert(id);
+  if (!decl->getType()->isReferenceType() && message_of(decl->getType())) {
+    facts_.objects.insert(id);
+    entity.plain = true;
+  }
   const auto* parameter = llvm::dyn_cast<clang::ParmVarDecl>(decl);
   const auto* function =
       parameter ? llvm::dyn_cast<clang::FunctionDecl>(parameter->getDeclContext()) : nullptr;

@@ -2,6 +2,7 @@
 // Where references to a message's data start, and what they must not live across.
 #include "facts/escape.h"
 
+#include "facts/filled_message.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -63,35 +64,14 @@ bool may_write(const FunctionView& view, const clang::MemberExpr* array) {
   return !method || !method->isConst();
 }
 
-bool is_iterator_class(const clang::CXXRecordDecl* record) {
-  return record && record->getName().starts_with("PointCloud2") && record->getName().ends_with("Iterator");
-}
-
-/// The message that a call fills as a whole: image = other, sensor_msgs::fillImage(image, ...), cv_image.toImageMsg(image).
-const clang::Expr* filled_by(const Unit& unit, const clang::CallExpr* call) {
-  const clang::FunctionDecl* function = call->getDirectCallee();
-  if (!function) return nullptr;
-  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call))
-    return op->getOperator() == clang::OO_Equal ? op->getArg(0) : nullptr;
-  for (unsigned i = 0; i < call->getNumArgs(); ++i)
-    if (unit.rules.find_call(qualified_name_of(function), i)) return call->getArg(i);
-  const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
-  if (!member || call->getNumArgs() == 0) return nullptr;
-  const MethodCall* rule = unit.rules.find_method(qualified_name_of(member->getMethodDecl()->getParent()),
-                                                  function->getNameAsString(), written_arguments(call));
-  return rule && rule->role == MethodCall::Role::fills_message ? call->getArg(0) : nullptr;
-}
-
 /// The message whose elements a statement may write, or replace, other than through a mention of an array; null: none.
 const clang::Expr* written_message(const Unit& unit, const clang::Stmt* stmt) {
   if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
     const clang::CXXRecordDecl* record = made->getConstructor()->getParent();
-    const bool writes = is_iterator_class(record) && !record->getName().contains("Const");
+    const bool writes = is_cloud_iterator(record) && !record->getName().contains("Const");
     return writes && made->getNumArgs() > 1 ? made->getArg(0) : nullptr;
   }
-  const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
-  const clang::Expr* filled = call ? filled_by(unit, call) : nullptr;
-  return filled && message_of(filled->getType().getNonReferenceType()) ? filled : nullptr;
+  return filled_message(unit, stmt);
 }
 
 /// What was got through const access may lie in memory that subscribers share: the array leaves it behind when it is
@@ -181,14 +161,14 @@ void EscapeAnalysis::start(const FunctionView& view, const clang::Stmt* stmt) {
       climb(view, {member, Reference::array, read_only, {messages.begin(), messages.end()}});
   }
   if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
-    if (!is_iterator_class(construct->getConstructor()->getParent()) || construct->getNumArgs() < 2) return;
+    if (!is_cloud_iterator(construct->getConstructor()->getParent()) || construct->getNumArgs() < 2) return;
     const std::vector<EntityId> sources = context_.sources_of(construct->getArg(0));
     const bool read_only = construct->getConstructor()->getParent()->getName().contains("Const");
     if (!sources.empty()) climb(view, {construct, Reference::view, read_only, sources});
   }
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt); call && makes_object(call)) {
     const clang::QualType made = pointee_of(call->getType());
-    if (made.isNull() || !is_iterator_class(made->getAsCXXRecordDecl()) || call->getNumArgs() == 0) return;
+    if (made.isNull() || !is_cloud_iterator(made->getAsCXXRecordDecl()) || call->getNumArgs() == 0) return;
     const std::vector<EntityId> sources = context_.sources_of(call->getArg(0));
     if (!sources.empty()) climb(view, {call, Reference::elements, false, sources});
   }

@@ -228,7 +228,7 @@ Waits Hoisting::waits_between(const PublisherMention& publisher, const NameParts
   const clang::VarDecl* local = local_of(publisher.object);
   if (local && !local->getType()->isReferenceType() && !local->isStaticLocal()) return {};
   const clang::Stmt* body = body_around(publisher);
-  if (!body) return {true, true, {}};
+  if (!body) return {true, {}};
   const unsigned mentioned = unit_.offset(publisher.object->getBeginLoc());
   // A lock before an earlier mention may be gone.
   const unsigned from = mentioned < at ? 0 : at;

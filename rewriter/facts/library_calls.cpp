@@ -51,12 +51,6 @@ bool calls_no_package_code(const Unit& unit, const clang::FunctionDecl* function
   });
 }
 
-bool may_wait(const Unit& unit, const clang::FunctionDecl* function,
-              llvm::ArrayRef<const clang::Expr*> arguments) {
-  if (unit.declares(function)) return false;
-  return !calls_no_package_code(unit, function, arguments);
-}
-
 bool comes_back(const clang::FunctionDecl* callee) {
   if (callee->isNoReturn()) return false;
   const auto* type = callee->getType()->getAs<clang::FunctionProtoType>();

@@ -12,11 +12,6 @@ namespace tzc::rewriter {
 bool calls_no_package_code(const Unit& unit, const clang::FunctionDecl* function,
                            llvm::ArrayRef<const clang::Expr*> arguments);
 
-/// Whether a function of a library may wait for another thread, which may change messages meanwhile: unless known_functions.def
-/// says otherwise.
-bool may_wait(const Unit& unit, const clang::FunctionDecl* function,
-              llvm::ArrayRef<const clang::Expr*> arguments);
-
 /// Whether each call of a function of a library comes back, whatever it is given.
 bool comes_back(const clang::FunctionDecl* callee);
 

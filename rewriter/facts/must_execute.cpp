@@ -136,7 +136,7 @@ class Between : public AstVisitor {
  public:
   Between(const Unit& unit, const NameParts& parts, bool exposed, Offsets range)
       : unit_(unit), parts_(parts), reach_(unit, parts.all, exposed), range_(range) {}
-  bool leaves = false, changes = false, locks = false, unknown = false;
+  bool leaves = false, changes = false, locks = false;
   std::set<std::string> callees;
 
   bool VisitStmt(clang::Stmt* stmt) override {
@@ -161,10 +161,8 @@ class Between : public AstVisitor {
  private:
   void note_call(const clang::CallExpr* call) {
     const clang::FunctionDecl* callee = call->getDirectCallee();
-    const llvm::ArrayRef<const clang::Expr*> arguments(call->getArgs(), call->getNumArgs());
-    reach_.call(callee, arguments);
+    reach_.call(callee, {call->getArgs(), call->getNumArgs()});
     note_callee(callee);
-    unknown |= callee && may_wait(unit_, callee, arguments);
   }
   void note_callee(const clang::FunctionDecl* callee) {
     const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(callee);
@@ -266,7 +264,7 @@ std::string step_text(const Unit& unit, const clang::Stmt* step) {
 Waits MustExecute::waits_between(unsigned from, unsigned to) const {
   Between between(unit_, parts_, false, {from, to});
   between.TraverseStmt(const_cast<clang::Stmt*>(body_));
-  return {between.locks, between.unknown, std::move(between.callees)};
+  return {between.locks, std::move(between.callees)};
 }
 
 bool MustExecute::changes_between(unsigned from, unsigned to) const {

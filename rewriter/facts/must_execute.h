@@ -29,7 +29,6 @@ std::string step_text(const Unit& unit, const clang::Stmt* step);
 /// Where code may wait for other threads.
 struct Waits {
   bool locks = false;
-  bool unknown = false;  ///< a function of a library that may wait, for all that is known
   std::set<std::string>
       callees;  ///< functions of the package that are called, by USR; "": one that is not seen
 };

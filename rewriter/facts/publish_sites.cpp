@@ -3,7 +3,7 @@
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
-#include "facts/member_mentions.h"
+#include "facts/containing_object.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -129,8 +129,9 @@ std::optional<PublishCall> publish_call(const Unit& unit, ValueFlow& flow,
   if (argument->isTypeDependent()) return {};
   describe_message(site, unit, flow, argument);
   site.object = object_text(unit, argument);
-  if (pointee_of(argument->getType()).isNull() && !object_is_made_here(argument))
-    site.filled_object = object_that_ends(argument);
+  const clang::VarDecl* object =
+      pointee_of(argument->getType()).isNull() ? object_that_ends(argument) : nullptr;
+  if (object) site.part_of = LocalObject{object->getNameAsString(), !is_made_empty(object)};
   result.publisher = describe_publisher(site, unit, flow, call);
   if (is_single_subscriber(qualified_name_of(call->getRecordDecl())))
     site.obstacles.push_back(

@@ -106,8 +106,16 @@ void Speller::respell_template(clang::TemplateSpecializationTypeLoc type, clang:
 }
 
 void Speller::respell_name(clang::TypeLoc type, clang::SourceRange tokens) {
-  if (type.getAs<clang::SubstTemplateTypeParmTypeLoc>() || type.getAs<clang::TemplateTypeParmTypeLoc>())
+  if (const auto parameter = type.getAs<clang::SubstTemplateTypeParmTypeLoc>()) {
+    // What a function template is called with decides; the arguments of a class template are written somewhere else.
+    if (!llvm::isa<clang::FunctionDecl, clang::FunctionTemplateDecl>(
+            parameter.getTypePtr()->getAssociatedDecl()))
+      obstruct(codes::TZC1005,
+               "its type is the parameter '" + unit_.source.text(tokens) + "' of a class template",
+               tokens.getBegin());
     return;
+  }
+  if (type.getAs<clang::TemplateTypeParmTypeLoc>()) return;
   if (auto spelling = ported_name(unit_, type.getType()); spelling && !spelling->text.empty()) {
     spelling->text += hidden_arguments(type.getType());
     return change_name(tokens, *spelling);

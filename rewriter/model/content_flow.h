@@ -27,6 +27,7 @@ using PublishPlace = std::pair<std::string, unsigned>;  // file, byte offset
 
 struct ContentEvent {
   enum class Kind {
+    make,     ///< a message comes into being as a member of an object
     reset,    ///< the part has no content any more, or content that nobody else has
     take,     ///< the array is given the elements of a std::vector, which lie outside shared memory
     write,    ///< an element is written, or may be

@@ -20,7 +20,6 @@ struct Edit {
   std::string text;
   std::optional<ComponentId> component;  ///< to which it belongs; none: it belongs to the file as a whole
   std::string rule;                      ///< the rule that asks for it, for messages
-  bool statement = false;  ///< inserts a whole one: in front of insertions into the one that begins there
 };
 using Edits = std::vector<Edit>;
 

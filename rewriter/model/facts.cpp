@@ -122,6 +122,8 @@ void Facts::merge(Facts&& other) {
   addressed.merge(other.addressed);
   changing.merge(other.changing);
   locking.merge(other.locking);
+  excluding.merge(other.excluding);
+  std::move(other.element_uses.begin(), other.element_uses.end(), std::back_inserter(element_uses));
   advertises.merge(other.advertises);
   publishes.merge(other.publishes);
   unite(subscribes, other.subscribes);

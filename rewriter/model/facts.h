@@ -34,7 +34,7 @@ struct Obstacle {
 };
 
 enum class EntityRole { message, publisher, filter };
-enum class Storage { local, member, global, parameter, result, temporary };
+enum class Storage { local, static_local, member, global, parameter, result, temporary };
 
 /// TZC's class in place of another package's.
 struct PortedClass {
@@ -52,11 +52,17 @@ struct Entity {
   std::string name;       ///< as written
   std::string record;     ///< USR of the class of a member
   PortedClass ported_as;  ///< of a publisher or filter
-  bool plain = false;     ///< the publisher itself, not a pointer to it or a container of it
-  bool ported = false;    ///< a publisher or filter that has TZC's class already
+  bool plain =
+      false;  ///< the message or publisher itself, not a pointer or reference to it or a container of it
+  bool ported = false;  ///< a publisher or filter that has TZC's class already
   Location where;
   std::vector<Change> changes;  ///< its declared types
   std::vector<Obstacle> obstacles;
+
+  /// No function makes it, or it outlives the function that does.
+  bool lasts() const {
+    return storage == Storage::static_local || storage == Storage::member || storage == Storage::global;
+  }
 };
 
 /// Two entities that must have the same type: initialised, assigned, passed, returned.
@@ -98,7 +104,6 @@ struct InsertedAllocation {
   std::string object;       ///< "image", "*image"
   std::string indent;       ///< of the inserted line
   bool own_line = true;     ///< the inserted statement gets a line of its own
-  bool before = false;      ///< the insertion stands before the statement at `at`, not behind it
   bool filled = false;      ///< the message already has content there, which allocate would copy
 };
 
@@ -113,10 +118,6 @@ struct FactoryAllocation {
   std::vector<Change> changes;  ///< use $PUB; none: the call cannot be changed
 };
 
-/// A refusal of an allocation: in front of a lock.
-constexpr const char* used_by_others =
-    "other threads may use it until a lock is taken, and allocate would come before that";
-
 /// Where a message comes into being, and how `allocate` is called for it.
 struct AllocationSite {
   EntityId entity;
@@ -125,8 +126,7 @@ struct AllocationSite {
   std::vector<EntityId> later;            ///< publishers that this function names later, and cannot name here
   std::string record;                     ///< USR of the class whose `this` is available here
   EntityId function;                      ///< result of the function around it
-  std::string refusal;            ///< why there is no place for allocate, where it is something special
-  std::set<std::string> callees;  ///< none of which may take a lock, by USR; "": one that is not seen
+  std::string refusal;  ///< why there is no place for allocate, where it is something special
   Location where;
 };
 
@@ -163,6 +163,12 @@ struct Advertise : SiteFact {
   std::string rule;
 };
 
+/// A local variable or a parameter.
+struct LocalObject {
+  std::string name;
+  bool is_given = false;  ///< it is made elsewhere
+};
+
 struct Publish : SiteFact {
   Place statement_end;
   Place statement;  ///< empty file: the call is part of a larger expression
@@ -174,9 +180,8 @@ struct Publish : SiteFact {
   bool in_block = false;  ///< the statement stands in a block of its own
   bool pcl = false;       ///< a pcl::PointCloud or a cv_bridge::CvImage is published as such
   bool nested_only = false;
-  bool twin = false;  ///< a tzc:: message is published
-  std::string
-      filled_object;  ///< it is part of a local object, or a parameter, that comes with its content; "": no
+  bool twin = false;                   ///< a tzc:: message is published
+  std::optional<LocalObject> part_of;  ///< none: of no object, or of one that lasts
 };
 
 struct Subscribe : SiteFact {
@@ -288,10 +293,26 @@ struct EscapeFacts {
   std::set<std::string> addressed;              ///< functions that something else than a call names, by USR
 };
 
+/// A function uses elements of a message.
+struct ElementUse {
+  enum class Kind {
+    look,  ///< at one element, at once
+    walk,  ///< what it got at is used later; or it asks for a begin and an end
+    write  ///< so that nobody else may use the message meanwhile
+  };
+  EntityId message;
+  std::string function;  ///< USR; "": a closure
+  Kind kind = Kind::look;
+  bool read_only = false;  ///< through const access, which moves no element
+  Location where;
+};
+
 /// What threads may do to each other.
 struct ThreadFacts {
-  std::set<EntityId> changing;    ///< publishers that change when others may see them
-  std::set<std::string> locking;  ///< functions in whose bodies a lock is taken, by USR
+  std::set<EntityId> changing;      ///< publishers that change when others may see them
+  std::set<std::string> locking;    ///< functions in whose bodies a lock is taken, by USR
+  std::set<std::string> excluding;  ///< those in which it is one that no other thread can have meanwhile
+  std::vector<ElementUse> element_uses;
 };
 
 struct Facts : EntityFacts, EscapeFacts, ThreadFacts {

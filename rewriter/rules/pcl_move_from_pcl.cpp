@@ -5,7 +5,11 @@ namespace tzc::rewriter::rules {
 
 /// Before:  pcl_conversions::moveFromPCL(cloud, message);
 /// After:   tzc::pcl_conversions::moveFromPCL(cloud, message);
-const LibraryCall pcl_move_from_pcl{"pcl-move-from-pcl", "pcl_conversions::moveFromPCL", 1,
-                                    "tzc::pcl_conversions::moveFromPCL", "tzc/pcl.h"};
+const LibraryCall pcl_move_from_pcl{"pcl-move-from-pcl",
+                                    "pcl_conversions::moveFromPCL",
+                                    1,
+                                    "tzc::pcl_conversions::moveFromPCL",
+                                    "tzc/pcl.h",
+                                    true};
 
 }  // namespace tzc::rewriter::rules

@@ -27,6 +27,7 @@ struct LibraryCall {
   unsigned argument;     ///< which argument is the message that is ported
   const char* to;
   const char* header;
+  bool gives_vector = false;  ///< the message is given the elements of a std::vector
 };
 
 /// A member function of a library class that becomes a free function with the object as first argument.

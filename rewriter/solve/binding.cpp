@@ -116,8 +116,6 @@ bool Binder::is_in_factory(const AllocationSite& site) const {
 /// A site in a factory whose callers can name the publisher is bound to a parameter that the factory is given.
 std::optional<Decision> Binder::bind(const AllocationSite& site) {
   if (!site.refusal.empty()) return refused({codes::TZC1019, site.refusal, site.where}, site.entity);
-  if (locks_.may_be_taken_in(site.callees))
-    return refused({codes::TZC1019, used_by_others, site.where}, site.entity);
   const auto* call = std::get_if<FactoryAllocation>(&site.how);
   if (call && given_.count(call->factory) == 0) return {};
   const auto publisher = is_possible(site) ? available_at(site) : std::nullopt;
@@ -152,14 +150,14 @@ std::optional<Decision> Binder::give_publishers() {
 
 std::optional<Decision> Binder::bind(const std::vector<const AllocationSite*>& sites) {
   // The calls of a factory that is given the publisher become allocation sites, perhaps in another factory.
-  for (std::size_t known = 1; known != given_.size() || allocations_.empty();) {
+  for (std::size_t known = ~std::size_t{0}; known != given_.size();) {
     known = given_.size();
     allocations_.clear();
     for (const AllocationSite* site : sites)
       if (std::optional<Decision> refusal = bind(*site)) return refusal;
-    if (allocations_.empty())
-      return refused({codes::TZC1019, "where it is built was not found", component_.entities[0]->where});
   }
+  if (allocations_.empty() && !component_.has_lasting_message())
+    return refused({codes::TZC1019, "where it is built was not found", component_.entities[0]->where});
   return give_publishers();
 }
 

@@ -132,6 +132,11 @@ void Components::add_entities(const Facts& facts, bool all_or_nothing) {
   }
 }
 
+bool Component::has_lasting_message() const {
+  return std::any_of(entities.begin(), entities.end(),
+                     [](const Entity* entity) { return entity->plain && entity->lasts(); });
+}
+
 const Component* Components::of(const EntityId& entity) const {
   const auto found = of_entity_.find(entity);
   return found == of_entity_.end() ? nullptr : &(*this)[found->second];

@@ -19,6 +19,9 @@ struct Component {
   ComponentKind kind = ComponentKind::message;
   std::vector<const Entity*> entities;      ///< in the order of their ids; none: a subscription
   const Subscribe* subscription = nullptr;  ///< null: entities
+
+  /// One that no function makes. Its first publish binds it to the publisher's memory.
+  bool has_lasting_message() const;
 };
 
 /// Variables that can part from those declared in front of them, because the whole declaration can be cut.

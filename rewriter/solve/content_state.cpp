@@ -45,6 +45,15 @@ void ContentState::unshare(const MessagePart& part) {
   if (!sharers_of(part).empty()) own_.insert(part);
 }
 
+void ContentState::make(const MessagePart& message) {
+  reset(message);
+  new_.insert(message);
+}
+
+bool ContentState::is_new(const MessagePart& part) const {
+  return std::any_of(new_.begin(), new_.end(), [&](const MessagePart& made) { return lies_in(part, made); });
+}
+
 void ContentState::reset(const MessagePart& part) {
   unshare(part);
   erase_inside(taken_, part);
@@ -62,6 +71,7 @@ std::optional<Location> ContentState::publish(const MessagePart& part, const Pub
   reset(part);
   erase_inside(own_, part);
   shared_[part] = {site};
+  for (auto it = new_.begin(); it != new_.end();) it = lies_in(part, *it) ? new_.erase(it) : std::next(it);
   return where;
 }
 
@@ -89,6 +99,11 @@ bool ContentState::join(const ContentState& other) {
   bool grown = own != own_;
   own_ = std::move(own);
   for (const auto& [part, sites] : other.shared_) grown |= share(part, sites);
+  for (auto it = new_.begin(); it != new_.end();) {
+    const bool stays = other.new_.count(*it) != 0;
+    grown |= !stays;
+    it = stays ? std::next(it) : new_.erase(it);
+  }
   const std::size_t taken_before = taken_.size();
   taken_.insert(other.taken_.begin(), other.taken_.end());
   return grown || taken_.size() > taken_before;
@@ -98,6 +113,7 @@ void ContentState::add(const ContentState& other) {
   for (const auto& [part, sites] : other.shared_) share(part, sites);
   own_.insert(other.own_.begin(), other.own_.end());
   taken_.insert(other.taken_.begin(), other.taken_.end());
+  new_.insert(other.new_.begin(), other.new_.end());
 }
 
 ContentState ContentState::renamed(const Renaming& rename) const {
@@ -108,6 +124,8 @@ ContentState ContentState::renamed(const Renaming& rename) const {
     if (const MessagePart name = rename(part); !name.empty()) result.own_.insert(name);
   for (const auto& [part, where] : taken_)
     if (const MessagePart name = rename(part); !name.empty()) result.taken_.emplace(name, where);
+  for (const MessagePart& part : new_)
+    if (const MessagePart name = rename(part); !name.empty()) result.new_.insert(name);
   return result;
 }
 

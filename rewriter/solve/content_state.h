@@ -14,12 +14,15 @@ namespace tzc::rewriter {
 bool lies_in(const MessagePart& part, const MessagePart& whole);
 
 /// Which messages' elements are shared with subscribers, or lie outside shared memory, at one point of a program, on some
-/// path to it.
+/// path to it; and which messages are new there, on each path.
 class ContentState {
  public:
   /// Gives a part its name in another function; empty: it has none there.
   using Renaming = std::function<MessagePart(const MessagePart&)>;
 
+  /// The message is a new one, not bound to any memory, whichever path leads here.
+  void make(const MessagePart& message);
+  bool is_new(const MessagePart& part) const;
   /// The part has content of its own from here on, or none.
   void reset(const MessagePart& part);
   /// The part has the elements of a std::vector from here on.
@@ -47,6 +50,7 @@ class ContentState {
   std::map<MessagePart, std::set<PublishPlace>> shared_;
   std::set<MessagePart> own_;  ///< inside shared parts
   std::map<MessagePart, Location> taken_;
+  std::set<MessagePart> new_;
 };
 
 }  // namespace tzc::rewriter

@@ -137,11 +137,14 @@ void CopiedElements::leave(const std::string& usr, Function& function) {
 
 void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
   switch (event.kind) {
+    case ContentEvent::Kind::make:
+      return state.make(event.part);
     case ContentEvent::Kind::reset:
       return state.reset(event.part);
     case ContentEvent::Kind::take:
       return state.take(event.part, event.where);
     case ContentEvent::Kind::publish:
+      new_[event.site] = state.is_new(event.part);  // states only lose what is new, so the last one tells
       if (const std::optional<Location> where = state.publish(event.part, event.site))
         taken_.emplace(event.site, *where);
       return;
@@ -209,6 +212,15 @@ std::optional<Obstacle> CopiedElements::why_copied(const SiteId& site) const {
                         " may use its elements for writing after this publish, which copies them",
                     found->second};
   return {};
+}
+
+std::optional<Obstacle> CopiedElements::why_new(const SiteId& site) const {
+  const auto found = new_.find({site.file, site.begin});
+  if (found == new_.end() || !found->second) return {};
+  return Obstacle{
+      codes::TZC1022,
+      "its object is new here each time, and its elements lie outside shared memory until it is published",
+      {}};
 }
 
 }  // namespace tzc::rewriter

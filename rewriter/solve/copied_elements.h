@@ -20,6 +20,8 @@ class CopiedElements {
 
   /// None: no path to the call, and none from it, copies them.
   std::optional<Obstacle> why_copied(const SiteId& site) const;
+  /// None: the member that is published there may have been published before.
+  std::optional<Obstacle> why_new(const SiteId& site) const;
 
  private:
   struct Function {
@@ -45,6 +47,7 @@ class CopiedElements {
   std::set<std::string> called_;
   ContentState anytime_;  ///< of what outlives functions, when one is called from outside
   std::map<PublishPlace, Location> writes_, taken_;
+  std::map<PublishPlace, bool> new_;  ///< whether what is published there is new, in the latest state
   bool changed_ = true;
 };
 

@@ -111,10 +111,12 @@ void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
   }
   if (site.level != Level::zero_copy) return;
   std::optional<Obstacle> why = copied_.why_copied(fact.id());
-  if (!why && !fact.filled_object.empty())
-    why = Obstacle{codes::TZC1022,
-                   "'" + fact.filled_object + "' may come with content, which is copied when it is allocated",
-                   site.where};
+  if (!why && !fact.part_of) why = copied_.why_new(fact.id());
+  if (!why && fact.part_of && fact.part_of->is_given)
+    why = Obstacle{
+        codes::TZC1022,
+        "'" + fact.part_of->name + "' may be another object each time, with content outside shared memory",
+        site.where};
   if (why) refuse(site, *why, Level::one_copy);
 }
 

@@ -137,9 +137,7 @@ void PortEditor::add_allocation(const BoundAllocation& allocation) {
 void PortEditor::add_call(const BoundAllocation& allocation, const InsertedAllocation& how) {
   const std::string call = allocation.call + "(" + how.object + ");";
   const std::string space = how.own_line ? "\n" + how.indent : " ";
-  const std::string text = how.before ? call + space : space + call;
-  add({*how.at, text, "allocate", {}}, components_.of(allocation.site->entity)->id);
-  edits_.edits.back().statement = how.before;
+  add({*how.at, space + call, "allocate", {}}, components_.of(allocation.site->entity)->id);
 }
 
 void PortEditor::add_parameter(const GivenPublisher& given) {
@@ -180,7 +178,8 @@ void PortEditor::add_condition(const Publish& site) {
   if (options_.on_exhausted == OnExhausted::deliver || site.statement.file.empty() || site.object.empty())
     return;
   const Component* message = site.messages.empty() ? nullptr : ported(site.messages[0]);
-  if (!message || !ported(site.publisher)) return;
+  // Other threads may be reading a message that lasts, so it is not allocated: the publisher's options decide.
+  if (!message || message->has_lasting_message() || !ported(site.publisher)) return;
   const std::string allocate = site.publisher_text + "allocate(" + site.object + ")";
   const bool leave = options_.on_exhausted == OnExhausted::return_from_function && site.in_void_function;
   const std::string indent(site.statement.column > 0 ? site.statement.column - 1 : 0, ' ');

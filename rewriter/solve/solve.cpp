@@ -220,7 +220,8 @@ Decision Solver::decide_message(const Component& component) {
 
 bool Solver::all_local(const Component& component) const {
   return std::all_of(component.entities.begin(), component.entities.end(), [](const Entity* entity) {
-    return entity->storage == Storage::local || entity->storage == Storage::temporary;
+    return entity->storage == Storage::local || entity->storage == Storage::static_local ||
+           entity->storage == Storage::temporary;
   });
 }
 
@@ -231,7 +232,8 @@ std::optional<std::uint64_t> Solver::known_bytes(const Component& component) con
     const auto* inserted = std::get_if<InsertedAllocation>(&site->how);
     return !inserted || inserted->filled;
   });
-  return sites.empty() || filled ? std::nullopt : light_.most_bytes(component);
+  const bool is_made_here = !sites.empty() || component.has_lasting_message();
+  return is_made_here && !filled ? light_.most_bytes(component) : std::nullopt;
 }
 
 Decision Solver::bind_allocations(const Component& component) {

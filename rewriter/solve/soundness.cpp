@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "model/codes.h"
+#include "solve/concurrent_reads.h"
+
 namespace tzc::rewriter {
 
 bool Soundness::is_in(const EntityId& key) const {
@@ -17,8 +20,7 @@ bool Soundness::any_in(const std::set<EntityId>& keys) const {
 /// A message that other functions can reach without being given it.
 bool Soundness::outlives_scope(const Component& component) const {
   return std::any_of(component.entities.begin(), component.entities.end(), [&](const Entity* entity) {
-    return facts_.lasting.count(entity->id) != 0 || entity->storage == Storage::member ||
-           entity->storage == Storage::global;
+    return facts_.lasting.count(entity->id) != 0 || entity->lasts();
   });
 }
 
@@ -77,7 +79,12 @@ std::optional<Soundness::Danger> Soundness::danger(const Component& component) {
   for (const DataEscape& escape : facts_.escapes)
     if (is_in(escape.message) && (!escape.ends_with_scope || ends_loudly()))
       return Danger{escape.obstacle, escape.message};
-  return {};
+  const ElementUse* use = ConcurrentReads(facts_, components_).of(component);
+  if (!use) return {};
+  return Danger{{codes::TZC1003,
+                 "another thread may publish it while this function goes through its elements without a lock",
+                 use->where},
+                use->message};
 }
 
 }  // namespace tzc::rewriter

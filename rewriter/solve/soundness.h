@@ -10,7 +10,7 @@
 
 namespace tzc::rewriter {
 
-/// Whether a pointer into the data of a component's messages may live across one of its publishes.
+/// Whether a pointer into the data of a component's messages may live across one of its publishes, by the same thread or by another.
 class Soundness {
  public:
   Soundness(const Facts& facts, const Components& components) : facts_(facts), components_(components) {}

@@ -55,7 +55,8 @@ std::string UnseenBranches::named_in(const Branch& branch, const Entity& entity)
   if (!compiled_together(branch.where.file, entity.where.file)) return "";
   const std::string& text = texts_.at(entity.where.file);
   const std::size_t at = offset_of(text, entity.where.line, entity.where.column);
-  const bool local = entity.storage == Storage::local, parameter = entity.storage == Storage::parameter;
+  const bool local = entity.storage == Storage::local || entity.storage == Storage::static_local,
+             parameter = entity.storage == Storage::parameter;
   const std::string function = parameter ? function_around(text, at) : "";
   if (!function.empty() && branch.words.count(function)) return function;
   if (entity.name.empty() || !branch.words.count(entity.name)) return "";

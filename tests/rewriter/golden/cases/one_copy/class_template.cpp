@@ -1,4 +1,4 @@
-// A class template of the package holds the message.
+// A class template of the package holds the message: nothing in the template says its type.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
@@ -16,7 +16,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:11 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:15 sensor_msgs/Image one_copy 'image' TZC1009 ported, it would not compile: no type named 'Stock' in 'sensor_msgs::Image_<std::allocator<void>>'
+// publish src/node.cpp:15 sensor_msgs/Image one_copy 'image' TZC1005 its type is the parameter 'T' of a class template
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -11,8 +11,8 @@ class Node {
     pub_ = nh_.advertise<sensor_msgs::Image>(topic, 1);
   }
   void fill() {
-    image_ = sensor_msgs::Image();
-    image_.data.resize(100);
+    image_ = boost::make_shared<sensor_msgs::Image>();
+    image_->data.resize(100);
   }
   void publish() {
     std::lock_guard<std::mutex> lock(mutex_);
@@ -23,7 +23,7 @@ class Node {
   ros::NodeHandle nh_;
   std::mutex mutex_;
   ros::Publisher pub_;
-  sensor_msgs::Image image_;
+  sensor_msgs::ImagePtr image_;
 };
 //--- expected
 // advertise src/node.cpp:11 sensor_msgs/Image one_copy

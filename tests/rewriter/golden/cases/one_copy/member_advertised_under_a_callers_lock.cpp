@@ -11,8 +11,8 @@ class Node {
     advertise(topic);
   }
   void fill() {
-    image_ = sensor_msgs::Image();
-    image_.data.resize(100);
+    image_ = boost::make_shared<sensor_msgs::Image>();
+    image_->data.resize(100);
   }
   void publish() {
     std::lock_guard<std::mutex> lock(mutex_);
@@ -26,7 +26,7 @@ class Node {
   ros::NodeHandle nh_;
   std::mutex mutex_;
   ros::Publisher pub_;
-  sensor_msgs::Image image_;
+  sensor_msgs::ImagePtr image_;
 };
 //--- expected
 // advertise src/node.cpp:23 sensor_msgs/Image one_copy

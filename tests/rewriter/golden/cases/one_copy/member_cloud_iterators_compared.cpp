@@ -27,7 +27,6 @@ class Node {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs.h>
 // -    sensor_msgs::PointCloud2Modifier modifier(cloud_);
-// +    pub_.allocate(cloud_);
 // +    tzc::sensor_msgs::PointCloud2Modifier modifier(cloud_);
 // -    for (sensor_msgs::PointCloud2Iterator<float> x(cloud_, "x"); x != x.end(); ++x) *x = 1;
 // +    for (tzc::sensor_msgs::PointCloud2Iterator<float> x(cloud_, "x"); x != x.end(); ++x) *x = 1;

@@ -1,4 +1,4 @@
-// The struct has its content before this function can allocate the message in it: one copy, whoever made it.
+// The struct has its content when it comes to the function that publishes the message in it: one copy, whoever made it.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
@@ -30,8 +30,8 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:20 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:23 sensor_msgs/Image one_copy 'image' TZC1022 'frame' may come with content, which is copied when it is allocated
-// publish src/node.cpp:25 sensor_msgs/Image one_copy 'image' TZC1022 'scan' may come with content, which is copied when it is allocated
+// publish src/node.cpp:23 sensor_msgs/Image one_copy 'image' TZC1022 'frame' may be another object each time, with content outside shared memory
+// publish src/node.cpp:25 sensor_msgs/Image one_copy 'image' TZC1022 'scan' may be another object each time, with content outside shared memory
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
@@ -42,8 +42,5 @@ class Node {
 // +  tzc::sensor_msgs::Image image;
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 1); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1); }
-// +    pub_.allocate(frame.image);
-// -  void parameter(Scan& scan) { pub_.publish(scan.image); }
-// +  void parameter(Scan& scan) { pub_.allocate(scan.image); pub_.publish(scan.image); }
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;

@@ -37,20 +37,25 @@ class Node {
 //--- expected
 // publish src/node.cpp:17 sensor_msgs/Image one_copy '1' TZC1019 the expression that names it means something else, or nothing, where allocate would stand
 // publish src/node.cpp:21 sensor_msgs/Image one_copy '2' TZC1019 it is made under a condition only
-// publish src/node.cpp:23 sensor_msgs/Image one_copy '3' TZC1019 the expression that names it means something else, or nothing, where allocate would stand
-// publish src/node.cpp:24 sensor_msgs/Image one_copy '4' TZC1019 the expression that names it means something else, or nothing, where allocate would stand
+// publish src/node.cpp:23 sensor_msgs/Image zero_copy '3'
+// publish src/node.cpp:24 sensor_msgs/Image zero_copy '4'
 // advertise src/node.cpp:28 sensor_msgs/Image one_copy '1'
 // advertise src/node.cpp:29 sensor_msgs/Image one_copy '2'
-// advertise src/node.cpp:30 sensor_msgs/Image one_copy '3'
-// advertise src/node.cpp:31 sensor_msgs/Image one_copy '4'
+// advertise src/node.cpp:30 sensor_msgs/Image zero_copy '3'
+// advertise src/node.cpp:31 sensor_msgs/Image zero_copy '4'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  sensor_msgs::Image image;
+// +  tzc::sensor_msgs::Image image;
+// -  sensor_msgs::Image picture;
+// +  tzc::sensor_msgs::Image picture;
 // -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("1", 1);
 // -  ros::Publisher second_pub_ = nh_.advertise<sensor_msgs::Image>("2", 1);
 // -  ros::Publisher third_pub_ = nh_.advertise<sensor_msgs::Image>("3", 1);
 // -  ros::Publisher fourth_pub_ = nh_.advertise<sensor_msgs::Image>("4", 1);
 // +  tzc::Publisher pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "1", 1);
 // +  tzc::Publisher second_pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "2", 1);
-// +  tzc::Publisher third_pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "3", 1);
-// +  tzc::Publisher fourth_pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "4", 1);
+// +  tzc::Publisher third_pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "3", 1);
+// +  tzc::Publisher fourth_pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "4", 1);

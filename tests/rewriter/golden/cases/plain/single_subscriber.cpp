@@ -26,7 +26,6 @@ class Node {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("map", 1, boost::bind(&Node::connected, this, _1)); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "map", 1, boost::bind(&Node::connected, this, _1)); }
-// +    pub_.allocate(map_);
 // -  ros::Publisher pub_;
 // -  sensor_msgs::Image map_;
 // +  tzc::Publisher pub_;

@@ -27,7 +27,6 @@ class Node {
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
 // -    sensor_msgs::clearImage(image_);
-// +    pub_.allocate(image_);
 // +    tzc::sensor_msgs::clearImage(image_);
 // -  ros::Publisher pub_;
 // -  sensor_msgs::Image image_;

@@ -26,7 +26,6 @@ class Node {
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
 // -    sensor_msgs::fillImage(image_, "rgb8", 480, 640, 1920, pixels);
-// +    pub_.allocate(image_);
 // +    tzc::sensor_msgs::fillImage(image_, "rgb8", 480, 640, 1920, pixels);
 // -  ros::Publisher pub_;
 // -  sensor_msgs::Image image_;

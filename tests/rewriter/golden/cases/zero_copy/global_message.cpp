@@ -26,6 +26,5 @@ int main() {
 // -sensor_msgs::Image image;
 // +tzc::Publisher pub;
 // +tzc::sensor_msgs::Image image;
-// +  pub.allocate(image);
 // -  pub = nh.advertise<sensor_msgs::Image>("image", 1);
 // +  pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1);

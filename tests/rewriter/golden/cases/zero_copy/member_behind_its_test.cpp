@@ -53,8 +53,6 @@ class Node {
 // +  tzc::sensor_msgs::Image image;
 // -  sensor_msgs::LaserScan scan;
 // +  tzc::sensor_msgs::LaserScan scan;
-// -      pub_.getNumSubscribers(); frame_->image.data.assign(1000, k);
-// +      pub_.getNumSubscribers(); pub_.allocate(frame_->image); frame_->image.data.assign(1000, k);
 // +    front_pub_.allocate(front.scan);
 // +    rear_pub_.allocate(rear.scan);
 // -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);

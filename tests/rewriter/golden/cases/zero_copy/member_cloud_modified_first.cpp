@@ -26,7 +26,6 @@ class Node {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs.h>
 // -    sensor_msgs::PointCloud2Modifier modifier(cloud_);
-// +    pub_.allocate(cloud_);
 // +    tzc::sensor_msgs::PointCloud2Modifier modifier(cloud_);
 // -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::PointCloud2>("points", 1);
 // -  sensor_msgs::PointCloud2 cloud_;

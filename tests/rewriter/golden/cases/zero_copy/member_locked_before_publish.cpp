@@ -1,4 +1,4 @@
-// Another thread fills the message under the lock: allocate may not come before it.
+// Another thread fills the message under the lock: nothing in front of it may touch the message.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
@@ -40,8 +40,6 @@ class Renderer {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Renderer() : pub_(nh_.advertise<sensor_msgs::Image>("image", 1)) {
 // +  Renderer() : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1)) {
-// -    std::lock_guard<std::mutex> lock(mutex_); pub_.publish(image_);
-// +    std::lock_guard<std::mutex> lock(mutex_); pub_.allocate(image_); pub_.publish(image_);
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;
 // -  sensor_msgs::Image image_;

@@ -1,4 +1,4 @@
-// A message in a struct is allocated in front of what gets the struct, which fills it.
+// A message in a struct that the function makes is allocated where the struct is declared; in a struct that lasts it is not.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
@@ -57,7 +57,5 @@ class Node {
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1); }
 // +    pub_.allocate(frame.image);
 // +    pub_.allocate(frame->image);
-// +    pub_.allocate(kept_.image);
-// +    pub_.allocate(frame.image);
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;

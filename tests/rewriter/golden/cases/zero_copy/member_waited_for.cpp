@@ -1,4 +1,4 @@
-// Until the worker has ended the message is its own: allocate comes behind the function that waits for it.
+// Until the worker has ended the message is its own: nothing in front of the function that waits for it may touch the message.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
@@ -32,8 +32,6 @@ class Renderer {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Renderer() : pub_(nh_.advertise<sensor_msgs::Image>("image", 1)) {}
 // +  Renderer() : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1)) {}
-// -    end_work(); pub_.publish(image_);
-// +    end_work(); pub_.allocate(image_); pub_.publish(image_);
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;
 // -  sensor_msgs::Image image_;

@@ -68,23 +68,17 @@ class Node {
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::LaserScan>("scan", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh_, "scan", 10); }
 // -    scan_.ranges.resize(values.size());
-// +    pub_.allocate(scan_);
 // +    scan_.ranges.resize(values.size(), tzc::uninitialized);
 // -    scan_.ranges.resize(count);
-// +    pub_.allocate(scan_);
 // +    scan_.ranges.resize(count, tzc::uninitialized);
 // -    scan_.ranges.resize(rows * columns);
-// +    pub_.allocate(scan_);
 // +    scan_.ranges.resize(rows * columns, tzc::uninitialized);
 // -    scan_.ranges.resize(rows * columns);
-// +    pub_.allocate(scan_);
 // +    scan_.ranges.resize(rows * columns, tzc::uninitialized);
 // -    scan_.ranges.resize(n);
-// +    pub_.allocate(scan_);
 // +    scan_.ranges.resize(n, tzc::uninitialized);
 // -    scan_.ranges.resize(distances.size());
 // -    scan_.intensities.resize(distances.size());
-// +    pub_.allocate(scan_);
 // +    scan_.ranges.resize(distances.size(), tzc::uninitialized);
 // +    scan_.intensities.resize(distances.size(), tzc::uninitialized);
 // -  ros::Publisher pub_;

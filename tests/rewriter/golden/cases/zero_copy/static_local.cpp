@@ -26,6 +26,5 @@ class Node {
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
 // -    static sensor_msgs::Image image;
 // +    static tzc::sensor_msgs::Image image;
-// +    pub_.allocate(image);
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;

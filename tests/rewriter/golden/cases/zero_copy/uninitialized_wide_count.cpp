@@ -33,7 +33,6 @@ class Node {
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
 // -    image_.data.resize(n);
-// +    pub_.allocate(image_);
 // +    image_.data.resize(n, tzc::uninitialized);
 // -    image_.data.resize(unsigned(n));
 // +    image_.data.resize(unsigned(n), tzc::uninitialized);

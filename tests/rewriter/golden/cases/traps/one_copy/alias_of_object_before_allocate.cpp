@@ -1,4 +1,4 @@
-// Two names of one object: a pointer that was got by one of them must not be left behind by allocate for the other one.
+// Two names of one object: a pointer that was got by one of them must not be left behind by what is done to the other one.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
@@ -30,6 +30,5 @@ void open(ros::NodeHandle& nh, Channel& channel) {
 // -  sensor_msgs::Image frame;
 // +  tzc::Publisher pub;
 // +  tzc::sensor_msgs::Image frame;
-// +  channel->pub.allocate(channel->frame);
 // -  channel.pub = nh.advertise<sensor_msgs::Image>("image", 1);
 // +  channel.pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1);

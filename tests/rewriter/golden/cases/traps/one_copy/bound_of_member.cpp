@@ -28,10 +28,8 @@ class Node {
 // +#include <tzc/std_msgs/Float32MultiArray.h>
 // -  explicit Node(ros::NodeHandle& nh) : pub_(nh.advertise<std_msgs::Float32MultiArray>("values", 10)) {}
 // +  explicit Node(ros::NodeHandle& nh) : pub_(tzc::advertise<tzc::std_msgs::Float32MultiArray>(nh, "values", 10)) {}
-// +    pub_.allocate(member_);
 // -    static std_msgs::Float32MultiArray kept;
 // +    static tzc::std_msgs::Float32MultiArray kept;
-// +    pub_.allocate(kept);
 // -  ros::Publisher pub_;
 // -  std_msgs::Float32MultiArray member_;
 // +  tzc::Publisher pub_;

@@ -25,7 +25,6 @@ class Node {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
-// +    pub_.allocate(image_);
 // -  ros::Publisher pub_;
 // -  sensor_msgs::Image image_;
 // +  tzc::Publisher pub_;

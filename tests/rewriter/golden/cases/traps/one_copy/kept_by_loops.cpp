@@ -117,20 +117,6 @@ class Node {
 // +#include <tzc/sensor_msgs/LaserScan.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::LaserScan>("scan", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh_, "scan", 10); }
-// +    pub_.allocate(a_);
-// +    pub_.allocate(b_);
-// +    pub_.allocate(c_);
-// +    pub_.allocate(d_);
-// +    pub_.allocate(e_);
-// +    pub_.allocate(f_);
-// +    pub_.allocate(g_);
-// +    pub_.allocate(h_);
-// +    pub_.allocate(j_);
-// +    pub_.allocate(k_);
-// +    pub_.allocate(l_);
-// +    pub_.allocate(m_);
-// +    pub_.allocate(o_);
-// +    pub_.allocate(p_);
 // -  ros::Publisher pub_;
 // -  sensor_msgs::LaserScan a_, b_, c_, d_, e_, f_, g_, h_, j_, k_, l_, m_, o_, p_;
 // +  tzc::Publisher pub_;

@@ -42,9 +42,6 @@ class Node {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
-// +    pub_.allocate(a_);
-// +    pub_.allocate(b_);
-// +    pub_.allocate(c_);
 // -  ros::Publisher pub_;
 // -  sensor_msgs::Image a_, b_, c_;
 // +  tzc::Publisher pub_;

@@ -27,7 +27,6 @@ class Node {
 // +#include <tzc/sensor_msgs/LaserScan.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::LaserScan>("scan", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh_, "scan", 10); }
-// +    pub_.allocate(scan_);
 // -  ros::Publisher pub_;
 // -  sensor_msgs::LaserScan scan_;
 // +  tzc::Publisher pub_;

@@ -92,15 +92,6 @@ void run(Node& node, std::vector<float>& values) {
 // +  tzc::sensor_msgs::LaserScan scan;
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::LaserScan>("scan", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh_, "scan", 10); }
-// +    pub_.allocate(a_);
-// +    pub_.allocate(b_);
-// +    pub_.allocate(c_);
-// +    pub_.allocate(d_);
-// +    pub_.allocate(e_);
-// +    pub_.allocate(f_);
-// +    pub_.allocate(g_);
-// +    pub_.allocate(h_);
-// +    pub_.allocate(frames_[0].scan);
 // -  ros::Publisher pub_;
 // -  sensor_msgs::LaserScan a_, b_, c_, d_, e_, f_, g_, h_;
 // +  tzc::Publisher pub_;

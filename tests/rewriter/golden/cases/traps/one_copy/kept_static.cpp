@@ -19,4 +19,3 @@ void publish(ros::NodeHandle& nh) {
 // -  static sensor_msgs::Image image;
 // +  static tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
 // +  static tzc::sensor_msgs::Image image;
-// +  pub.allocate(image);

@@ -54,8 +54,6 @@ class Node {
 // -    scans_ = nh_.advertise<sensor_msgs::LaserScan>("scan", 10);
 // +    pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10);
 // +    scans_ = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh_, "scan", 10);
-// +    pub_.allocate(frames_[0].image);
-// +    scans_.allocate(scan_);
 // -  ros::Publisher pub_, scans_;
 // +  tzc::Publisher pub_, scans_;
 // -  sensor_msgs::LaserScan scan_;

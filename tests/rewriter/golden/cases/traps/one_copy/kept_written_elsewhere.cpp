@@ -21,9 +21,7 @@ class Node {
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
-// -  void onTimer() { pub_.publish(image_); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
-// +  void onTimer() { pub_.allocate(image_); pub_.publish(image_); }
 // -  ros::Publisher pub_;
 // -  sensor_msgs::Image image_;
 // +  tzc::Publisher pub_;

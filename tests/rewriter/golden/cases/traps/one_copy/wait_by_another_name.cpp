@@ -1,4 +1,4 @@
-// A function of a library that nobody knows may wait for the thread that fills the message: allocate stands behind it.
+// A function of a library that nobody knows may wait for the thread that fills the message: nothing in front of it may touch the message.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <semaphore.h>
@@ -25,7 +25,6 @@ class Node {
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
-// +    pub_.allocate(image_);
 // -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);
 // -  sensor_msgs::Image image_;
 // +  tzc::Publisher pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1);

@@ -48,7 +48,6 @@ class Node {
 // -    std_msgs::Float32MultiArray next;
 // +    tzc::std_msgs::Float32MultiArray next;
 // +    pub_.allocate(next);
-// +    pub_.allocate(other_);
 // -    boost::shared_ptr<std_msgs::Float32MultiArray> next(new std_msgs::Float32MultiArray);
 // +    boost::shared_ptr<tzc::std_msgs::Float32MultiArray> next(new tzc::std_msgs::Float32MultiArray);
 // +    pub_.allocate(*next);

@@ -31,7 +31,6 @@ class Node {
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 1); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1); }
 // -    const sensor_msgs::Image& view = image_;
-// +    pub_.allocate(image_);
 // +    const tzc::sensor_msgs::Image& view = image_;
 // -  ros::Publisher pub_;
 // -  sensor_msgs::Image image_;

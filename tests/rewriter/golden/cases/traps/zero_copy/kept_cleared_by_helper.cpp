@@ -26,7 +26,6 @@ class Node {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
-// +    pub_.allocate(image_);
 // -  static void begin(sensor_msgs::Image& image) { image.data.clear(); }
 // +  static void begin(tzc::sensor_msgs::Image& image) { image.data.clear(); }
 // -  ros::Publisher pub_;

@@ -28,7 +28,6 @@ class Node {
 // +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
-// +    pub_.allocate(image_);
 // -  void paint(sensor_msgs::Image& image) { image.data[0] = 1; }
 // +  void paint(tzc::sensor_msgs::Image& image) { image.data[0] = 1; }
 // -  ros::Publisher pub_;

@@ -27,9 +27,7 @@ class Node {
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
 // -    image_ = sensor_msgs::Image();
-// +    pub_.allocate(image_);
 // +    image_ = tzc::sensor_msgs::Image();
-// +    pub_.allocate(image_);
 // -  ros::Publisher pub_;
 // -  sensor_msgs::Image image_;
 // +  tzc::Publisher pub_;

@@ -27,7 +27,6 @@ class Node {
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
 // +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
 // -    image_.data.resize(100);
-// +    pub_.allocate(image_);
 // +    image_.data.resize(100, tzc::uninitialized);
 // -  ros::Publisher pub_;
 // -  sensor_msgs::Image image_;

@@ -34,8 +34,6 @@ class Node {
 // +#include <tzc/sensor_msgs/Image.h>
 // -    pub_ = nh_.advertise<sensor_msgs::Image>("image", 10);
 // +    pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10);
-// -  void send() { pub_.publish(image_); }
-// +  void send() { pub_.allocate(image_); pub_.publish(image_); }
 // -  ros::Publisher pub_;
 // -  sensor_msgs::Image image_;
 // +  tzc::Publisher pub_;

@@ -1,4 +1,5 @@
-// A member's constructor calls a function that asks before it publishes: allocate would not.
+// A member's constructor calls a function that asks before it publishes: nothing else may look at the publisher, which is
+// not constructed yet.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
@@ -27,12 +28,15 @@ class Node {
 
 WarmUp::WarmUp(Node& node) { node.step(); }
 //--- expected
-// advertise src/node.cpp:13 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:18 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// advertise src/node.cpp:14 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:19 sensor_msgs/Image zero_copy 'image'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -      : warm_up_(*this), pub_(nh.advertise<sensor_msgs::Image>("image", 1)) {
-// +      : warm_up_(*this), pub_(tzc::advertise<sensor_msgs::Image>(nh, "image", 1)) {
+// +      : warm_up_(*this), pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1)) {
+// -  sensor_msgs::Image image_;
+// +  tzc::sensor_msgs::Image image_;
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;

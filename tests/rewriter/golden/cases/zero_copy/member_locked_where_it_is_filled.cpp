@@ -1,4 +1,4 @@
-// The function that fills the message takes the lock itself: in front of the call allocate would be in front of the lock.
+// The function that fills the message takes the lock itself: nothing in front of it may touch the message.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
@@ -29,12 +29,17 @@ class Renderer {
   sensor_msgs::Image image_;
 };
 //--- expected
-// advertise src/node.cpp:9 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:16 sensor_msgs/Image one_copy 'image' TZC1019 other threads may use it until a lock is taken, and allocate would come before that
+// advertise src/node.cpp:9 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:16 sensor_msgs/Image zero_copy 'image'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  Renderer() : pub_(nh_.advertise<sensor_msgs::Image>("image", 1)) {}
-// +  Renderer() : pub_(tzc::advertise<sensor_msgs::Image>(nh_, "image", 1)) {}
+// +  Renderer() : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1)) {}
+// -  void begin(sensor_msgs::Image& image) {
+// +  void begin(tzc::sensor_msgs::Image& image) {
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;
+// -  sensor_msgs::Image image_;
+// +  tzc::sensor_msgs::Image image_;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/filled_message.h"
+
+#include "facts/calls.h"
+#include "facts/message_type.h"
+
+namespace tzc::rewriter {
+namespace {
+
+const clang::Expr* filled_by(const Unit& unit, const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function) return nullptr;
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call))
+    return op->getOperator() == clang::OO_Equal ? op->getArg(0) : nullptr;
+  for (unsigned i = 0; i < call->getNumArgs(); ++i)
+    if (unit.rules.find_call(qualified_name_of(function), i)) return call->getArg(i);
+  const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
+  if (!member || call->getNumArgs() == 0) return nullptr;
+  const MethodCall* rule = unit.rules.find_method(qualified_name_of(member->getMethodDecl()->getParent()),
+                                                  function->getNameAsString(), written_arguments(call));
+  return rule && rule->role == MethodCall::Role::fills_message ? call->getArg(0) : nullptr;
+}
+
+}  // namespace
+
+const clang::Expr* filled_message(const Unit& unit, const clang::Stmt* stmt) {
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
+  const clang::Expr* filled = call ? filled_by(unit, call) : nullptr;
+  return filled && message_of(filled->getType().getNonReferenceType()) ? filled : nullptr;
+}
+
+bool is_cloud_iterator(const clang::CXXRecordDecl* record) {
+  return record && record->getName().starts_with("PointCloud2") && record->getName().ends_with("Iterator");
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,35 @@
+// The one that goes through the map does so through const access; but a third callback, which looks at a cell, moves the elements.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Map {
+ public:
+  Map() {
+    map_.data.assign(1000, 7);
+    often_ = nh_.createTimer(ros::Duration(0.1), &Map::send, this);
+    asked_ = nh_.createTimer(ros::Duration(1), &Map::look_up, this);
+  }
+  void send(const ros::TimerEvent&) { pub_.publish(map_); }
+  void look_up(const ros::TimerEvent&) { count_ += occupied(); }
+  void cell(const ros::TimerEvent&) { count_ += map_.data[7]; }
+  int occupied() const {
+    int count = 0;
+    for (auto cell : map_.data) count += cell != 0;
+    return count;
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("map", 1, true);
+  sensor_msgs::Image map_;
+  ros::Timer often_, asked_;
+  int count_ = 0;
+};
+//--- expected
+// publish src/node.cpp:12 sensor_msgs/Image one_copy 'map' TZC1003 another thread may publish it while this function goes through its elements without a lock
+// advertise src/node.cpp:23 sensor_msgs/Image one_copy 'map'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("map", 1, true);
+// +  tzc::Publisher pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "map", 1, true);

@@ -1,0 +1,38 @@
+// Several threads may have a shared lock: those that only read.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+#include <shared_mutex>
+
+class Map {
+ public:
+  Map() {
+    map_.data.assign(1000, 7);
+    often_ = nh_.createTimer(ros::Duration(0.1), &Map::send, this);
+    asked_ = nh_.createTimer(ros::Duration(1), &Map::look_up, this);
+  }
+  void send(const ros::TimerEvent&) {
+    std::shared_lock<std::shared_mutex> lock(mutex_);
+    pub_.publish(map_);
+  }
+  void look_up(const ros::TimerEvent&) {
+    std::shared_lock<std::shared_mutex> lock(mutex_);
+    for (auto& cell : map_.data) count_ += cell != 0;
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("map", 1, true);
+  sensor_msgs::Image map_;
+  std::shared_mutex mutex_;
+  ros::Timer often_, asked_;
+  int count_ = 0;
+};
+//--- expected
+// publish src/node.cpp:16 sensor_msgs/Image one_copy 'map' TZC1003 another thread may publish it while this function goes through its elements without a lock
+// advertise src/node.cpp:25 sensor_msgs/Image one_copy 'map'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("map", 1, true);
+// +  tzc::Publisher pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "map", 1, true);

@@ -1,0 +1,39 @@
+// --on-exhausted=drop leaves a message alone that lasts: other threads may be reading it.
+//RUN: on-exhausted=drop
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+  void member() {
+    image_.data.assign(100, 1);
+    pub_.publish(image_);
+  }
+  void local() {
+    static sensor_msgs::Image image;
+    image.data.assign(100, 1);
+    pub_.publish(image);
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  sensor_msgs::Image image_;
+};
+//--- expected
+// advertise src/node.cpp:8 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:11 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:16 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
+// -    static sensor_msgs::Image image;
+// +    static tzc::sensor_msgs::Image image;
+// -  ros::Publisher pub_;
+// -  sensor_msgs::Image image_;
+// +  tzc::Publisher pub_;
+// +  tzc::sensor_msgs::Image image_;
