@@ -3,6 +3,8 @@
 #
 # Compiles headers once for all files of a target: ROS's, Boost's and Clang's take longer than what the files themselves
 # say. Every file still includes what it uses; style.tidy reads it without the precompiled header.
+set(TZC_CCACHE_PRECOMPILED "${CMAKE_CURRENT_LIST_DIR}/ccache-precompiled")
+
 function(tzc_precompile target)
   target_precompile_headers(${target} PRIVATE ${ARGN})
   tzc_cache_precompiled(${target})
@@ -16,11 +18,11 @@ function(tzc_share_precompiled from)
   endforeach()
 endfunction()
 
-# What ccache and GCC ask for, so that such files are cached, too (ccache's manual, "Precompiled headers").
+# Such files are cached, too.
 function(tzc_cache_precompiled target)
   if(TZC_CCACHE AND CMAKE_CXX_COMPILER_LAUNCHER STREQUAL TZC_CCACHE)
     set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
-      "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime;${TZC_CCACHE}")
+      "${TZC_CCACHE_PRECOMPILED};${TZC_CCACHE}")
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       target_compile_options(${target} PRIVATE -fpch-preprocess)
     endif()
