@@ -5,6 +5,7 @@
 #include <atomic>
 #include <fstream>
 #include <mutex>
+#include <numeric>
 #include <regex>
 #include <sstream>
 
@@ -42,10 +43,13 @@ class PortPlanner {
  private:
   Expected<void> load();
   std::optional<Error> collect();
+  std::optional<Error> read(const std::vector<std::size_t>& units, const CollectOptions& options,
+                            const std::string& stage);
+  std::vector<std::size_t> units_that_miss(const std::set<std::string>& shown) const;
   std::optional<Error> lacks_units() const;
   std::optional<Error> sort_out(const CompileUnit& unit, const Diagnostic& error);
   std::vector<std::string> include_dirs() const;
-  void step(const std::string& stage, unsigned done, const std::string& what);
+  void step(const std::string& stage, unsigned done, std::size_t of, const std::string& what);
   PortPlans finish(const Components& components, DemotionLoop::Result result) const;
 
   const EngineOptions& options_;
@@ -53,7 +57,8 @@ class PortPlanner {
   UnitOwners owners_;
   RuleSet rules_;
   TrustedFunctions trusted_;
-  UnitReading reading_;
+  std::vector<UnitReading> readings_;  ///< of units_
+  UnitReading reading_;                ///< of all together
   std::vector<CompileUnit> parsed_;
   std::vector<Note> left_out_;  ///< units that do not parse
 };
@@ -101,8 +106,8 @@ std::string lines_with_sites(const std::string& file) {
   return lines;
 }
 
-void PortPlanner::step(const std::string& stage, unsigned done, const std::string& what) {
-  if (options_.progress) options_.progress->step(stage, done, static_cast<unsigned>(units_.size()), what);
+void PortPlanner::step(const std::string& stage, unsigned done, std::size_t of, const std::string& what) {
+  if (options_.progress) options_.progress->step(stage, done, static_cast<unsigned>(of), what);
 }
 
 /// TZC's headers and those of the package's own messages, in one order for every parse.
@@ -127,11 +132,7 @@ std::optional<Error> PortPlanner::sort_out(const CompileUnit& unit, const Diagno
 }
 
 std::optional<Error> PortPlanner::collect() {
-  std::vector<UnitReading> readings(units_.size());
-  std::optional<Error> failure;
-  std::mutex mutex;
-  std::atomic<bool> failed{false};  // what remains need not be read: large packages take minutes
-  unsigned done = 0;
+  readings_.resize(units_.size());
   CollectOptions options{
       options_.packages,
       build_dirs(options_),
@@ -139,23 +140,51 @@ std::optional<Error> PortPlanner::collect() {
       &rules_,
       include_dirs(),
       trusted_};
-  in_parallel(options_.jobs, units_.size(), [&](std::size_t i) {
-    if (failed) return;
-    readings[i] = read_unit(units_[i], options, options_.accesses);
-    const std::vector<Diagnostic>& errors = readings[i].errors;
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (!errors.empty() && !failure) failure = sort_out(units_[i], errors.front());
-    failed = failure.has_value();
-    step("parsing", ++done, units_[i].file);
-  });
+  std::vector<std::size_t> all(units_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::optional<Error> failure = read(all, options, "parsing");
+  if (failure) return failure;
+  for (const UnitReading& reading : readings_)
+    options.hidden.insert(reading.facts.hidden.shown.begin(), reading.facts.hidden.shown.end());
+  failure = read(units_that_miss(options.hidden), options, "parsing again");
   for (std::size_t i = 0; i < units_.size(); ++i) {
-    if (!readings[i].errors.empty()) continue;
+    if (!readings_[i].errors.empty()) continue;
     parsed_.push_back(units_[i]);
-    reading_.merge(std::move(readings[i]));
+    reading_.merge(std::move(readings_[i]));
   }
   reading_.facts.refuse_unseen_functions();
   leave_light_types(reading_.facts, options_.small);
   return failure ? failure : lacks_units();
+}
+
+std::optional<Error> PortPlanner::read(const std::vector<std::size_t>& units, const CollectOptions& options,
+                                       const std::string& stage) {
+  std::optional<Error> failure;
+  std::mutex mutex;
+  std::atomic<bool> failed{false};  // what remains need not be read: large packages take minutes
+  unsigned done = 0;
+  in_parallel(options_.jobs, units.size(), [&](std::size_t i) {
+    if (failed) return;
+    const CompileUnit& unit = units_[units[i]];
+    UnitReading& reading = readings_[units[i]];
+    reading = read_unit(unit, options, options_.accesses);
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (!reading.errors.empty() && !failure) failure = sort_out(unit, reading.errors.front());
+    failed = failure.has_value();
+    step(stage, ++done, units.size(), unit.file);
+  });
+  return failure;
+}
+
+/// Those for which it matters that another one has shown it.
+std::vector<std::size_t> PortPlanner::units_that_miss(const std::set<std::string>& shown) const {
+  std::vector<std::size_t> units;
+  for (std::size_t i = 0; i < readings_.size(); ++i) {
+    const std::set<std::string>& missed = readings_[i].facts.hidden.missed;
+    if (std::any_of(missed.begin(), missed.end(), [&](auto& name) { return shown.count(name) != 0; }))
+      units.push_back(i);
+  }
+  return units;
 }
 
 std::optional<Error> PortPlanner::lacks_units() const {

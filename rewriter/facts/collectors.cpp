@@ -50,7 +50,7 @@ void Collectors::bases(const clang::CXXRecordDecl* record) {
   for (const clang::CXXBaseSpecifier& base : record->bases())
     if (const clang::CXXRecordDecl* of = base.getType()->getAsCXXRecordDecl())
       facts_.bases[usr_of(record)].insert(usr_of(of));
-  hidden_.note(unit_, record);
+  hidden_.note(record);
 }
 
 void Collectors::name(const clang::Expr* expr, const clang::ValueDecl* decl) {
@@ -80,7 +80,7 @@ void Collectors::object(const clang::Expr* expr, const clang::TypeSourceInfo* ty
 
 void Collectors::construction(const clang::CXXConstructExpr* construct) {
   if (!unit_.source.in_package(construct->getBeginLoc())) return;
-  hidden_.note(unit_, construct->getType(), {construct->getArgs(), construct->getNumArgs()});
+  hidden_.note(construct->getType(), {construct->getArgs(), construct->getNumArgs()});
   add_site(facts_.advertises, library_advertise(unit_, construct));
   add_site(facts_.subscribes, filters_.of_construction(construct));
 }
@@ -150,7 +150,7 @@ void Collectors::member_call(const clang::CXXMemberCallExpr* call) {
   const std::string name = method->getNameAsString();
   if (is_publish(call)) return publish(call);
   if (name == "reset")
-    hidden_.note(unit_, call->getImplicitObjectArgument()->getType(), {call->getArgs(), call->getNumArgs()});
+    hidden_.note(call->getImplicitObjectArgument()->getType(), {call->getArgs(), call->getNumArgs()});
   add_site(facts_.advertises, library_advertise(unit_, call));
   add_site(facts_.publishes, library_publish(unit_, call));
   if (name == "registerCallback") filters_.add_callbacks(call, facts_.filter_callbacks);
@@ -227,6 +227,7 @@ Facts Collectors::finish() {
   for (const auto& [where, part] : parts_) add(allocations_.of_part(part.second, part.first));
   for (AllocationDraft& draft : drafts_)
     facts_.allocations.push_back(connected(unit_, entities_.facts(), std::move(draft), publishers_));
+  facts_.hidden = hidden_.found();
   static_cast<EntityFacts&>(facts_) = entities_.take();
   return std::move(facts_);
 }

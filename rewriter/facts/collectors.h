@@ -30,7 +30,8 @@ class Collectors {
         allocations_(unit, entities_, flow_),
         filters_(unit, entities_, flow_),
         advertises_(unit, entities_),
-        subscribes_(unit, entities_) {}
+        subscribes_(unit, entities_),
+        hidden_(unit) {}
 
   EntityTable& entities() { return entities_; }
   ValueFlow& flow() { return flow_; }

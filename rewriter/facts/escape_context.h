@@ -13,7 +13,7 @@ struct EscapeContext {
   EntityTable& entities;
   ValueFlow& flow;
   EscapeFacts& found;
-  const HiddenCode& hidden;
+  HiddenCode& hidden;
 
   /// By the table, or by the workspace's own, on which the level of the messages rests then.
   Keeping keeping_of(const std::string& function, const std::vector<EntityId>& messages) const {

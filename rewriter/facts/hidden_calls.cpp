@@ -79,29 +79,54 @@ bool does_nothing(clang::QualType deleter) {
 
 }  // namespace
 
-void HiddenCode::note(const Unit& unit, clang::QualType object,
-                      llvm::ArrayRef<const clang::Expr*> arguments) {
+void HiddenCode::note(clang::QualType object, llvm::ArrayRef<const clang::Expr*> arguments) {
   const clang::CXXRecordDecl* record = object.getNonReferenceType()->getAsCXXRecordDecl();
   if (!record || !keeps_deleter(record) || arguments.empty()) return;
-  if (arguments.size() > 1 && involves_package(unit, arguments[1]->getType()))
-    deleters |= !does_nothing(arguments[1]->getType());
-  else
-    deleters |= involves_package(unit, arguments[0]->IgnoreParenImpCasts()->getType()) &&
-                !involves_package(unit, object);
+  const bool has_deleter = arguments.size() > 1 && involves_package(unit_, arguments[1]->getType());
+  const bool gives = has_deleter ? !does_nothing(arguments[1]->getType())
+                                 : involves_package(unit_, arguments[0]->IgnoreParenImpCasts()->getType()) &&
+                                       !involves_package(unit_, object);
+  if (gives) shown_.insert(a_deleter);
 }
 
-void HiddenCode::note(const Unit& unit, const clang::CXXRecordDecl* record) {
+void HiddenCode::note(const clang::CXXRecordDecl* record) {
   for (const clang::CXXMethodDecl* method : record->methods())
-    if (method->isUserProvided()) add_overridden(unit, method, overridden);
+    if (method->isUserProvided()) add_overridden(unit_, method, shown_);
+}
+
+bool HiddenCode::is_shown(const std::string& what) {
+  if (shown_.count(what) != 0) return true;
+  missed_.insert(what);
+  return false;
+}
+
+const HiddenCode::Parts& HiddenCode::parts_of(clang::QualType type) {
+  const clang::QualType plain = type.getNonReferenceType().getCanonicalType().getUnqualifiedType();
+  const auto [known, is_new] = parts_.emplace(plain.getTypePtrOrNull(), Parts());
+  Parts& parts = known->second;
+  if (!is_new) return parts;
+  walk_type(plain, [&](const clang::CXXRecordDecl* record) {
+    if (keeps_deleter(record)) (is_erased(record) ? parts.erased : parts.deleters) = true;
+    return shows_contents(record) || unit_.source.in_package(record->getLocation());
+  });
+  walk_type(plain, [&](const clang::CXXRecordDecl* record) {
+    if (unit_.source.in_package(record->getLocation())) return false;
+    if (!record->hasDefinition() || record->isPolymorphic())
+      parts.polymorphic.insert(qualified_name_of(record));
+    return true;
+  });
+  return parts;
 }
 
 /// What another unit has put into shared_ptr<void> or any, this one does not show.
-bool may_release(const Unit& unit, const HiddenCode& hidden, clang::QualType type) {
+bool HiddenCode::may_release(clang::QualType type) {
+  const Parts& parts = parts_of(type);
+  return parts.erased || (parts.deleters && is_shown(a_deleter));
+}
+
+bool HiddenCode::may_dispatch(clang::QualType type) {
   bool found = false;
-  walk_type(type, [&](const clang::CXXRecordDecl* record) {
-    found = found || (keeps_deleter(record) && (hidden.deleters || is_erased(record)));
-    return !found && (shows_contents(record) || unit.source.in_package(record->getLocation()));
-  });
+  for (const std::string& name : parts_of(type).polymorphic) found |= is_shown(name);
   return found;
 }
 
@@ -113,16 +138,6 @@ bool may_call_back(clang::QualType type) {
     const std::string name = qualified_name_of(record);
     found = found || keepers.count(name) != 0;
     return !found && name.rfind("ros::", 0) != 0;
-  });
-  return found;
-}
-
-bool may_dispatch(const Unit& unit, const HiddenCode& hidden, clang::QualType type) {
-  if (hidden.overridden.empty()) return false;
-  bool found = false;
-  walk_type(type, [&](const clang::CXXRecordDecl* record) {
-    found = found || hidden.overridden.count(qualified_name_of(record)) != 0;
-    return !found && !unit.source.in_package(record->getLocation());
   });
   return found;
 }

@@ -103,8 +103,7 @@ bool EventFinder::is_own_lambda(const clang::FunctionDecl* function) const {
 /// What a library does with an object of the type may run code of the package that no argument shows.
 void EventFinder::add_hidden(const clang::Stmt* at, FunctionView::Span span, clang::QualType type,
                              bool releases) {
-  const bool runs = (releases && may_release(context_.unit, context_.hidden, type)) ||
-                    may_dispatch(context_.unit, context_.hidden, type);
+  const bool runs = (releases && context_.hidden.may_release(type)) || context_.hidden.may_dispatch(type);
   if (runs) add({}, at, span);
 }
 

@@ -53,7 +53,7 @@ class QuietCheck {
 
   bool ends(clang::QualType type) const {
     if (!ends_quietly(type)) return false;
-    return type->isReferenceType() || !may_release(context_.unit, context_.hidden, type);
+    return type->isReferenceType() || !context_.hidden.may_release(type);
   }
 
   /// Null: all of it is quiet.
@@ -103,8 +103,7 @@ bool QuietCheck::is_quiet_operator(const clang::CXXOperatorCallExpr* call) {
   if (!callee || context_.unit.declares(callee)) return false;
   if (op == clang::OO_Arrow || op == clang::OO_Star)
     return is_message_pointer(context_, call->getArg(0)->getType());
-  if (op == clang::OO_Equal && may_release(context_.unit, context_.hidden, call->getArg(0)->getType()))
-    return false;
+  if (op == clang::OO_Equal && context_.hidden.may_release(call->getArg(0)->getType())) return false;
   if (op == clang::OO_Equal || call->isAssignmentOp() || op == clang::OO_PlusPlus)
     return is_quiet_target(call->getArg(0)) && !may_hold_pointer(call->getArg(0)->getType());
   return is_quiet_function(qualified_name_of(callee));
@@ -121,7 +120,7 @@ bool QuietCheck::is_quiet_call(const clang::CallExpr* call) {
     return llvm::isa<clang::MemberExpr>(object->IgnoreParenImpCasts()) &&
            (call->getType()->isVoidType() || call->getType()->isArithmeticType());
   if (object && is_message_pointer(context_, object->getType()) && callee->getNameAsString() == "reset")
-    return !may_release(context_.unit, context_.hidden, object->getType());
+    return !context_.hidden.may_release(object->getType());
   if (object && is_message_pointer(context_, object->getType()) &&
       llvm::isa<clang::CXXConversionDecl>(callee))
     return true;

@@ -120,6 +120,8 @@ void Facts::merge(Facts&& other) {
   early.merge(other.early);
   for (auto& [usr, flow] : other.contents) add_content(usr, std::move(flow));
   addressed.merge(other.addressed);
+  hidden.shown.merge(other.hidden.shown);
+  hidden.missed.merge(other.hidden.missed);
   changing.merge(other.changing);
   locking.merge(other.locking);
   excluding.merge(other.excluding);

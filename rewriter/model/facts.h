@@ -315,6 +315,14 @@ struct ThreadFacts {
   std::vector<ElementUse> element_uses;
 };
 
+/// Code of the package that libraries call without being given it: classes of libraries whose virtual functions it overrides, by
+/// name, and `a_deleter` where it gives a shared pointer one.
+struct HiddenFacts {
+  std::set<std::string> shown;   ///< by the unit
+  std::set<std::string> missed;  ///< what mattered to the unit, and it does not show
+};
+constexpr const char* a_deleter = "a deleter";
+
 struct Facts : EntityFacts, EscapeFacts, ThreadFacts {
   std::vector<AllocationSite> allocations;
   std::map<EntityId, Factory> factories;  ///< by their result
@@ -322,6 +330,7 @@ struct Facts : EntityFacts, EscapeFacts, ThreadFacts {
   std::map<SiteId, Publish> publishes;
   std::map<SiteId, Subscribe> subscribes;
   std::map<FilterCallback, FilterCallbackUse> filter_callbacks;
+  HiddenFacts hidden;
   std::map<std::string, std::set<std::string>> bases;  ///< record USR -> USRs of its base classes
   std::set<std::string> bodies;                        ///< USRs of the functions whose bodies were seen
   bool shadows_tzc = false;  ///< the package gives the name tzc to something of its own
