@@ -15,13 +15,6 @@ namespace {
 
 using Kind = ContentEvent::Kind;
 
-/// Whether only const functions are called through the expression.
-bool is_only_read(const FunctionView& view, const clang::Expr* array) {
-  if (array->getType().isConstQualified()) return true;
-  const auto* cast = llvm::dyn_cast_or_null<clang::ImplicitCastExpr>(view.parent(array));
-  return cast && cast->getType().isConstQualified();
-}
-
 /// array = std::move(vector), array = function()
 bool takes_elements(const clang::CXXOperatorCallExpr* assignment) {
   const clang::FunctionDecl* function = assignment->getDirectCallee();

@@ -5,6 +5,7 @@
 
 #include "facts/calls.h"
 #include "facts/filled_message.h"
+#include "facts/message_parts.h"
 #include "facts/message_type.h"
 
 namespace tzc::rewriter {
@@ -130,13 +131,6 @@ class UseReader {
   const FunctionView& view_;
 };
 
-/// Through a const message, or by a const function of the array.
-bool is_read_only(const FunctionView& view, const clang::MemberExpr* array) {
-  if (array->getType().isConstQualified()) return true;
-  const auto* cast = llvm::dyn_cast_or_null<clang::ImplicitCastExpr>(view.parent(array));
-  return cast && cast->getType().isConstQualified();
-}
-
 }  // namespace
 
 std::vector<ElementUse> element_uses(const EscapeContext& context, const FunctionView& view) {
@@ -160,7 +154,7 @@ std::vector<ElementUse> element_uses(const EscapeContext& context, const Functio
     const auto* array = llvm::dyn_cast<clang::MemberExpr>(stmt);
     const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt);
     if (array && is_data_array(array->getType()))
-      add(array->getBase(), array, reader.of_array(array), is_read_only(view, array));
+      add(array->getBase(), array, reader.of_array(array), is_only_read(view, array));
     else if (made && is_cloud_iterator(made->getConstructor()->getParent()) && made->getNumArgs() > 1)
       add(made->getArg(0), made, reader.of_iterator(made),
           made->getConstructor()->getParent()->getName().contains("Const"));

@@ -3,6 +3,7 @@
 #include "facts/escape.h"
 
 #include "facts/filled_message.h"
+#include "facts/message_parts.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -56,9 +57,7 @@ unsigned declared_at(const FunctionView& view, const clang::VarDecl* variable) {
 
 /// Where a message's data is written, or may be: an array mentioned otherwise than by a const function.
 bool may_write(const FunctionView& view, const clang::MemberExpr* array) {
-  if (array->getType().isConstQualified()) return false;
-  const auto* cast = llvm::dyn_cast_or_null<clang::ImplicitCastExpr>(view.parent(array));
-  if (cast && cast->getType().isConstQualified()) return false;
+  if (is_only_read(view, array)) return false;
   const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(view.parent(array));
   const auto* method = member ? llvm::dyn_cast<clang::CXXMethodDecl>(member->getMemberDecl()) : nullptr;
   return !method || !method->isConst();

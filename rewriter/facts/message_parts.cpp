@@ -46,6 +46,12 @@ bool is_stock_or_twin_array(clang::QualType type) {
   return record && qualified_name_of(record) == "tzc::Array";
 }
 
+bool is_only_read(const FunctionView& view, const clang::Expr* array) {
+  if (array->getType().isConstQualified()) return true;
+  const auto* cast = llvm::dyn_cast_or_null<clang::ImplicitCastExpr>(view.parent(array));
+  return cast && cast->getType().isConstQualified();
+}
+
 MessagePart MessageParts::root_of(const clang::ValueDecl* decl) const {
   if (const auto* parameter = llvm::dyn_cast<clang::ParmVarDecl>(decl)) {
     const auto* function = llvm::dyn_cast_or_null<clang::FunctionDecl>(parameter->getDeclContext());

@@ -33,5 +33,7 @@ class MessageParts {
 bool is_stock_or_twin(clang::QualType type);
 /// A data array of a stock message or of a twin.
 bool is_stock_or_twin_array(clang::QualType type);
+/// Whether only const functions are called through a mention of an array.
+bool is_only_read(const FunctionView& view, const clang::Expr* array);
 
 }  // namespace tzc::rewriter
