@@ -119,13 +119,22 @@ std::string OwnCompiler::scratch_source(const std::string& file) const {
   return copy;
 }
 
+/// What -include names. The compiler looks for a relative name where it runs, and then, as for #include "...", in the
+/// command's folders: that name stays, the folders lead to the port.
+std::string OwnCompiler::scratch_included(const std::string& name, const std::string& directory) const {
+  const std::string here = (fs::path(directory) / name).lexically_normal();
+  return fs::exists(here) ? scratch_source(here) : name;
+}
+
 std::vector<std::string> OwnCompiler::ported_command(const CompileCommand& command) const {
   Words words;
   const Words plain = diagnostics_only(command.arguments);
   for (std::size_t i = 0; i < plain.size(); ++i) {
     const std::string& word = plain[i];
     const bool included = i > 0 && is_one_of(plain[i - 1], {"-include", "-imacros"});
-    if (included || canonical_path((fs::path(command.directory) / word).string()) == command.canonical)
+    if (included)
+      words.push_back(scratch_included(word, command.directory));
+    else if (canonical_path((fs::path(command.directory) / word).string()) == command.canonical)
       words.push_back(scratch_source((fs::path(command.directory) / word).lexically_normal()));
     else if (i > 0 && is_include_flag(plain[i - 1]))
       words.push_back(scratch_word(word, command.directory));

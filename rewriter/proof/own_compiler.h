@@ -57,6 +57,7 @@ class OwnCompiler {
   std::vector<std::string> ported_command(const CompileCommand& command) const;
   std::string scratch_word(const std::string& word, const std::string& directory) const;
   std::string scratch_source(const std::string& file) const;
+  std::string scratch_included(const std::string& name, const std::string& directory) const;
   bool is_built(const std::string& file) const;
 
   OwnCompilerSetup setup_;

@@ -141,6 +141,21 @@ TEST_F(OwnCompilerTest, a_package_that_is_linked_into_the_workspace) {
   EXPECT_EQ((*errors)[0].where.file, folder / "demo/src/node.cpp");
 }
 
+TEST_F(OwnCompilerTest, what_the_command_includes_is_found_as_the_compiler_finds_it) {
+  put("src/node.cpp", "int main() { return a() + std::abs(0); }\n");
+  flags += " -include cstdlib -include demo/a.h";  // of the system, and by way of -I
+  EXPECT_EQ(check({{"src/node.cpp", "// ported\nint main() { return a() + std::abs(0); }\n"}}), "");
+  EXPECT_THAT(check({{"include/demo/a.h", "inline void a() {}\n"}}), HasSubstr("node.cpp:1"));
+}
+
+TEST_F(OwnCompilerTest, what_the_command_includes_is_looked_for_where_the_compiler_runs_first) {
+  put("src/node.cpp", "int main() { return a() + b; }\n");
+  folder.write("ws/build/demo/a.h", "#include \"" + package() + "/include/demo/a.h\"\nconst int b = 0;\n");
+  flags += " -include demo/a.h";
+  EXPECT_EQ(check({{"src/node.cpp", "// ported\nint main() { return a() + b; }\n"}}), "");
+  EXPECT_THAT(check({{"include/demo/a.h", "inline void a() {}\n"}}), HasSubstr("node.cpp:1"));
+}
+
 TEST_F(OwnCompilerTest, a_precompiled_header_is_read_as_text) {
   put("src/node.cpp", "int main() { return a(); }\n");
   const std::string pch =
