@@ -41,6 +41,7 @@ class Planner {
 
  private:
   Expected<void> find_targets() {
+    if (needs_.main_files.empty()) return {};  // only headers of it change, which others compile
     const auto all = targets_of_files(needs_.build_dir);
     if (!all) return all.error();
     for (const std::string& file : needs_.main_files)
@@ -145,7 +146,7 @@ bool makes_own_twins(const std::string& package_dir) {
 }
 
 Expected<BuildPlan> plan_build_files(const BuildNeeds& needs) {
-  if (needs.main_files.empty()) return BuildPlan();
+  if (needs.main_files.empty() && needs.edited_files.empty()) return BuildPlan();
   return Planner(needs).run();
 }
 

@@ -188,7 +188,8 @@ std::vector<std::size_t> PortPlanner::units_that_miss(const std::set<std::string
 }
 
 std::optional<Error> PortPlanner::lacks_units() const {
-  for (const std::string& package : options_.packages) {
+  for (const auto& item : options_.build_dirs) {
+    const std::string& package = item.first;
     const auto belongs = [&](const std::string& unit) { return owners_.at(unit) == package; };
     if (std::any_of(parsed_.begin(), parsed_.end(), [&](auto& unit) { return belongs(unit.file); })) continue;
     const auto first = std::find_if(left_out_.begin(), left_out_.end(),

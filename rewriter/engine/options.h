@@ -15,11 +15,12 @@
 namespace tzc::rewriter {
 
 struct EngineOptions : SolveOptions {
-  std::map<std::string, std::string> build_dirs;  ///< package -> the folder of its compile_commands.json
-  bool dual = false;                              ///< output that still builds without TZC
-  unsigned jobs = 0;                              ///< 0: one per processor
-  std::string tzc_include;                        ///< TZC's own headers and the twins of installed messages
-  std::vector<std::string> extra_include_dirs;    ///< generated twins of the package's own messages
+  /// Package -> the folder of its compile_commands.json; a package that has nothing but headers is not among them.
+  std::map<std::string, std::string> build_dirs;
+  bool dual = false;                            ///< output that still builds without TZC
+  unsigned jobs = 0;                            ///< 0: one per processor
+  std::string tzc_include;                      ///< TZC's own headers and the twins of installed messages
+  std::vector<std::string> extra_include_dirs;  ///< generated twins of the package's own messages
   /// Rules that are not applied, so that a test can show that each is needed; also "verification",
   /// "all-or-nothing", "completeness".
   std::set<std::string> without_rules;

@@ -100,6 +100,7 @@ class Prover {
       note_cmake_reads(configuration.build_dir(), configuration.sources().to_user(), *options_.accesses);
     const Packages all = left_;
     for (const PortedPackage* package : all) {
+      if (package->units.empty()) continue;
       std::optional<Error> error;
       if (!commands)
         error = commands.error();

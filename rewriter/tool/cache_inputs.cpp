@@ -108,16 +108,20 @@ class Collector {
     for (fs::path folder = package; folder.has_relative_path(); folder = folder.parent_path())
       for (const char* style : {".clang-format", "_clang-format"}) depend_on(folder / style);
     const Expected<PackageXml> xml = read_package_xml(package);
-    const Expected<std::string> build_dir =
-        find_build_dir(package, xml ? xml->name : "", options_.build_dir, options_.packages);
-    say("build of " + package, build_dir ? *build_dir : "");
-    if (!build_dir) return;
-    found_.omitted.insert(*build_dir);
-    depend_on(*build_dir + "/compile_commands.json");
-    for (fs::path folder = *build_dir; folder.has_relative_path(); folder = folder.parent_path())
+    const std::string build_dir = build_dir_of({package, xml ? xml->name : ""});
+    say("build of " + package, build_dir);
+    if (build_dir.empty()) return;
+    found_.omitted.insert(build_dir);
+    depend_on(build_dir + "/compile_commands.json");
+    for (fs::path folder = build_dir; folder.has_relative_path(); folder = folder.parent_path())
       depend_on(folder / "CMakeCache.txt");
-    add_messages(package, *build_dir);
-    if (options_.verify != Verify::source) add_configuration(*build_dir);
+    add_messages(package, build_dir);
+    if (options_.verify != Verify::source) add_configuration(build_dir);
+  }
+
+  std::string build_dir_of(const PackagePlace& package) const {
+    const Expected<std::string> found = find_build_dir(package, options_.build_dir, options_.packages);
+    return found ? *found : find_configured_dir(package, options_.build_dir, options_.packages);
   }
 
   void add_messages(const std::string& package, const std::string& build_dir) {

@@ -30,14 +30,22 @@ bool is_about_dual_branch(const Note& note) {
   return content && in_dual_branch(*content, note.where->line);
 }
 
-bool has_cpp(const PackagePort& port) {
-  static const std::set<std::string> extensions = {".cc", ".cpp", ".cxx", ".c++", ".C"};
-  return std::any_of(port.before.begin(), port.before.end(), [](const auto& entry) {
+bool has_file(const PackagePort& port, const std::set<std::string>& extensions) {
+  return std::any_of(port.before.begin(), port.before.end(), [&](const auto& entry) {
     return extensions.count(std::filesystem::path(entry.first).extension()) != 0;
   });
 }
 
-Expected<PackagePort> read_package(const std::string& package_dir, const Options& options) {
+bool has_cpp(const PackagePort& port) {
+  return has_file(port, {".cc", ".cpp", ".cxx", ".c++", ".C"});
+}
+
+bool has_headers(const PackagePort& port) {
+  return has_file(port, {".h", ".hh", ".hpp", ".hxx", ".h++", ".H", ".inl", ".ipp", ".tcc"});
+}
+
+/// `others`: whether packages are solved together with it.
+Expected<PackagePort> read_package(const std::string& package_dir, bool others, const Options& options) {
   const Expected<PackageXml> package = read_package_xml(package_dir);
   if (!package) return package.error();
   PackagePort port;
@@ -46,9 +54,13 @@ Expected<PackagePort> read_package(const std::string& package_dir, const Options
   port.result.report.package_dir = package_dir;
   port.result.source_root = source_root(package_dir);
   port.before = snapshot(package_dir);
-  if (!has_cpp(port)) return port;
-  const Expected<std::string> build_dir =
-      find_build_dir(package_dir, package->name, options.build_dir, options.packages);
+  const PackagePlace place{package_dir, package->name};
+  if (!has_cpp(port)) {
+    if (others && has_headers(port))
+      port.build_dir = find_configured_dir(place, options.build_dir, options.packages);
+    return port;
+  }
+  const Expected<std::string> build_dir = find_build_dir(place, options.build_dir, options.packages);
   if (!build_dir) return build_dir.error();
   port.build_dir = *build_dir;
   return port;
@@ -149,20 +161,25 @@ class Porter {
   const bool dual_;
 };
 
+std::vector<PackagePort> all_of(std::vector<PackagePort> ports, std::vector<PackagePort> others) {
+  std::move(others.begin(), others.end(), std::back_inserter(ports));
+  return ports;
+}
+
 }  // namespace
 
 Expected<std::vector<PackagePort>> port_packages(const std::vector<std::string>& package_dirs,
                                                  const PortInputs& inputs) {
   std::vector<PackagePort> idle, ports;
   for (const std::string& package_dir : package_dirs) {
-    Expected<PackagePort> port = read_package(package_dir, inputs.options);
+    Expected<PackagePort> port = read_package(package_dir, package_dirs.size() > 1, inputs.options);
     if (!port) return port.error();
-    (has_cpp(*port) ? ports : idle).push_back(std::move(*port));
+    (port->build_dir.empty() ? idle : ports).push_back(std::move(*port));
   }
-  if (ports.empty()) return idle;
+  if (std::none_of(ports.begin(), ports.end(), has_cpp)) return all_of(std::move(ports), std::move(idle));
   std::vector<SourcePackage> packages;
   for (const PackagePort& port : ports)
-    packages.push_back({port.package_dir, port.result.report.package, port.build_dir});
+    packages.push_back({port.package_dir, port.result.report.package, port.build_dir, has_cpp(port)});
   Expected<SourcePlans> sources = plan_sources(packages, inputs);
   if (!sources) return sources.error();
   for (PackagePort& port : ports) {
@@ -170,8 +187,7 @@ Expected<std::vector<PackagePort>> port_packages(const std::vector<std::string>&
                   inputs.options.dual);
     if (Expected<void> done = porter.run(); !done) return done.error();
   }
-  std::move(idle.begin(), idle.end(), std::back_inserter(ports));
-  return ports;
+  return all_of(std::move(ports), std::move(idle));
 }
 
 }  // namespace tzc::rewriter

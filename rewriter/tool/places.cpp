@@ -41,10 +41,15 @@ constexpr const char* make_one =
     "configure the workspace with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON, as in: catkin_make "
     "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON";
 
-Expected<std::string> checked_build_dir(const std::string& given, const std::string& package_dir) {
+/// What -p names: a folder, or the file in it.
+fs::path folder_of_database(const std::string& given) {
   fs::path folder = given;
   if (folder.filename() == "compile_commands.json") folder = folder.parent_path();
-  if (folder.empty()) folder = ".";
+  return folder.empty() ? "." : folder;
+}
+
+Expected<std::string> checked_build_dir(const std::string& given, const std::string& package_dir) {
+  const fs::path folder = folder_of_database(given);
   if (!has_database(folder)) return Error{"has no compile_commands.json", given, make_one};
   if (Expected<std::set<std::string>> files = compiled_files(folder); !files) return files.error();
   if (!knows_package(folder, package_dir))
@@ -58,6 +63,19 @@ std::vector<fs::path> candidates(const fs::path& root, const std::string& packag
   return {root / "build" / package,          root / "build",
           root / "build_isolated" / package, root / "build_isolated" / package / "devel",
           root / ".private" / package,       root};
+}
+
+/// The first folder that suits, walking up from the package and then from `arguments`; empty: none does.
+template <class Suits>
+std::string first_candidate(const PackagePlace& package, const std::vector<std::string>& arguments,
+                            const Suits& suits) {
+  std::vector<fs::path> starts = {package.dir};
+  for (const std::string& argument : arguments) starts.push_back(fs::absolute(argument).lexically_normal());
+  for (const fs::path& start : starts)
+    for (fs::path root = start; root.has_relative_path(); root = root.parent_path())
+      for (const fs::path& folder : candidates(root, package.name))
+        if (suits(folder)) return folder.string();
+  return "";
 }
 
 /// A build tree lists where its headers are: in its devel space, of which this program is part or a neighbour.
@@ -132,17 +150,27 @@ std::string source_space(const std::string& package_dir) {
   return marked.empty() ? named : marked;
 }
 
-Expected<std::string> find_build_dir(const std::string& package_dir, const std::string& package,
-                                     const std::string& given, const std::vector<std::string>& arguments) {
-  if (!given.empty()) return checked_build_dir(given, package_dir);
-  std::vector<fs::path> starts = {package_dir};
-  for (const std::string& argument : arguments) starts.push_back(fs::absolute(argument).lexically_normal());
-  for (const fs::path& start : starts)
-    for (fs::path root = start; root.has_relative_path(); root = root.parent_path())
-      for (const fs::path& folder : candidates(root, package))
-        if (has_database(folder) && knows_package(folder, package_dir)) return folder.string();
-  return Error{"no compile_commands.json with the package's files was found", package_dir,
+Expected<std::string> find_build_dir(const PackagePlace& package, const std::string& given,
+                                     const std::vector<std::string>& arguments) {
+  if (!given.empty()) return checked_build_dir(given, package.dir);
+  const std::string found = first_candidate(package, arguments, [&](const fs::path& folder) {
+    return has_database(folder) && knows_package(folder, package.dir);
+  });
+  if (!found.empty()) return found;
+  return Error{"no compile_commands.json with the package's files was found", package.dir,
                std::string(make_one) + "; or name its folder with -p"};
+}
+
+std::string find_configured_dir(const PackagePlace& package, const std::string& given,
+                                const std::vector<std::string>& arguments) {
+  const auto configures = [&](const fs::path& folder) {
+    if (!fs::exists(folder / "CMakeCache.txt")) return false;
+    const std::string source = CmakeCache::nearest(folder).value(package.name + "_SOURCE_DIR");
+    return !source.empty() && canonical_path(source) == package.dir;
+  };
+  if (given.empty()) return first_candidate(package, arguments, configures);
+  const fs::path folder = folder_of_database(given);
+  return configures(folder) ? canonical_path(folder) : "";
 }
 
 std::vector<std::string> share_folders(const std::string& build_dir) {

@@ -20,12 +20,20 @@ Expected<std::vector<std::string>> find_packages_at(const std::string& argument)
 /// their marks, else the next one that is called src, else the package's parent.
 std::string source_space(const std::string& package_dir);
 
+struct PackagePlace {
+  std::string dir, name;
+};
+
 /// The folder of the compile_commands.json that knows the package's files. `given` is -p (a folder or the
 /// file itself); empty: the places where catkin_make, catkin build and catkin_make_isolated put it, walking
 /// up from the package and then from `arguments`, the packages as the user named them (a workspace may hold a
 /// package as a symbolic link).
-Expected<std::string> find_build_dir(const std::string& package_dir, const std::string& package,
-                                     const std::string& given, const std::vector<std::string>& arguments);
+Expected<std::string> find_build_dir(const PackagePlace& package, const std::string& given,
+                                     const std::vector<std::string>& arguments);
+
+/// The folder, of those that find_build_dir() looks at, that was configured for a package without units; empty: none.
+std::string find_configured_dir(const PackagePlace& package, const std::string& given,
+                                const std::vector<std::string>& arguments);
 
 /// Folders that hold installed ROS packages: of the catkin that the build folder was configured with, of the
 /// environment's ROS_PACKAGE_PATH and CMAKE_PREFIX_PATH, /usr/share last.

@@ -150,7 +150,7 @@ Expected<void> prove_build_files(std::vector<PackagePort>& ports, const PortInpu
 std::string build_tree_of(const std::string& package_dir, const Options& options) {
   const Expected<PackageXml> package = read_package_xml(package_dir);
   const Expected<std::string> build_dir =
-      find_build_dir(package_dir, package ? package->name : "", options.build_dir, options.packages);
+      find_build_dir({package_dir, package ? package->name : ""}, options.build_dir, options.packages);
   if (!build_dir) return package_dir;
   const CmakeCache cache = CmakeCache::nearest(*build_dir);
   return cache.empty() ? *build_dir : cache.folder();

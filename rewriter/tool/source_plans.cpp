@@ -91,7 +91,7 @@ class SourcePlanner {
     setup.packages = folders();
     setup.root = workspace();
     std::set<std::string> build_dirs;
-    for (const auto& item : build_dirs_) build_dirs.insert(item.second);
+    for (const auto& item : engine.build_dirs) build_dirs.insert(item.second);
     setup.build_dirs.assign(build_dirs.begin(), build_dirs.end());
     setup.include_dirs = engine.extra_include_dirs;
     setup.include_dirs.push_back(engine.tzc_include);
@@ -126,7 +126,8 @@ class SourcePlanner {
     const Options& options = inputs_.options;
     EngineOptions engine;
     engine.packages = FolderSet(folders());
-    engine.build_dirs = build_dirs_;
+    for (const SourcePackage& package : packages_)
+      if (package.has_units) engine.build_dirs[package.dir] = package.build_dir;
     engine.max_level = options.level;
     engine.on_exhausted = options.on_exhausted;
     engine.small = options.small;

@@ -12,7 +12,9 @@ namespace tzc::rewriter {
 
 struct SourcePackage {
   std::string dir, name;
-  std::string build_dir;  ///< holds compile_commands.json
+  std::string build_dir;
+  bool has_units =
+      true;  ///< `build_dir` holds their compile_commands.json; false: the package has headers only
 };
 
 /// What is to become of the sources of packages that are solved as one.

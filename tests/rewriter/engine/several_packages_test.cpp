@@ -42,7 +42,7 @@ class SeveralPackages : public ::testing::Test {
     std::vector<std::string> folders;
     for (const std::string& package : packages) {
       folders.push_back(folder(package));
-      options.build_dirs[folder(package)] = folder("build");
+      if (package != headers_only) options.build_dirs[folder(package)] = folder("build");
     }
     options.packages = FolderSet(folders);
     options.headers_in_use.emplace();
@@ -59,6 +59,7 @@ class SeveralPackages : public ::testing::Test {
   }
 
   std::optional<test::Package> written;
+  std::string headers_only;
   Judges judges;
 };
 
@@ -92,6 +93,21 @@ TEST_F(SeveralPackages, a_converter_changes_with_its_caller) {
   EXPECT_THAT(node.joined, ElementsAre(folder("lib")));
   EXPECT_THAT(other.joined, IsEmpty()) << "what it changes does not depend on them";
   EXPECT_EQ(level(other), Level::zero_copy);
+}
+
+TEST_F(SeveralPackages, one_that_has_nothing_but_headers_changes_with_who_includes_them) {
+  files.erase("lib/src/fill.cpp");
+  files[header] =
+      "#pragma once\n#include <sensor_msgs/Image.h>\n"
+      "inline void fill(sensor_msgs::Image& image) { image.data.resize(10); }\n";
+  headers_only = "lib";
+  const auto plans = plan({"lib", "node"});
+  ASSERT_TRUE(plans) << to_string(plans.error());
+  const PortPlan &lib = plans->at(folder("lib")), &node = plans->at(folder("node"));
+  EXPECT_EQ(level(node), Level::zero_copy);
+  EXPECT_THAT(lib.contents.at(folder(header)), HasSubstr("tzc::sensor_msgs::Image& image"));
+  EXPECT_THAT(lib.joined, ElementsAre(folder("node")));
+  EXPECT_THAT(lib.ported_targets_files, IsEmpty());
 }
 
 TEST_F(SeveralPackages, each_has_what_its_own_report_and_build_files_need) {

@@ -197,6 +197,9 @@ class CatkinOfTwo : public Catkin {
             "catkin_package(INCLUDE_DIRS include LIBRARIES fill CATKIN_DEPENDS sensor_msgs)\n"
             "include_directories(include ${catkin_INCLUDE_DIRS})\nadd_library(fill src/fill.cpp)\n"
             "target_link_libraries(fill ${catkin_LIBRARIES})\n");
+    configure_user();
+  }
+  void configure_user() const {
     configure(
         "find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs fill)\ncatkin_package()\n"
         "include_directories(${catkin_INCLUDE_DIRS})\n" +
@@ -219,6 +222,25 @@ TEST_F(CatkinOfTwo, are_ported_as_one_and_build) {
   EXPECT_THAT(header(), HasSubstr("void fill(tzc::sensor_msgs::Image& image)"));
   EXPECT_THAT(source(), HasSubstr("pub.allocate(image);\n  fill(image);"));
   EXPECT_THAT(result.output, HasSubstr("solved as one with it: fill"));
+}
+
+TEST_F(CatkinOfTwo, one_that_has_nothing_but_headers_is_ported_with_its_user) {
+  fs::remove(folder_ / "ws/src/fill/src/fill.cpp");
+  put("fill/include/fill/fill.h",
+      "#pragma once\n#include <sensor_msgs/Image.h>\n\ninline void fill(sensor_msgs::Image& image) {\n"
+      "  image.data.resize(640 * 480);\n}\n");
+  put("fill/CMakeLists.txt",
+      "cmake_minimum_required(VERSION 3.0.2)\nproject(fill)\n"
+      "find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs)\n"
+      "catkin_package(INCLUDE_DIRS include CATKIN_DEPENDS sensor_msgs)\n");
+  configure_user();
+  const ProcessResult result =
+      rewrite({"--apply", "--verify=build", "--exported-headers=change", folder_ / "ws/src/fill"});
+  EXPECT_EQ(result.status, 0) << result.errors << result.output;
+  EXPECT_THAT(header(), HasSubstr("void fill(tzc::sensor_msgs::Image& image)"));
+  EXPECT_THAT(source(), HasSubstr("pub.allocate(image);\n  fill(image);"));
+  EXPECT_THAT(folder_.read("ws/src/fill/package.xml"), HasSubstr("<depend>tzc</depend>"));
+  EXPECT_THAT(folder_.read("ws/src/fill/CMakeLists.txt"), HasSubstr("CATKIN_DEPENDS sensor_msgs tzc"));
 }
 
 TEST_F(CatkinOfTwo, one_whose_build_files_are_refused_keeps_the_other) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edits/files.h"
 #include "support/temp_dir.h"
 
 namespace tzc::rewriter {
@@ -26,6 +27,21 @@ TEST(SourceSpace, is_called_src_where_nothing_was_built_yet) {
 TEST(SourceSpace, is_the_folder_around_the_package_at_least) {
   const tzc::test::TempDir folder;
   EXPECT_EQ(source_space(folder / "stack/demo"), folder / "stack");
+}
+
+TEST(ConfiguredFolder, is_one_whose_cache_names_the_package) {
+  const tzc::test::TempDir folder;
+  folder.write("ws/src/demo/package.xml", "");
+  folder.write("ws/build/CMakeCache.txt", "other_SOURCE_DIR:STATIC=" + (folder / "ws/src/demo") + "\n");
+  const PackagePlace demo{canonical_path(folder / "ws/src/demo"), "demo"};
+  EXPECT_EQ(find_configured_dir(demo, "", {}), "");
+  EXPECT_EQ(find_configured_dir(demo, folder / "ws/build", {}), "");
+  const std::string named = "demo_SOURCE_DIR:STATIC=";
+  folder.write("ws/build/CMakeCache.txt", named + (folder / "ws/src/other") + "\n");
+  EXPECT_EQ(find_configured_dir(demo, "", {}), "") << "another package of that name";
+  folder.write("ws/build/CMakeCache.txt", named + (folder / "ws/src/demo") + "\n");
+  EXPECT_EQ(find_configured_dir(demo, "", {}), folder / "ws/build");
+  EXPECT_EQ(find_configured_dir(demo, folder / "ws/build/compile_commands.json", {}), folder / "ws/build");
 }
 
 }  // namespace
