@@ -238,7 +238,8 @@ Expected<PortPlans> PortPlanner::run() {
   parse_options.accesses = options_.accesses;
   Verifier verifier({parsed_, reading_.facts, reading_.calls, components, options_.packages}, parse_options,
                     options_.jobs, read_file, options_.judges);
-  const UnseenBranches unseen(reading_.skipped, reading_.facts, components, read_file);
+  const UnseenBranches unseen(compiled_by_none(reading_.skipped, reading_.compiled), reading_.facts,
+                              components, read_file);
   Expected<DemotionLoop::Result> result =
       DemotionLoop(reading_.facts, components, options_, unseen, verifier, read_file).run();
   if (!result) return result.error();

@@ -8,6 +8,7 @@
 
 #include "buildfiles/compile_database.h"
 #include "model/codes.h"
+#include "verify/unseen_branches.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -33,10 +34,9 @@ bool has_site(const std::string& text) {
   return false;
 }
 
-void note_branches(const std::vector<Place>& skipped, std::vector<Note>& notes) {
-  std::set<std::pair<std::string, unsigned>> seen;
-  for (const Place& branch : skipped) {
-    if (!seen.insert({branch.file, branch.line}).second || !has_site(text_of(branch))) continue;
+void note_branches(const std::vector<Place>& unseen, std::vector<Note>& notes) {
+  for (const Place& branch : unseen) {
+    if (!has_site(text_of(branch))) continue;
     notes.push_back(
         {codes::TZC3002, location_of(branch),
          "this preprocessor branch is not compiled in this configuration; its sites were not looked at"});
@@ -73,7 +73,7 @@ void note_sources(const std::string& package, const std::string& build_dir,
 std::vector<Note> notes_of(const UnitReading& reading, const std::vector<CompileUnit>& units,
                            const EngineOptions& options) {
   std::vector<Note> notes;
-  note_branches(reading.skipped, notes);
+  note_branches(compiled_by_none(reading.skipped, reading.compiled), notes);
   const std::set<std::string> compiled = compiled_by(units);
   for (const auto& [package, build_dir] : options.build_dirs)
     note_sources(package, build_dir, compiled, notes);

@@ -30,6 +30,7 @@ void UnitReading::merge(UnitReading&& other) {
   api_calls.merge(other.api_calls);
   calls.merge(other.calls);
   append(skipped, other.skipped);
+  compiled.merge(other.compiled);
   append(errors, other.errors);
 }
 
@@ -46,6 +47,7 @@ UnitReading read_unit(const CompileUnit& unit, const CollectOptions& options, Fi
     reading.calls[unit.id()] = package_calls(ast, options.packages);
   });
   reading.skipped = skipped_in_packages(parsed, options);
+  reading.compiled = std::move(parsed.compiled);
   reading.errors = std::move(parsed.errors);
   return reading;
 }

@@ -11,7 +11,9 @@
 #include <clang/Tooling/Tooling.h>
 #include <llvm/Support/VirtualFileSystem.h>
 
+#include <map>
 #include <memory>
+#include <utility>
 
 #include "edits/files.h"
 #include "parse/edited_files.h"
@@ -58,24 +60,53 @@ class Errors : public clang::DiagnosticConsumer {
   bool last_was_error_ = false;
 };
 
+/// Clang announces each directive that it looks at, and then what it skips behind it: behind the others it compiles.
 class Branches : public clang::PPCallbacks {
  public:
-  Branches(const clang::SourceManager& manager, std::vector<SkippedBranch>& skipped)
-      : manager_(manager), skipped_(skipped) {}
+  Branches(const clang::SourceManager& manager, ParseResult& result) : manager_(manager), result_(result) {}
+
+  void If(clang::SourceLocation at, clang::SourceRange, ConditionValueKind) override { count(at, 1); }
+  void Ifdef(clang::SourceLocation at, const clang::Token&, const clang::MacroDefinition&) override {
+    count(at, 1);
+  }
+  void Ifndef(clang::SourceLocation at, const clang::Token&, const clang::MacroDefinition&) override {
+    count(at, 1);
+  }
+  void Elif(clang::SourceLocation at, clang::SourceRange, ConditionValueKind value,
+            clang::SourceLocation) override {
+    if (value != CVK_False) count(at, 1);  // in the midst of what is skipped
+  }
+  void Else(clang::SourceLocation at, clang::SourceLocation) override { count(at, 1); }
 
   void SourceRangeSkipped(clang::SourceRange range, clang::SourceLocation) override {
     const clang::SourceLocation begin = manager_.getExpansionLoc(range.getBegin());
     if (manager_.isInSystemHeader(begin)) return;
-    const auto entry = manager_.getFileEntryRefForID(manager_.getFileID(begin));
-    if (!entry) return;
-    skipped_.push_back({canonical_path(entry->getFileEntry().tryGetRealPathName().str()),
-                        manager_.getSpellingLineNumber(begin), manager_.getFileOffset(begin),
-                        manager_.getFileOffset(range.getEnd())});
+    count(begin, -1);
+    const std::string file = path_of(manager_.getFileID(begin));
+    if (file.empty()) return;
+    result_.skipped.push_back({file, manager_.getSpellingLineNumber(begin), manager_.getFileOffset(begin),
+                               manager_.getFileOffset(range.getEnd())});
+  }
+
+  void EndOfMainFile() override {
+    for (const auto& [where, times] : compiled_)
+      if (times > 0) result_.compiled.insert({path_of(where.first), where.second});
   }
 
  private:
+  std::string path_of(clang::FileID file) const {
+    const auto entry = manager_.getFileEntryRefForID(file);
+    return entry ? canonical_path(entry->getFileEntry().tryGetRealPathName().str()) : "";
+  }
+  void count(clang::SourceLocation at, int times) {
+    if (!manager_.isInSystemHeader(at))
+      compiled_[{manager_.getFileID(at), manager_.getSpellingLineNumber(at)}] += times;
+  }
+
   const clang::SourceManager& manager_;
-  std::vector<SkippedBranch>& skipped_;
+  ParseResult& result_;
+  std::map<std::pair<clang::FileID, unsigned>, int>
+      compiled_;  ///< a file has another ID each time that it is read
 };
 
 class Consumer : public clang::ASTConsumer {
@@ -103,7 +134,7 @@ class Action : public clang::ASTFrontendAction {
   std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler,
                                                         llvm::StringRef) override {
     compiler.getPreprocessor().addPPCallbacks(
-        std::make_unique<Branches>(compiler.getSourceManager(), result_.skipped));
+        std::make_unique<Branches>(compiler.getSourceManager(), result_));
     compiler.getFrontendOpts().SkipFunctionBodies = options_.skip_system_bodies;
     return std::make_unique<Consumer>(options_, then_);
   }

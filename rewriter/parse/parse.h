@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/edit.h"
@@ -22,16 +24,20 @@ struct Diagnostic {
   std::vector<Location> notes;  ///< "in instantiation of ...": places that led there
 };
 
-/// A preprocessor branch that this unit does not compile.
+/// A preprocessor branch that this unit does not compile, from its directive to one whose branch it compiles, or #endif.
 struct SkippedBranch {
   std::string file;
   unsigned line = 0;
   unsigned begin = 0, end = 0;
 };
 
+/// File and line of an #if, #elif or #else.
+using BranchDirective = std::pair<std::string, unsigned>;
+
 struct ParseResult {
   std::vector<Diagnostic> errors;
-  std::vector<SkippedBranch> skipped;
+  std::vector<SkippedBranch> skipped;  ///< once for each time that the unit reads the file
+  std::set<BranchDirective> compiled;  ///< of the branches that it compiles, one of the times at least
 };
 
 struct ParseOptions {

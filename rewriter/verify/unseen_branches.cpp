@@ -20,16 +20,24 @@ bool is_dead(const std::string& branch) {
 
 }  // namespace
 
-UnseenBranches::UnseenBranches(const std::vector<Place>& skipped, const Facts& facts,
+std::vector<Place> compiled_by_none(const std::vector<Place>& skipped,
+                                    const std::set<BranchDirective>& compiled) {
+  // Where a unit stops skipping earlier than another one, at an #elif or #else, it compiles the rest.
+  std::map<std::pair<std::string, unsigned>, Place> shortest;
+  for (const Place& place : skipped) {
+    if (compiled.count({place.file, place.line})) continue;
+    Place& known = shortest.emplace(std::pair(place.file, place.begin), place).first->second;
+    if (place.end < known.end) known = place;
+  }
+  std::vector<Place> places;
+  for (auto& item : shortest) places.push_back(std::move(item.second));
+  return places;
+}
+
+UnseenBranches::UnseenBranches(const std::vector<Place>& unseen, const Facts& facts,
                                const Components& components, const ReadFile& read)
     : facts_(facts), components_(components) {
-  std::map<std::pair<std::string, unsigned>, std::size_t> times;
-  for (const Place& place : skipped) ++times[{place.file, place.begin}];
-  for (const Place& place : skipped) {
-    const auto users = facts.units_of_file.find(place.file);
-    std::size_t& seen = times[{place.file, place.begin}];
-    const bool compiled_by_one = users != facts.units_of_file.end() && seen < users->second.size();
-    if (std::exchange(seen, 0) == 0 || compiled_by_one) continue;
+  for (const Place& place : unseen) {
     const std::string text = read(place.file).value_or("");
     if (place.end > text.size() || place.begin >= place.end || in_dual_branch(text, place.line + 1)) continue;
     const std::string branch = text.substr(place.begin, place.end - place.begin);

@@ -9,16 +9,20 @@
 
 #include "model/edit.h"
 #include "model/facts.h"
+#include "parse/parse.h"
 #include "solve/components.h"
 
 namespace tzc::rewriter {
+
+/// The skipped branches that no unit compiles, each once.
+std::vector<Place> compiled_by_none(const std::vector<Place>& skipped,
+                                    const std::set<BranchDirective>& compiled);
 
 /// Preprocessor branches that no unit compiles in this configuration. No compiler sees them, so entities that
 /// they name keep their types. Dead code (`#if 0`) and the branches without TZC of --dual do not count.
 class UnseenBranches {
  public:
-  /// `skipped`: once for each unit that does not compile the branch.
-  UnseenBranches(const std::vector<Place>& skipped, const Facts& facts, const Components& components,
+  UnseenBranches(const std::vector<Place>& unseen, const Facts& facts, const Components& components,
                  const ReadFile& read);
 
   /// The components with an edit whose variables or functions such a branch names, and where.

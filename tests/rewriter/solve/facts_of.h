@@ -76,7 +76,7 @@ class FactsBuilder {
     how.object = message;
     site.how = how;
     site.where = {"/p/node.cpp", 3, 1};
-    if (!publisher.empty()) site.publishers = {{id(publisher), publisher, false, false, {id(message)}}};
+    if (!publisher.empty()) site.publishers = {{id(publisher), publisher, false, false, {id(message)}, {}}};
     facts.allocations.push_back(site);
     return *this;
   }

@@ -21,10 +21,6 @@ class Branch {
     facts_.facts.units_of_file = {{branch_file, {"node"}}};
     facts_.add(entity);
   }
-  Branch& units(std::set<std::string> names) {
-    facts_.facts.units_of_file[branch_file] = std::move(names);
-    return *this;
-  }
 
   /// The code of the entity's obstacle; empty: it has none.
   std::string obstacle() const {
@@ -68,8 +64,17 @@ TEST(UnseenBranches, dead_code_does_not_count) {
 }
 
 TEST(UnseenBranches, a_branch_that_one_unit_compiles_does_not_count) {
-  Branch branch(function_with("#ifdef X\n use(image);\n#endif\n"), entity("image", EntityRole::message));
-  EXPECT_EQ(branch.units({"node", "test"}).obstacle(), "");
+  const Place first{branch_file, 10, 40, 2, 1}, second{branch_file, 60, 80, 5, 1};
+  const std::vector<Place> unseen = compiled_by_none({first, second, first}, {{branch_file, 2}});
+  ASSERT_EQ(unseen.size(), 1u);
+  EXPECT_EQ(unseen[0].begin, 60u);
+}
+
+TEST(UnseenBranches, what_follows_an_elif_that_one_unit_compiles_does_not_count) {
+  const Place to_endif{branch_file, 10, 80, 2, 1}, to_elif{branch_file, 10, 40, 2, 1};
+  const std::vector<Place> unseen = compiled_by_none({to_endif, to_elif}, {{branch_file, 4}});
+  ASSERT_EQ(unseen.size(), 1u);
+  EXPECT_EQ(unseen[0].end, 40u);
 }
 
 TEST(UnseenBranches, a_local_of_another_function_does_not_count) {
