@@ -56,12 +56,24 @@ std::size_t place_after(std::string_view content, const XmlElement& element) {
   return first == std::string_view::npos || whole_comment ? end : element.end;
 }
 
+/// ' condition="..."' of what makes it a catkin package: it may be one for ROS 2, too, which has no TZC.
+std::string condition_of_catkin(const XmlDocument& document) {
+  for (const XmlElement& element : document.children) {
+    if (element.name != "buildtool_depend" || element.text.rfind("catkin", 0) != 0) continue;
+    const std::string condition = xml_attribute(element.attributes, "condition");
+    const char quote = condition.find('"') == std::string::npos ? '"' : '\'';
+    return condition.empty() ? "" : std::string(" condition=") + quote + condition + quote;
+  }
+  return "";
+}
+
 Edit add_element(std::string_view content, const std::string& path, const XmlElement& after,
-                 const std::string& name) {
+                 const std::string& name, const std::string& attributes) {
   Edit edit;
   edit.file = path;
   edit.offset = place_after(content, after);
-  edit.text = line_ending(content) + indentation(content, after.begin) + "<" + name + ">tzc</" + name + ">";
+  edit.text = line_ending(content) + indentation(content, after.begin) + "<" + name + attributes + ">tzc</" +
+              name + ">";
   edit.rule = "build-files";
   return edit;
 }
@@ -95,11 +107,12 @@ Expected<PackageXml> read_package_xml(const std::string& package_dir) {
 Expected<Edits> depend_on_tzc(std::string_view content, const std::string& path) {
   const Expected<XmlDocument> document = scan_xml(content, path);
   if (!document) return document.error();
+  const std::string condition = condition_of_catkin(*document);
   Edits edits;
   for (const std::string& name : wanted(*document)) {
     const XmlElement* neighbour = last_of(*document, neighbours(name));
     if (!neighbour && !document->children.empty()) neighbour = &document->children.back();
-    if (neighbour) edits.push_back(add_element(content, path, *neighbour, name));
+    if (neighbour) edits.push_back(add_element(content, path, *neighbour, name, condition));
   }
   return edits;
 }

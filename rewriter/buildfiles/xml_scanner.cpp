@@ -55,8 +55,21 @@ class Scanner {
     return false;
   }
 
+  /// An attribute may hold a '>': condition="$ROS_DISTRO >= noetic".
+  std::size_t end_of_tag() const {
+    char quote = 0;
+    for (std::size_t i = at_; i < text_.size(); ++i) {
+      const char c = text_[i];
+      if (quote ? c == quote : c == '"' || c == '\'')
+        quote = quote ? '\0' : c;
+      else if (!quote && c == '>')
+        return i;
+    }
+    return std::string_view::npos;
+  }
+
   bool read(Tag& tag) {
-    const std::size_t end = text_.find('>', at_);
+    const std::size_t end = end_of_tag();
     if (end == std::string_view::npos) return !(broken_ = true);
     std::string_view inside = text_.substr(at_ + 1, end - at_ - 1);
     tag = {at_,
@@ -80,14 +93,16 @@ class Scanner {
       document_.root_attributes = tag.attributes;
     }
     if (depth_ == 1) child_ = tag;
-    if (tag.empty && depth_ == 1) document_.children.push_back({tag.name, "", tag.begin, tag.end});
+    if (tag.empty && depth_ == 1)
+      document_.children.push_back({tag.name, tag.attributes, "", tag.begin, tag.end});
     if (!tag.empty) ++depth_;
   }
 
   void close(const Tag& tag) {
     if (--depth_ == 1)
-      document_.children.push_back(
-          {child_.name, trimmed(text_.substr(child_.end, tag.begin - child_.end)), child_.begin, tag.end});
+      document_.children.push_back({child_.name, child_.attributes,
+                                    trimmed(text_.substr(child_.end, tag.begin - child_.end)), child_.begin,
+                                    tag.end});
     if (depth_ == 0) document_.root_close = tag.begin;
   }
 
@@ -107,9 +122,10 @@ Expected<XmlDocument> scan_xml(std::string_view content, const std::string& path
 }
 
 std::string xml_attribute(const std::string& attributes, const std::string& name) {
-  const std::regex pattern("\\b" + name + "\\s*=\\s*[\"']([^\"']*)[\"']");
+  const std::regex pattern("\\b" + name + "\\s*=\\s*(?:\"([^\"]*)\"|'([^']*)')");
   std::smatch match;
-  return std::regex_search(attributes, match, pattern) ? match[1].str() : "";
+  if (!std::regex_search(attributes, match, pattern)) return "";
+  return match[1].matched ? match[1].str() : match[2].str();
 }
 
 }  // namespace tzc::rewriter

@@ -12,7 +12,7 @@ namespace tzc::rewriter {
 
 /// A direct child of a document's root element, with its place: enough of XML to edit a package.xml as text.
 struct XmlElement {
-  std::string name;
+  std::string name, attributes;
   std::string text;       ///< trimmed
   std::size_t begin = 0;  ///< of '<'
   std::size_t end = 0;    ///< after the closing tag's '>'

@@ -97,6 +97,9 @@ TEST(ScanXml, comments_are_no_elements) {
 TEST(ScanXml, cdata_and_nested_elements) {
   EXPECT_EQ(xml("<p><d><![CDATA[<x>]]></d><e><x>1</x></e></p>"), "p d=<![CDATA[<x>]]> e=<x>1</x>");
 }
+TEST(ScanXml, a_bracket_in_an_attribute_ends_no_tag) {
+  EXPECT_EQ(xml("<p><x condition=\"$ROS_DISTRO >= noetic\">1</x></p>"), "p x=1");
+}
 TEST(ScanXml, broken) {
   for (const char* text : {"", "text", "<p>", "<p><x></p", "</p>", "<p><!-- </p>"})
     EXPECT_EQ(xml(text), "is not well-formed XML") << text;
@@ -104,6 +107,7 @@ TEST(ScanXml, broken) {
 TEST(XmlAttribute, either_quotes) {
   EXPECT_EQ(xml_attribute("format=\"2\" x='y'", "format"), "2");
   EXPECT_EQ(xml_attribute("format = '3'", "format"), "3");
+  EXPECT_EQ(xml_attribute("x=\"$A == 'b'\" y='2'", "x"), "$A == 'b'");
   EXPECT_EQ(xml_attribute("", "format"), "");
 }
 
