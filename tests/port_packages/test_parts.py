@@ -14,7 +14,8 @@ from port_packages.sites import summary_of  # noqa: E402
 from port_packages.table import table  # noqa: E402
 from port_packages.workspace import Workspace, mirror, read_results  # noqa: E402
 
-MANIFEST = "<package format='2'><name>{}</name><buildtool_depend>{}</buildtool_depend>{}</package>"
+MANIFEST = ("<package format='2'><name>{}</name><version>1.0.0</version><description>d</description><license>BSD</license>"
+            "<maintainer email='a@example.org'>a</maintainer><buildtool_depend>{}</buildtool_depend>{}</package>")
 
 
 class Folder(unittest.TestCase):
@@ -50,6 +51,20 @@ class Packages(Folder):
         self.assertEqual(packages, [])
         self.assertEqual(refused["two"], "is no catkin package")
         self.assertIn("package.xml", refused["broken"])
+
+    def test_conditions_are_those_of_ros_1(self):
+        self.put("both/package.xml", """<package format="3">
+  <name>both</name><version>1.0.0</version><description>d</description><license>BSD</license>
+  <maintainer email="a@example.org">a</maintainer>
+  <buildtool_depend condition="$ROS_VERSION == 1">catkin</buildtool_depend>
+  <buildtool_depend condition="$ROS_VERSION == 2">ament_cmake</buildtool_depend>
+  <depend condition="$ROS_VERSION == 1">roscpp</depend>
+  <depend condition="$ROS_VERSION == 2">rclcpp</depend>
+  <export><build_type condition="$ROS_VERSION == 2">ament_cmake</build_type></export>
+</package>""")
+        packages, refused = find_packages(self.path)
+        self.assertEqual(refused, {})
+        self.assertEqual([package.needs for package in packages], [{"catkin", "roscpp"}])
 
     def test_only_some(self):
         self.package("image_a")

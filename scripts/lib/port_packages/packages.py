@@ -2,20 +2,28 @@
 """The catkin packages of a repository."""
 import fnmatch
 import os
-import xml.etree.ElementTree
+
+from catkin_pkg.package import InvalidPackage, parse_package
 
 IGNORED = ("CATKIN_IGNORE", "AMENT_IGNORE", "COLCON_IGNORE")
+CONDITIONS = {"ROS_VERSION": "1", "ROS_PYTHON_VERSION": "3", "ROS_DISTRO": os.environ.get("ROS_DISTRO", "noetic")}
 
 
 class Package:
-    def __init__(self, folder, manifest):
+    def __init__(self, root, folder):
+        manifest = parse_package(os.path.join(root, folder), warnings=[])
+        manifest.evaluate_conditions(CONDITIONS)
         self.folder = folder  # relative to the repository
-        self.name = manifest.findtext("name", "").strip()
-        kind = manifest.findtext("export/build_type", "catkin").strip()
-        tools = [entry.text.strip() for entry in manifest.findall("buildtool_depend") if entry.text]
-        self.is_catkin = kind == "catkin" and any(tool.startswith("catkin") for tool in tools)
-        self.needs = {entry.text.strip() for entry in manifest if entry.tag.endswith("depend") and entry.text
-                      and entry.tag not in ("test_depend", "doc_depend", "run_depend", "exec_depend")}
+        self.name = manifest.name
+        tools = self._names(manifest.buildtool_depends)
+        kinds = [export.content.strip() for export in manifest.exports
+                 if export.tagname == "build_type" and export.evaluated_condition]
+        self.is_catkin = kinds in ([], ["catkin"]) and any(tool.startswith("catkin") for tool in tools)
+        self.needs = tools | self._names(manifest.build_depends) | self._names(manifest.build_export_depends)
+
+    @staticmethod
+    def _names(dependencies):
+        return {dependency.name for dependency in dependencies if dependency.evaluated_condition}
 
 
 def find_packages(root, only=()):
@@ -31,8 +39,8 @@ def find_packages(root, only=()):
         subfolders.clear()
         relative = os.path.relpath(folder, root)
         try:
-            package = Package(relative, xml.etree.ElementTree.parse(os.path.join(folder, "package.xml")).getroot())
-        except xml.etree.ElementTree.ParseError as error:
+            package = Package(root, relative)
+        except InvalidPackage as error:
             refused[relative] = f"package.xml: {error}"
             continue
         if not package.is_catkin:
