@@ -30,18 +30,36 @@ bool is_about_dual_branch(const Note& note) {
   return content && in_dual_branch(*content, note.where->line);
 }
 
-bool has_file(const PackagePort& port, const std::set<std::string>& extensions) {
-  return std::any_of(port.before.begin(), port.before.end(), [&](const auto& entry) {
-    return extensions.count(std::filesystem::path(entry.first).extension()) != 0;
-  });
+std::vector<std::string> files_with(const PackagePort& port, const std::set<std::string>& extensions) {
+  std::vector<std::string> files;
+  for (const auto& entry : port.before)
+    if (extensions.count(std::filesystem::path(entry.first).extension())) files.push_back(entry.first);
+  return files;
 }
 
-bool has_cpp(const PackagePort& port) {
-  return has_file(port, {".cc", ".cpp", ".cxx", ".c++", ".C"});
+std::vector<std::string> sources_of(const PackagePort& port) {
+  return files_with(port, {".cc", ".cpp", ".cxx", ".c++", ".C"});
 }
 
 bool has_headers(const PackagePort& port) {
-  return has_file(port, {".h", ".hh", ".hpp", ".hxx", ".h++", ".H", ".inl", ".ipp", ".tcc"});
+  return !files_with(port, {".h", ".hh", ".hpp", ".hxx", ".h++", ".H", ".inl", ".ipp", ".tcc"}).empty();
+}
+
+/// Where its compile commands are; none: it compiles nothing. Its sources may be tests that are not configured.
+Expected<void> find_build(PackagePort& port, const PackagePlace& place, const Options& options) {
+  const std::vector<std::string> sources = sources_of(port);
+  if (sources.empty()) return {};
+  const Expected<std::string> build_dir = find_build_dir(place, options.build_dir, options.packages);
+  if (build_dir) {
+    port.build_dir = *build_dir;
+    port.has_units = true;
+    return {};
+  }
+  if (find_configured_dir(place, options.build_dir, options.packages).empty()) return build_dir.error();
+  for (const std::string& source : sources)
+    port.result.report.notes.push_back(
+        {codes::TZC3001, Location{source, 1, 1}, "no target of this configuration compiles this file"});
+  return {};
 }
 
 /// `others`: whether packages are solved together with it.
@@ -55,14 +73,9 @@ Expected<PackagePort> read_package(const std::string& package_dir, bool others, 
   port.result.source_root = source_root(package_dir);
   port.before = snapshot(package_dir);
   const PackagePlace place{package_dir, package->name};
-  if (!has_cpp(port)) {
-    if (others && has_headers(port))
-      port.build_dir = find_configured_dir(place, options.build_dir, options.packages);
-    return port;
-  }
-  const Expected<std::string> build_dir = find_build_dir(place, options.build_dir, options.packages);
-  if (!build_dir) return build_dir.error();
-  port.build_dir = *build_dir;
+  if (Expected<void> done = find_build(port, place, options); !done) return done.error();
+  if (!port.has_units && others && has_headers(port))
+    port.build_dir = find_configured_dir(place, options.build_dir, options.packages);
   return port;
 }
 
@@ -176,10 +189,11 @@ Expected<std::vector<PackagePort>> port_packages(const std::vector<std::string>&
     if (!port) return port.error();
     (port->build_dir.empty() ? idle : ports).push_back(std::move(*port));
   }
-  if (std::none_of(ports.begin(), ports.end(), has_cpp)) return all_of(std::move(ports), std::move(idle));
+  if (std::none_of(ports.begin(), ports.end(), [](auto& port) { return port.has_units; }))
+    return all_of(std::move(ports), std::move(idle));
   std::vector<SourcePackage> packages;
   for (const PackagePort& port : ports)
-    packages.push_back({port.package_dir, port.result.report.package, port.build_dir, has_cpp(port)});
+    packages.push_back({port.package_dir, port.result.report.package, port.build_dir, port.has_units});
   Expected<SourcePlans> sources = plan_sources(packages, inputs);
   if (!sources) return sources.error();
   for (PackagePort& port : ports) {

@@ -18,14 +18,15 @@ struct PackagePort {
   Snapshot before;        ///< what was analysed
   PackageReport result;
   std::string build_dir;         ///< holds compile_commands.json, or configured a package without units
+  bool has_units = false;        ///< something of it is compiled
   std::set<std::string> units;   ///< main files that must see TZC
   std::vector<Note> hints;       ///< build file edits that the user must make
   std::set<std::string> joined;  ///< folders of other packages: all of them are written, or none
   bool refused = false;          ///< its build files were not proved: nothing of it is changed
 };
 
-/// Analyses packages as one, sources and build files. A package that has nothing but headers is ported with those that
-/// include them; one without C++ has nothing to port.
+/// Analyses packages as one, sources and build files. A package that compiles nothing is ported with those that
+/// include its headers, or has nothing to port.
 Expected<std::vector<PackagePort>> port_packages(const std::vector<std::string>& package_dirs,
                                                  const PortInputs& inputs);
 

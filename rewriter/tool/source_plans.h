@@ -13,8 +13,7 @@ namespace tzc::rewriter {
 struct SourcePackage {
   std::string dir, name;
   std::string build_dir;
-  bool has_units =
-      true;  ///< `build_dir` holds their compile_commands.json; false: the package has headers only
+  bool has_units = true;  ///< `build_dir` holds their compile_commands.json; false: it compiles nothing
 };
 
 /// What is to become of the sources of packages that are solved as one.

@@ -85,6 +85,15 @@ TEST_F(Cli, a_package_without_cpp_needs_no_compile_commands) {
 
 /// The kill hits at a random step here; swap_test.cpp kills at each step.
 
+TEST_F(Cli, a_package_of_which_nothing_is_compiled_is_no_error_where_it_was_configured) {
+  ws.folder().write("ws/build/compile_commands.json", "[]");
+  EXPECT_EQ(ws.rewrite({}).status, 2);
+  ws.folder().write("ws/build/CMakeCache.txt", "demo_SOURCE_DIR:STATIC=" + ws.package() + "\n");
+  const auto result = ws.rewrite({});
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("TZC3001 src/node.cpp:1:1: no target of this configuration compiles"));
+}
+
 TEST_F(Cli, without_a_configured_build_nothing_is_written) {
   const auto result = ws.rewrite({"--verify=syntax", "--apply", "--report", ws.folder() / "r.json"});
   EXPECT_EQ(result.status, 1);
