@@ -165,8 +165,7 @@ class Between : public AstVisitor {
     note_callee(callee);
   }
   void note_callee(const clang::FunctionDecl* callee) {
-    const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(callee);
-    const bool is_seen = callee && !(method && method->isVirtual());
+    const bool is_seen = unit_.declares_all_of(callee);
     if (!callee || unit_.declares(callee)) callees.insert(is_seen ? usr_of(pattern_of(callee)) : "");
   }
   void note(const clang::Expr* mention, const clang::ValueDecl* decl) {

@@ -121,7 +121,7 @@ void EventFinder::add_call(const clang::Stmt* at, const clang::FunctionDecl* fun
                            llvm::ArrayRef<const clang::Expr*> arguments) {
   PublishEvent event;
   const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(function);
-  const bool seen = function && context_.unit.declares(function) && !(method && method->isVirtual());
+  const bool seen = context_.unit.declares_all_of(function);
   if (function && is_own_lambda(function)) return;
   if (function && calls_no_package_code(context_.unit, function, arguments)) {
     const bool releases = !llvm::isa<clang::CXXConstructorDecl>(function) && !(method && method->isConst());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/unit.h"
 
+#include <clang/AST/Attr.h>
 #include <clang/Basic/CharInfo.h>
 #include <llvm/ADT/STLExtras.h>
 #include <llvm/Support/FileSystem.h>
@@ -11,6 +12,14 @@ namespace tzc::rewriter {
 
 bool Unit::declares(const clang::FunctionDecl* function) const {
   return function && source.in_package(pattern_of(function)->getLocation());
+}
+
+bool Unit::declares_all_of(const clang::FunctionDecl* function) const {
+  if (!declares(function)) return false;
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
+  if (!method || !method->isVirtual()) return true;
+  return method->hasAttr<clang::FinalAttr>() || method->getParent()->isEffectivelyFinal() ||
+         !exports(method->getParent()->getLocation());
 }
 
 bool Unit::exports(clang::SourceLocation location) const {

@@ -30,6 +30,9 @@ struct Unit {
 
   /// Whether the package declares the function; false for null.
   bool declares(const clang::FunctionDecl* function) const;
+  /// Whether a call of the function can only run code of the package: its body, or an override, of which the package has
+  /// each (Facts::overrides). Others may derive from what an exported header declares.
+  bool declares_all_of(const clang::FunctionDecl* function) const;
   /// Whether a header that other packages may include has the location.
   bool exports(clang::SourceLocation location) const;
   /// Whether the TZC header of a message can be included: "sensor_msgs/Image".

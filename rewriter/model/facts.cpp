@@ -86,6 +86,22 @@ void Facts::refuse_unseen_functions() {
   }
 }
 
+void Facts::add_overrides() {
+  const std::map<std::string, std::vector<PublishEvent>> own = effects;
+  for (const auto& [function, others] : overrides) {
+    std::vector<PublishEvent>& events = effects[function];
+    for (const std::string& other : others) {
+      const auto seen = own.find(other);
+      if (seen == own.end())
+        events.push_back({PublishEvent::Kind::unknown, {}, {}});
+      else
+        events.insert(events.end(), seen->second.begin(), seen->second.end());
+      if (seen == own.end() || locking.count(other)) locking.insert(function);
+      if (!excluding.count(other)) excluding.erase(function);
+    }
+  }
+}
+
 void Subscribe::add_callbacks(const Subscribe& other) {
   writes |= other.writes;
   converts |= other.converts;
@@ -130,6 +146,7 @@ void Facts::merge(Facts&& other) {
   publishes.merge(other.publishes);
   unite(subscribes, other.subscribes);
   unite(bases, other.bases);
+  unite(overrides, other.overrides);
   unite(units_of_file, other.units_of_file);
   for (auto& [callback, use] : other.filter_callbacks) {
     FilterCallbackUse& known = filter_callbacks[callback];

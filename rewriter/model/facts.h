@@ -331,11 +331,14 @@ struct Facts : EntityFacts, EscapeFacts, ThreadFacts {
   std::map<SiteId, Subscribe> subscribes;
   std::map<FilterCallback, FilterCallbackUse> filter_callbacks;
   HiddenFacts hidden;
-  std::map<std::string, std::set<std::string>> bases;  ///< record USR -> USRs of its base classes
-  std::set<std::string> bodies;                        ///< USRs of the functions whose bodies were seen
+  std::map<std::string, std::set<std::string>> bases;      ///< record USR -> USRs of its base classes
+  std::map<std::string, std::set<std::string>> overrides;  ///< virtual function -> all that override it; USRs
+  std::set<std::string> bodies;                            ///< USRs of the functions whose bodies were seen
   bool shadows_tzc = false;  ///< the package gives the name tzc to something of its own
   std::map<std::string, std::set<std::string>> units_of_file;  ///< package file -> main files that include it
 
+  /// Says of a virtual function what its overrides do, too: a call of it may run any of them. After all is merged.
+  void add_overrides();
   /// What a function does in one unit, or instance of a template; it may do something else in another one.
   void add_content(const std::string& usr, ContentFlow flow);
   /// A function that is defined elsewhere, or not in C++ (a signal of Qt), keeps its parameters.

@@ -9,6 +9,8 @@ namespace tzc::rewriter {
 namespace {
 
 constexpr const char* nowhere = "it is built where its publisher cannot be named";
+constexpr const char* too_early =
+    "it is built before a call that may wait for another thread, which may replace its publisher meanwhile";
 
 bool is_filled(const AllocationSite& site) {
   const auto* inserted = std::get_if<InsertedAllocation>(&site.how);
@@ -97,7 +99,7 @@ std::optional<BoundAllocation> Binder::available_at(const AllocationSite& site) 
     for (const PublisherName& name : site.publishers) {
       const Component* publisher = components_.of(name.publisher);
       if (publisher && publishers_.count(publisher->id) && closeness(name, site) >= wanted &&
-          !(name.guarded && takes_reference) && !locks_.may_be_taken_in(name.callees) &&
+          !(name.guarded && takes_reference) && !may_wait(name) &&
           !may_be_missing(site, facts_.entities.at(name.publisher)))
         return bound(site, name, &facts_.entities.at(name.publisher));
     }
@@ -106,6 +108,18 @@ std::optional<BoundAllocation> Binder::available_at(const AllocationSite& site) 
       if (entity->plain && visible(site, *entity) && !may_change_under_lock(id))
         return bound(site, {entity->id, entity->name, false, false, {}, {}}, entity);
   return {};
+}
+
+bool Binder::may_wait(const PublisherName& name) {
+  return locks_.may_be_taken_in(name.callees);
+}
+
+/// Why no publisher is available there.
+const char* Binder::lack_at(const AllocationSite& site) {
+  return std::any_of(site.publishers.begin(), site.publishers.end(),
+                     [&](const PublisherName& name) { return may_wait(name); })
+             ? too_early
+             : nowhere;
 }
 
 bool Binder::is_in_factory(const AllocationSite& site) const {
@@ -128,7 +142,7 @@ std::optional<Decision> Binder::bind(const AllocationSite& site) {
   } else if (is_filled(site)) {
     return refused({codes::TZC1020, "it starts as a copy of another message", site.where}, site.entity);
   } else {
-    return refused({codes::TZC1019, nowhere, site.where}, site.entity);
+    return refused({codes::TZC1019, lack_at(site), site.where}, site.entity);
   }
   return {};
 }

@@ -151,7 +151,7 @@ TEST(Solve, a_factory_whose_call_can_name_the_publisher_is_given_it) {
   AllocationSite call;
   call.entity = id("make#r");
   call.how = FactoryAllocation{id("make#r"), {{{"/p/node.cpp", 40, 40, 4, 1}, "$PUB", "factory", {}}}};
-  call.publishers = {{id("pub"), "pub", false, false, {id("make#r")}}};
+  call.publishers = {{id("pub"), "pub", false, false, {id("make#r")}, {}}};
   builder.facts.allocations.push_back(call);
   const Solved node(builder);
   EXPECT_EQ(node.outcome("image"), Outcome::ported);

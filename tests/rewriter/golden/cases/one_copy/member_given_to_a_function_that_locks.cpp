@@ -28,7 +28,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:11 sensor_msgs/Image one_copy
-// publish src/node.cpp:22 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:22 sensor_msgs/Image one_copy TZC1019 it is built before a call that may wait for another thread, which may replace its publisher meanwhile
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
