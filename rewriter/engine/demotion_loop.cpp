@@ -130,6 +130,21 @@ bool DemotionLoop::demote_unseen(const Attempt& attempt) {
   return demotions_.size() > before;
 }
 
+/// A program that links both packages takes one of the two definitions for both, so they have to stay the same.
+bool DemotionLoop::demote_copied(const Attempt& attempt) {
+  const std::size_t before = demotions_.size();
+  for (const Edit& edit : attempt.result.plan.edits)
+    for (const CopiedDefinition& copied : options_.copied)
+      if (edit.component && edit.file == copied.file && edit.offset >= copied.begin &&
+          edit.offset < copied.end)
+        demotions_.emplace(
+            *edit.component,
+            Obstacle{codes::TZC1005,
+                     "another package has the same definition, and one program may have both: " + copied.copy,
+                     Location{copied.file, 1, 1}});
+  return demotions_.size() > before;
+}
+
 /// All that a failing unit sees, so that a package with many errors ends, too.
 bool DemotionLoop::demote_all_of(const Attempt& failed) {
   const std::size_t before = demotions_.size();
@@ -155,7 +170,7 @@ Expected<DemotionLoop::Result> DemotionLoop::run() {
   for (;; ++round_) {
     Attempt attempt = planned(demotions_);
     const bool judged = options_.without_rules.count("verification") == 0;
-    if (judged && demote_unseen(attempt)) continue;
+    if (judged && (demote_unseen(attempt) || demote_copied(attempt))) continue;
     if (Expected<void> done = verify(attempt, {}, Judge::both); !done) return done.error();
     if (attempt.failures.empty() || !judged) return std::move(attempt.result);
     const Expected<bool> demoted = demote_some(attempt);

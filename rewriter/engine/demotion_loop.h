@@ -46,6 +46,7 @@ class DemotionLoop {
   Expected<std::optional<ComponentId>> culprit_of(const Failure& failure) const;
   Expected<bool> is_gone_without(const Failure& failure, const std::vector<ComponentId>& components) const;
   bool demote_unseen(const Attempt& attempt);
+  bool demote_copied(const Attempt& attempt);
   void demote(ComponentId component, const Failure& failure);
   bool is_message(ComponentId component) const;
   std::vector<ComponentId> ported_components(const Attempt& attempt) const;

@@ -14,6 +14,13 @@
 
 namespace tzc::rewriter {
 
+/// A definition that a header of another package holds, too, word for word: one program may have both.
+struct CopiedDefinition {
+  std::string file;
+  std::size_t begin = 0, end = 0;
+  std::string copy;  ///< the other package's header
+};
+
 struct EngineOptions : SolveOptions {
   /// Package -> the folder of its compile_commands.json; a package that has nothing but headers is not among them.
   std::map<std::string, std::string> build_dirs;
@@ -30,6 +37,7 @@ struct EngineOptions : SolveOptions {
   FileAccesses* accesses = nullptr;  ///< told what the parses read; may be null
   /// Headers of the packages that other code includes, whose declarations stay; none: all in exported folders.
   std::optional<std::set<std::string>> headers_in_use;
+  std::vector<CopiedDefinition> copied;  ///< definitions that stay
 };
 
 }  // namespace tzc::rewriter

@@ -32,6 +32,15 @@ void add_site(std::map<SiteId, Subscribe>& sites, std::optional<Subscribe> site)
   if (!is_new) known->second.add_callbacks(*site);
 }
 
+/// What `of` overrides, `method` overrides.
+void note_overrides(const clang::CXXMethodDecl* method, const clang::CXXMethodDecl* of,
+                    std::map<std::string, std::set<std::string>>& overrides) {
+  for (const clang::CXXMethodDecl* overridden : of->overridden_methods()) {
+    overrides[usr_of(pattern_of(overridden))].insert(usr_of(pattern_of(method)));
+    note_overrides(method, overridden, overrides);
+  }
+}
+
 }  // namespace
 
 void Collectors::declaration(const clang::VarDecl* variable) {
@@ -46,19 +55,13 @@ void Collectors::function(const clang::FunctionDecl* function) {
     facts_.factories.emplace(entities_.result_id(function), std::move(*factory));
 }
 
-void Collectors::overrides(const clang::CXXMethodDecl* method, const clang::CXXMethodDecl* of) {
-  for (const clang::CXXMethodDecl* overridden : of->overridden_methods()) {
-    facts_.overrides[usr_of(pattern_of(overridden))].insert(usr_of(pattern_of(method)));
-    overrides(method, overridden);
-  }
-}
-
 void Collectors::bases(const clang::CXXRecordDecl* record) {
   for (const clang::CXXBaseSpecifier& base : record->bases())
     if (const clang::CXXRecordDecl* of = base.getType()->getAsCXXRecordDecl())
       facts_.bases[usr_of(record)].insert(usr_of(of));
   for (const clang::CXXMethodDecl* method : record->methods())
-    if (!method->isPureVirtual() && !llvm::isa<clang::CXXDestructorDecl>(method)) overrides(method, method);
+    if (!method->isPureVirtual() && !llvm::isa<clang::CXXDestructorDecl>(method))
+      note_overrides(method, method, facts_.overrides);
   hidden_.note(record);
 }
 

@@ -53,8 +53,6 @@ class Collectors {
   Facts finish();
 
  private:
-  /// What `of` overrides, `method` overrides.
-  void overrides(const clang::CXXMethodDecl* method, const clang::CXXMethodDecl* of);
   void made_object(const clang::CallExpr* call);
   void member_call(const clang::CXXMemberCallExpr* call);
   void rule_call(const clang::CXXMemberCallExpr* call, const MethodCall& rule);

@@ -105,6 +105,7 @@ class Collector {
 
   void add_package(const std::string& package) {
     found_.trees.insert(package);
+    found_.trees.insert(source_space(package));  // users and copies of its headers
     for (fs::path folder = package; folder.has_relative_path(); folder = folder.parent_path())
       for (const char* style : {".clang-format", "_clang-format"}) depend_on(folder / style);
     const Expected<PackageXml> xml = read_package_xml(package);

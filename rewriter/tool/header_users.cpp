@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <functional>
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include "edits/files.h"
 #include "model/codes.h"
+#include "tool/text_files.h"
 
 namespace tzc::rewriter {
 namespace fs = std::filesystem;
@@ -21,53 +20,9 @@ std::string text_of(const fs::path& file) {
   return text ? std::move(*text) : "";
 }
 
-/// Whatever it is called: headers may have any name, and templates of sources, too.
-bool is_text(const fs::path& file) {
-  constexpr std::uintmax_t largest = 4 << 20;
-  std::error_code failed;
-  const std::uintmax_t size = fs::file_size(file, failed);
-  if (failed || size > largest) return false;
-  char begin[512];
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(begin, sizeof begin);
-  return std::find(begin, begin + stream.gcount(), '\0') == begin + stream.gcount();
-}
-
 bool is_cmake_file(const fs::path& file) {
   return file.filename() == "CMakeLists.txt" || file.extension() == ".cmake";
 }
-
-/// Calls `visit` with every text file below a folder, through links as well, each once.
-class Walk {
- public:
-  Walk(FolderSet without, std::function<void(const std::string&)> visit)
-      : without_(std::move(without)), visit_(std::move(visit)) {}
-
-  void operator()(const fs::path& folder) {
-    std::error_code failed;
-    const fs::path here = fs::canonical(folder, failed);
-    if (failed || is_left_out(here) || !seen_.insert(here).second) return;
-    const bool is_built_in = fs::exists(here / "CMakeCache.txt", failed);
-    if (is_built_in && !fs::exists(here / "package.xml", failed)) return;
-    for (const auto& entry : fs::directory_iterator(here, failed)) {
-      if (entry.path().filename().string().front() == '.') continue;
-      std::error_code ignored;
-      if (entry.is_directory(ignored))
-        (*this)(entry.path());
-      else if (is_text(entry.path()))
-        visit_(entry.path().string());
-    }
-  }
-
- private:
-  bool is_left_out(const std::string& folder) const {
-    return std::find(without_.begin(), without_.end(), folder) != without_.end();
-  }
-
-  FolderSet without_;
-  std::function<void(const std::string&)> visit_;
-  std::set<std::string> seen_;
-};
 
 /// "../a/./b.h" as "a/b.h": where it is searched from is not known.
 std::string without_dots(const std::string& name) {
@@ -81,8 +36,8 @@ std::string without_dots(const std::string& name) {
 class PackageHeaders {
  public:
   explicit PackageHeaders(const FolderSet& packages) {
-    Walk walk({}, [this](const std::string& file) { by_name_[fs::path(file).filename()].insert(file); });
-    for (const std::string& package : packages) walk(package);
+    TextFiles files([this](const std::string& file) { by_name_[fs::path(file).filename()].insert(file); });
+    for (const std::string& package : packages) files.walk(package);
   }
 
   /// `file`: where the directive stands. A quoted name that is found beside it means that file.
@@ -157,11 +112,11 @@ std::vector<Inclusion> inclusions_between(const std::vector<std::string>& packag
   const FolderSet folders(packages);
   const PackageHeaders headers(folders);
   std::vector<Inclusion> found;
-  Walk walk({}, [&](const std::string& file) {
+  TextFiles files([&](const std::string& file) {
     for (const std::string& header : headers.included_by(file))
       if (folders.of(header) != folders.of(file)) found.push_back({file, header});
   });
-  for (const std::string& package : packages) walk(package);
+  for (const std::string& package : packages) files.walk(package);
   return found;
 }
 
@@ -195,10 +150,12 @@ std::map<std::string, std::string> headers_in_use(const FolderSet& packages,
     if (users.emplace(header, user).second) todo.push_back(header);
   };
   for (const Inclusion& inclusion : known) use(inclusion.header, inclusion.file);
-  Walk walk(packages, [&](const std::string& file) {
-    for (const std::string& header : headers.included_by(file)) use(header, file);
-  });
-  for (const std::string& root : roots) walk(root);
+  TextFiles files(
+      [&](const std::string& file) {
+        for (const std::string& header : headers.included_by(file)) use(header, file);
+      },
+      packages);
+  for (const std::string& root : roots) files.walk(root);
   while (!todo.empty()) {
     const std::string header = todo.back();
     todo.pop_back();

@@ -11,6 +11,7 @@
 #include "edits/files.h"
 #include "proof/configuration.h"
 #include "proof/own_compiler.h"
+#include "tool/copied_definitions.h"
 #include "tool/filter.h"
 #include "tool/header_users.h"
 #include "tool/own_messages.h"
@@ -63,6 +64,7 @@ class SourcePlanner {
     for (const std::string& folder : messages->include_dirs()) engine.extra_include_dirs.push_back(folder);
     OwnCompiler compiler(compiler_setup(engine));
     engine.judges = judges(compiler);
+    engine.copied = copies();
     Expected<PortPlans> plans =
         inputs_.options.change_exported ? plan_with_headers(engine) : inputs_.engine.plan(engine);
     if (!plans) return plans.error();
@@ -158,6 +160,16 @@ class SourcePlanner {
           [&](const Inclusion& one) { return users.count(one.header) == 0 && !is_compiled(one, *plans); });
       if (unseen.size() == before) return add_notes(users, *plans), plans;
     }
+  }
+
+  std::vector<CopiedDefinition> copies() const {
+    std::set<std::string> spaces;
+    for (const SourcePackage& package : packages_) spaces.insert(source_space(package.dir));
+    std::vector<CopiedDefinition> all;
+    for (const std::string& space : spaces)
+      for (CopiedDefinition& copied : copied_definitions(FolderSet(folders()), space))
+        all.push_back(std::move(copied));
+    return all;
   }
 
   std::vector<std::string> roots() const {

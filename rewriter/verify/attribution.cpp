@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "edits/apply.h"
-#include "verify/source_text.h"
+#include "edits/source_text.h"
 
 namespace tzc::rewriter {
 namespace {

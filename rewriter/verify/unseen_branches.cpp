@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "edits/dual.h"
+#include "edits/source_text.h"
 #include "model/codes.h"
-#include "verify/source_text.h"
 
 namespace tzc::rewriter {
 namespace {

@@ -48,6 +48,10 @@ class SeveralPackages : public ::testing::Test {
     options.headers_in_use.emplace();
     for (const std::string& name : headers_in_use) options.headers_in_use->insert(folder(name));
     options.judges = judges;
+    for (const auto& [name, definition] : copied) {
+      const std::size_t begin = files.at(name).find(definition);
+      options.copied.push_back({folder(name), begin, begin + definition.size(), "/ws/src/copy.h"});
+    }
     return plan_ports(options);
   }
   std::string folder(const std::string& name) const { return written->dir() + "/" + name; }
@@ -60,6 +64,7 @@ class SeveralPackages : public ::testing::Test {
 
   std::optional<test::Package> written;
   std::string headers_only;
+  std::map<std::string, std::string> copied;  ///< file -> a definition of it that another package holds, too
   Judges judges;
 };
 
@@ -108,6 +113,26 @@ TEST_F(SeveralPackages, one_that_has_nothing_but_headers_changes_with_who_includ
   EXPECT_THAT(lib.contents.at(folder(header)), HasSubstr("tzc::sensor_msgs::Image& image"));
   EXPECT_THAT(lib.joined, ElementsAre(folder("node")));
   EXPECT_THAT(lib.ported_targets_files, IsEmpty());
+}
+
+TEST_F(SeveralPackages, a_definition_that_another_package_holds_too_stays_with_what_belongs_to_it) {
+  const std::string holder =
+      "struct Holder {\n  ros::Publisher pub;\n"
+      "  void send() {\n    sensor_msgs::Image image;\n    image.data.resize(10);\n    pub.publish(image);\n "
+      " }\n};\n";
+  files["node/src/holder.h"] = ros_headers + holder;
+  files["node/src/node.cpp"] =
+      "#include \"holder.h\"\nvoid step(ros::NodeHandle& nh) {\n  Holder holder;\n"
+      "  holder.pub = nh.advertise<sensor_msgs::Image>(\"image\", 10);\n  holder.send();\n}\n";
+  const auto ported = plan({"node"});
+  ASSERT_TRUE(ported) << to_string(ported.error());
+  EXPECT_EQ(level(ported->at(folder("node"))), Level::zero_copy);
+  copied["node/src/holder.h"] = holder;
+  const auto kept = plan({"node"});
+  ASSERT_TRUE(kept) << to_string(kept.error());
+  EXPECT_EQ(level(kept->at(folder("node"))), Level::plain);
+  EXPECT_THAT(kept->at(folder("node")).contents, IsEmpty());
+  EXPECT_THAT(kept->at(folder("node")).report.sites.back().reason, HasSubstr("/ws/src/copy.h"));
 }
 
 TEST_F(SeveralPackages, each_has_what_its_own_report_and_build_files_need) {

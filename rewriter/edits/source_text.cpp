@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "verify/source_text.h"
+#include "edits/source_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -32,7 +32,75 @@ std::size_t closing_brace(const std::string& text, std::size_t at, int depth) {
   return text.size();
 }
 
+std::size_t end_of_directive(const std::string& text, std::size_t at) {
+  for (; at < text.size() && text[at] != '\n'; ++at)
+    if (text[at] == '\\') ++at;
+  return at;
+}
+
+std::string squeezed(std::string text) {
+  text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c) != 0; }),
+             text.end());
+  return text;
+}
+
+bool begins_with(const std::string& text, const char* word) {
+  return text.rfind(word, 0) == 0;
+}
+
+/// Goes through the declarations of namespaces.
+class Definitions {
+ public:
+  explicit Definitions(const std::string& text) : text_(text) {}
+
+  std::map<std::string, TextRange> run() {
+    for (std::size_t at = 0; at < text_.size(); at = after(at)) {
+    }
+    return std::move(found_);
+  }
+
+ private:
+  std::size_t after(std::size_t at) {
+    const char c = text_[at];
+    if (c == '#') return begin_ = end_of_directive(text_, at);
+    if (c == '}') return begin_ = at + 1;  // of a namespace
+    if (c == ';') return statement(at);
+    return c == '{' ? block(at) : at + 1;
+  }
+
+  std::size_t statement(std::size_t at) {
+    const std::string words = squeezed(text_.substr(begin_, at - begin_));
+    const bool declares_variable = words.find('(') == std::string::npos && !begins_with(words, "using") &&
+                                   !begins_with(words, "typedef") && !begins_with(words, "class") &&
+                                   !begins_with(words, "struct") && !begins_with(words, "template");
+    if (declares_variable) add(words, at);
+    return begin_ = at + 1;
+  }
+
+  std::size_t block(std::size_t at) {
+    const std::string head = squeezed(text_.substr(begin_, at - begin_));
+    const bool is_named = begins_with(head, "inlinenamespace") || begins_with(head, "extern\"");
+    if (is_named || (begins_with(head, "namespace") && head != "namespace")) return begin_ = at + 1;
+    const std::size_t end = closing_brace(text_, at, 0);
+    if (head != "namespace" && head.find("main(") == std::string::npos)
+      add(squeezed(text_.substr(begin_, end - begin_)), end);
+    return begin_ = end;
+  }
+
+  void add(const std::string& words, std::size_t end) {
+    if (!words.empty() && !begins_with(words, "static")) found_[words] = {begin_, end};
+  }
+
+  const std::string& text_;
+  std::size_t begin_ = 0;
+  std::map<std::string, TextRange> found_;
+};
+
 }  // namespace
+
+std::map<std::string, TextRange> definitions_in(const std::string& text) {
+  return Definitions(text).run();
+}
 
 std::string without_comments(const std::string& source) {
   std::string text = source;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reading a source's text where there is no syntax tree.
-#include "verify/source_text.h"
+#include "edits/source_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,6 +24,33 @@ TEST(SourceText, a_digit_separator_begins_no_literal) {
 TEST(SourceText, what_is_not_closed_ends_with_the_text) {
   EXPECT_EQ(without_comments("a /* b"), "a     ");
   EXPECT_EQ(without_comments("\"a\\"), "\"  ");
+}
+
+std::vector<std::string> definitions(const std::string& text) {
+  std::vector<std::string> words;
+  for (const auto& [definition, range] : definitions_in(text)) words.push_back(definition);
+  return words;
+}
+
+TEST(SourceText, definitions_of_namespaces) {
+  EXPECT_THAT(
+      definitions("#pragma once\n#define X { \\\n {\nnamespace a { namespace b {\n"
+                  "class C : D {\n int f() { return 1; }\n};\n} inline int f( int x ) { return { x }; } }\n"
+                  "extern int y;"),
+      ElementsAre("classC:D{intf(){return1;}}", "externinty", "inlineintf(intx){return{x};}"));
+}
+
+TEST(SourceText, what_two_programs_may_define_differently_is_left_out) {
+  EXPECT_THAT(definitions("namespace { int a; }\nstatic int b() { return 1; }\nint main(int, char**) { }\n"
+                          "void declared(int);\nclass Known;\nusing Name = int;\ntypedef int Other;"),
+              ElementsAre());
+}
+
+TEST(SourceText, a_definition_lies_where_it_is_written) {
+  const std::string text = "int a;\nstruct B { int c; };\n";
+  const TextRange range = definitions_in(text).at("structB{intc;}");
+  EXPECT_LE(range.begin, text.find("struct"));
+  EXPECT_EQ(text[range.end - 1], '}');
 }
 
 TEST(SourceText, identifiers_are_whole_words) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <set>
 #include <string>
 
@@ -15,6 +16,15 @@ namespace tzc::rewriter {
 std::string without_comments(const std::string& source);
 
 std::set<std::string> identifiers_in(const std::string& text);
+
+/// Where a definition lies.
+struct TextRange {
+  std::size_t begin = 0, end = 0;
+};
+
+/// Definitions with external linkage of a text without comments: classes, functions and variables of namespaces, by their
+/// words without white space. Functions called main are of a program, not of a package.
+std::map<std::string, TextRange> definitions_in(const std::string& text);
 
 /// The offset of a line and column (from 1); the text's end where there is no such line.
 std::size_t offset_of(const std::string& text, unsigned line, unsigned column);

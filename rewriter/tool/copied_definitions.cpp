@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/copied_definitions.h"
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "buildfiles/package_xml.h"
+#include "edits/files.h"
+#include "edits/source_text.h"
+#include "tool/places.h"
+#include "tool/text_files.h"
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+std::string name_of(const std::string& package_dir) {
+  const Expected<PackageXml> package = read_package_xml(package_dir);
+  return package ? package->name : "";
+}
+
+std::map<std::string, TextRange> definitions_of(const std::string& file) {
+  const Expected<std::string> text = read_file(file);
+  return text ? definitions_in(without_comments(*text)) : std::map<std::string, TextRange>();
+}
+
+/// The headers of packages, by the last part of their names.
+class Headers {
+ public:
+  explicit Headers(const FolderSet& packages) {
+    TextFiles files([this](const std::string& file) {
+      if (is_header(file)) by_name_[fs::path(file).filename()].push_back(file);
+    });
+    for (const std::string& package : packages) files.walk(package);
+  }
+
+  void compare(const std::string& other, std::vector<CopiedDefinition>& copied) {
+    const auto known = by_name_.find(fs::path(other).filename());
+    if (known == by_name_.end()) return;
+    const std::map<std::string, TextRange> theirs = definitions_of(other);
+    for (const std::string& header : known->second)
+      for (const auto& [words, range] : definitions_of(header))
+        if (theirs.count(words)) copied.push_back({header, range.begin, range.end, other});
+  }
+
+ private:
+  static bool is_header(const std::string& file) {
+    static const std::set<std::string> sources = {".cc", ".cpp", ".cxx", ".c++", ".C", ".c", ".txt", ".xml"};
+    return sources.count(fs::path(file).extension()) == 0;
+  }
+
+  std::map<std::string, std::vector<std::string>> by_name_;
+};
+
+}  // namespace
+
+std::vector<CopiedDefinition> copied_definitions(const FolderSet& packages, const std::string& root) {
+  std::set<std::string> names;
+  for (const std::string& package : packages) names.insert(name_of(package));
+  std::vector<CopiedDefinition> copied;
+  const Expected<std::vector<std::string>> others = find_packages_at(root);
+  if (!others) return copied;
+  Headers headers(packages);
+  TextFiles files([&](const std::string& file) { headers.compare(file, copied); }, packages);
+  for (const std::string& other : *others)
+    if (names.count(name_of(other)) == 0) files.walk(other);
+  return copied;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/text_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+/// Whatever it is called: headers may have any name, and templates of sources, too.
+bool is_text(const fs::path& file) {
+  constexpr std::uintmax_t largest = 4 << 20;
+  std::error_code failed;
+  const std::uintmax_t size = fs::file_size(file, failed);
+  if (failed || size > largest) return false;
+  char begin[512];
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(begin, sizeof begin);
+  return std::find(begin, begin + stream.gcount(), '\0') == begin + stream.gcount();
+}
+
+}  // namespace
+
+bool TextFiles::is_left_out(const std::string& folder) const {
+  return std::find(without_.begin(), without_.end(), folder) != without_.end();
+}
+
+void TextFiles::walk(const std::string& folder) {
+  std::error_code failed;
+  const fs::path here = fs::canonical(folder, failed);
+  if (failed || is_left_out(here) || !seen_.insert(here).second) return;
+  const bool is_built_in = fs::exists(here / "CMakeCache.txt", failed);
+  if (is_built_in && !fs::exists(here / "package.xml", failed)) return;
+  for (const auto& entry : fs::directory_iterator(here, failed)) {
+    if (entry.path().filename().string().front() == '.') continue;
+    std::error_code ignored;
+    if (entry.is_directory(ignored))
+      walk(entry.path());
+    else if (is_text(entry.path()))
+      visit_(entry.path());
+  }
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+
+#include "model/folder_set.h"
+
+namespace tzc::rewriter {
+
+/// Visits text files below folders, each once, through links as well. Build trees and hidden files are left out.
+class TextFiles {
+ public:
+  using Visit = std::function<void(const std::string& path)>;
+
+  /// `without`: folders that are left out.
+  explicit TextFiles(Visit visit, FolderSet without = {})
+      : visit_(std::move(visit)), without_(std::move(without)) {}
+
+  void walk(const std::string& folder);
+
+ private:
+  bool is_left_out(const std::string& folder) const;
+
+  Visit visit_;
+  FolderSet without_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace tzc::rewriter
