@@ -153,6 +153,7 @@ std::optional<Error> PortPlanner::collect() {
     reading_.merge(std::move(readings_[i]));
   }
   reading_.facts.refuse_unseen_functions();
+  reading_.facts.refuse_unseen_friends();
   reading_.facts.add_overrides();
   leave_light_types(reading_.facts, options_.small);
   return failure ? failure : lacks_units();

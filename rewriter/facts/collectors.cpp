@@ -10,12 +10,14 @@
 #include "facts/content_events.h"
 #include "facts/element_uses.h"
 #include "facts/escape.h"
+#include "facts/exported_uses.h"
 #include "facts/factories.h"
 #include "facts/library_sites.h"
 #include "facts/lock_guarded.h"
 #include "facts/lock_names.h"
 #include "facts/publish_sites.h"
 #include "facts/shared_mats.h"
+#include "model/codes.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -62,12 +64,18 @@ void Collectors::bases(const clang::CXXRecordDecl* record) {
   for (const clang::CXXMethodDecl* method : record->methods())
     if (!method->isPureVirtual() && !llvm::isa<clang::CXXDestructorDecl>(method))
       note_overrides(method, method, facts_.overrides);
+  facts_.records.insert(usr_of(record));
   hidden_.note(record);
 }
 
 void Collectors::name(const clang::Expr* expr, const clang::ValueDecl* decl) {
   const EntityId id = entities_.declare(decl);
-  if (id.empty() || expr->isTypeDependent()) return;
+  if (id.empty()) return;
+  if (is_given_to_users(unit_, expr))
+    entities_.add_obstacle(id, codes::TZC1005,
+                           "a template in a header that other packages may include gives it to what they say",
+                           expr->getExprLoc());
+  if (expr->isTypeDependent()) return;
   const FlowEnd end = flow_.follow(expr, id);
   if (entities_[id].role == EntityRole::publisher && changes_what_others_see(unit_, expr, decl))
     facts_.changing.insert(id);

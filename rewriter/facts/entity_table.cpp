@@ -4,6 +4,7 @@
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/declarators.h"
+#include "facts/exported_uses.h"
 #include "facts/spelling.h"
 #include "model/codes.h"
 
@@ -100,6 +101,7 @@ void EntityTable::check_signature(Entity& entity, const clang::FunctionDecl* fun
         add(entity, {codes::TZC1005, name + " overrides a function of another package", where});
   const clang::FunctionDecl* first = function->getFirstDecl();
   const bool is_hidden = first->getAccess() == clang::AS_private && !(method && method->isVirtual());
+  if (is_hidden) entity.friends = friends_of(unit_, first);
   if (!is_hidden && unit_.exports(first->getLocation()))
     add(entity, {codes::TZC1005, name + " is declared in a header that other packages may include", where});
 }
@@ -130,6 +132,7 @@ void EntityTable::check_exported(Entity& entity, const clang::ValueDecl* decl) c
   const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
   if (field) entity.record = usr_of(field->getParent());
   const bool lasts = field || (variable->hasGlobalStorage() && !variable->isStaticLocal());
+  if (lasts && decl->getAccess() == clang::AS_private) entity.friends = friends_of(unit_, decl);
   if (!lasts || decl->getAccess() == clang::AS_private) return;
   for (const clang::Decl* declaration : decl->redecls())
     if (unit_.exports(declaration->getLocation()))

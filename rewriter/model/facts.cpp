@@ -86,6 +86,18 @@ void Facts::refuse_unseen_functions() {
   }
 }
 
+void Facts::refuse_unseen_friends() {
+  for (auto& [id, entity] : entities) {
+    const bool seen = std::all_of(entity.friends.begin(), entity.friends.end(), [&](const std::string& usr) {
+      return records.count(usr) != 0 || bodies.count(usr) != 0;
+    });
+    if (!seen)
+      entity.obstacles.push_back(
+          {codes::TZC1005, "a friend of its class, which other packages may include, is not defined here",
+           entity.where});
+  }
+}
+
 void Facts::add_overrides() {
   const std::map<std::string, std::vector<PublishEvent>> own = effects;
   for (const auto& [function, others] : overrides) {
@@ -122,6 +134,7 @@ void Facts::merge(Facts&& other) {
   objects.merge(other.objects);
   parameters.merge(other.parameters);
   bodies.merge(other.bodies);
+  records.merge(other.records);
   append(allocations, other.allocations);
   unite(factories, other.factories);
   append(data_uses, other.data_uses);

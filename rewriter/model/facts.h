@@ -58,6 +58,8 @@ struct Entity {
   Location where;
   std::vector<Change> changes;  ///< its declared types
   std::vector<Obstacle> obstacles;
+  std::set<std::string>
+      friends;  ///< of its class, which an exported header declares; USRs, "" for one that has none
 
   /// No function makes it, or it outlives the function that does.
   bool lasts() const {
@@ -333,6 +335,7 @@ struct Facts : EntityFacts, EscapeFacts, ThreadFacts {
   HiddenFacts hidden;
   std::map<std::string, std::set<std::string>> bases;      ///< record USR -> USRs of its base classes
   std::map<std::string, std::set<std::string>> overrides;  ///< virtual function -> all that override it; USRs
+  std::set<std::string> records;                           ///< USRs of the classes that the package defines
   std::set<std::string> bodies;                            ///< USRs of the functions whose bodies were seen
   bool shadows_tzc = false;  ///< the package gives the name tzc to something of its own
   std::map<std::string, std::set<std::string>> units_of_file;  ///< package file -> main files that include it
@@ -343,6 +346,8 @@ struct Facts : EntityFacts, EscapeFacts, ThreadFacts {
   void add_content(const std::string& usr, ContentFlow flow);
   /// A function that is defined elsewhere, or not in C++ (a signal of Qt), keeps its parameters.
   void refuse_unseen_functions();
+  /// A friend of an exported class that is defined elsewhere may use what is private in it.
+  void refuse_unseen_friends();
   /// Adds what another unit saw; the same entity or site counts once.
   void merge(Facts&& other);
 };
