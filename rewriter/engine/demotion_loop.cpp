@@ -134,7 +134,7 @@ bool DemotionLoop::demote_unseen(const Attempt& attempt) {
 bool DemotionLoop::demote_copied(const Attempt& attempt) {
   const std::size_t before = demotions_.size();
   for (const Edit& edit : attempt.result.plan.edits)
-    for (const CopiedDefinition& copied : options_.copied)
+    for (const CopiedDefinition& copied : options_.others.copied)
       if (edit.component && edit.file == copied.file && edit.offset >= copied.begin &&
           edit.offset < copied.end)
         demotions_.emplace(

@@ -45,6 +45,7 @@ class PortPlanner {
   std::optional<Error> collect();
   std::optional<Error> read(const std::vector<std::size_t>& units, const CollectOptions& options,
                             const std::string& stage);
+  std::optional<Error> read_with_more_headers_in_use(CollectOptions& options);
   std::vector<std::size_t> units_that_miss(const std::set<std::string>& shown) const;
   std::optional<Error> lacks_units() const;
   std::optional<Error> sort_out(const CompileUnit& unit, const Diagnostic& error);
@@ -136,13 +137,14 @@ std::optional<Error> PortPlanner::collect() {
   CollectOptions options{
       options_.packages,
       build_dirs(options_),
-      options_.headers_in_use ? *options_.headers_in_use : exported_dirs(options_.packages),
+      options_.others.headers_in_use ? *options_.others.headers_in_use : exported_dirs(options_.packages),
       &rules_,
       include_dirs(),
       trusted_};
   std::vector<std::size_t> all(units_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   std::optional<Error> failure = read(all, options, "parsing");
+  if (!failure) failure = read_with_more_headers_in_use(options);
   if (failure) return failure;
   for (const UnitReading& reading : readings_)
     options.hidden.insert(reading.facts.hidden.shown.begin(), reading.facts.hidden.shown.end());
@@ -157,6 +159,25 @@ std::optional<Error> PortPlanner::collect() {
   reading_.facts.add_overrides();
   leave_light_types(reading_.facts, options_.small);
   return failure ? failure : lacks_units();
+}
+
+/// What a header declares counts otherwise once others may include it, so the units that read it are read again.
+std::optional<Error> PortPlanner::read_with_more_headers_in_use(CollectOptions& options) {
+  if (!options_.others.more_headers_in_use) return {};
+  UnitsOfFile units_of_file;
+  for (const UnitReading& reading : readings_)
+    for (const auto& [file, units] : reading.facts.units_of_file)
+      units_of_file[file].insert(units.begin(), units.end());
+  std::set<std::string> changed;
+  for (const std::string& header : options_.others.more_headers_in_use(units_of_file)) {
+    if (!options.exported_dirs.insert(header).second) continue;
+    const std::set<std::string>& units = units_of_file[header];
+    changed.insert(units.begin(), units.end());
+  }
+  std::vector<std::size_t> again;
+  for (std::size_t i = 0; i < units_.size(); ++i)
+    if (changed.count(units_[i].file) && readings_[i].errors.empty()) again.push_back(i);
+  return read(again, options, "parsing again");
 }
 
 std::optional<Error> PortPlanner::read(const std::vector<std::size_t>& units, const CollectOptions& options,

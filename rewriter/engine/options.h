@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "engine/port_plan.h"
 #include "model/file_accesses.h"
 #include "model/judges.h"
 #include "model/progress.h"
@@ -19,6 +21,15 @@ struct CopiedDefinition {
   std::string file;
   std::size_t begin = 0, end = 0;
   std::string copy;  ///< the other package's header
+};
+
+/// What is known of code that is not analysed.
+struct OtherCode {
+  /// Headers of the packages that other code includes, whose declarations stay; none: all in exported folders.
+  std::optional<std::set<std::string>> headers_in_use;
+  /// Names more of them, once it is known which units read which file. May be empty.
+  std::function<std::set<std::string>(const UnitsOfFile&)> more_headers_in_use;
+  std::vector<CopiedDefinition> copied;  ///< definitions that stay
 };
 
 struct EngineOptions : SolveOptions {
@@ -35,9 +46,7 @@ struct EngineOptions : SolveOptions {
   Judges judges;
   Progress* progress = nullptr;
   FileAccesses* accesses = nullptr;  ///< told what the parses read; may be null
-  /// Headers of the packages that other code includes, whose declarations stay; none: all in exported folders.
-  std::optional<std::set<std::string>> headers_in_use;
-  std::vector<CopiedDefinition> copied;  ///< definitions that stay
+  OtherCode others;
 };
 
 }  // namespace tzc::rewriter

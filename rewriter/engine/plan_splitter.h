@@ -18,8 +18,6 @@ using UnitOwners = std::map<std::string, std::string>;
 /// Gives each package its part of what was planned for several.
 class PlanSplitter {
  public:
-  using UnitsOfFile = std::map<std::string, std::set<std::string>>;
-
   /// The arguments must outlive the object.
   PlanSplitter(const FolderSet& packages, const UnitOwners& owners, const UnitsOfFile& units_of_file);
 

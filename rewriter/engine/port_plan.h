@@ -10,13 +10,15 @@
 
 namespace tzc::rewriter {
 
+/// The packages' files that were read -> the main files that include them.
+using UnitsOfFile = std::map<std::string, std::set<std::string>>;
+
 /// What is to become of one package.
 struct PortPlan {
   Edits edits;            ///< known to compile together
   FileContents contents;  ///< of the edited sources, as they were verified and are to be written
   Report report;
-  std::map<std::string, std::set<std::string>>
-      units_of_file;  ///< the package's files that were read -> the main files that include them
+  UnitsOfFile units_of_file;                   ///< of the package
   std::set<std::string> ported_targets_files;  ///< main files whose targets need tzc
   std::set<std::string> needed_headers;        ///< "tzc/ros.h", ...
   std::set<std::string> tzc_types;             ///< "sensor_msgs/Image": twins the ported code uses

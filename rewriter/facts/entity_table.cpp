@@ -67,8 +67,8 @@ Entity& EntityTable::entity_at(const EntityId& id, const Carried& carried, Descr
   auto [position, is_new] = facts_.entities.emplace(id, Entity{});
   Entity& entity = position->second;
   if (is_new) {
-    describe(entity);
     entity.id = id;
+    describe(entity);
     entity.role = carried.role;
     entity.ported = carried.ported;
     if (carried.rename) entity.ported_as = {carried.rename->to, carried.rename->header};
@@ -91,7 +91,7 @@ bool needs_body(const clang::FunctionDecl* function) {
 
 }  // namespace
 
-void EntityTable::check_signature(Entity& entity, const clang::FunctionDecl* function) const {
+void EntityTable::check_signature(Entity& entity, const clang::FunctionDecl* function) {
   const Location where = unit_.location(function->getLocation());
   const std::string name = "'" + function->getNameAsString() + "'";
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
@@ -101,7 +101,7 @@ void EntityTable::check_signature(Entity& entity, const clang::FunctionDecl* fun
         add(entity, {codes::TZC1005, name + " overrides a function of another package", where});
   const clang::FunctionDecl* first = function->getFirstDecl();
   const bool is_hidden = first->getAccess() == clang::AS_private && !(method && method->isVirtual());
-  if (is_hidden) entity.friends = friends_of(unit_, first);
+  if (is_hidden) facts_.friends[entity.id] = friends_of(unit_, first);
   if (!is_hidden && unit_.exports(first->getLocation()))
     add(entity, {codes::TZC1005, name + " is declared in a header that other packages may include", where});
 }
@@ -127,12 +127,12 @@ void EntityTable::connect_overrides(const EntityId& id, const clang::FunctionDec
 }
 
 /// Members and variables that other packages may name.
-void EntityTable::check_exported(Entity& entity, const clang::ValueDecl* decl) const {
+void EntityTable::check_exported(Entity& entity, const clang::ValueDecl* decl) {
   const auto* field = llvm::dyn_cast<clang::FieldDecl>(decl);
   const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
   if (field) entity.record = usr_of(field->getParent());
   const bool lasts = field || (variable->hasGlobalStorage() && !variable->isStaticLocal());
-  if (lasts && decl->getAccess() == clang::AS_private) entity.friends = friends_of(unit_, decl);
+  if (lasts && decl->getAccess() == clang::AS_private) facts_.friends[entity.id] = friends_of(unit_, decl);
   if (!lasts || decl->getAccess() == clang::AS_private) return;
   for (const clang::Decl* declaration : decl->redecls())
     if (unit_.exports(declaration->getLocation()))

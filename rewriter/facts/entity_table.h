@@ -53,8 +53,8 @@ class EntityTable {
 
   Entity& entity_at(const EntityId& id, const Carried& carried, Description describe);
   void check_type(Entity& entity, const Carried& carried) const;
-  void check_signature(Entity& entity, const clang::FunctionDecl* function) const;
-  void check_exported(Entity& entity, const clang::ValueDecl* decl) const;
+  void check_signature(Entity& entity, const clang::FunctionDecl* function);
+  void check_exported(Entity& entity, const clang::ValueDecl* decl);
   void connect_overrides(const EntityId& id, const clang::FunctionDecl* function, int parameter);
   void respell(Entity& entity, clang::TypeLoc written) const;
 

@@ -68,8 +68,8 @@ void unite(std::map<EntityId, Factory>& into, std::map<EntityId, Factory>& from)
       unite(known->second.declarations, factory.declarations);
 }
 
-void unite(std::map<std::string, std::set<std::string>>& into,
-           std::map<std::string, std::set<std::string>>& from) {
+template <class Key>
+void unite(std::map<Key, std::set<std::string>>& into, std::map<Key, std::set<std::string>>& from) {
   for (auto& [key, values] : from) into[key].insert(values.begin(), values.end());
 }
 
@@ -87,14 +87,15 @@ void Facts::refuse_unseen_functions() {
 }
 
 void Facts::refuse_unseen_friends() {
-  for (auto& [id, entity] : entities) {
-    const bool seen = std::all_of(entity.friends.begin(), entity.friends.end(), [&](const std::string& usr) {
+  for (const auto& [id, usrs] : friends) {
+    const auto entity = entities.find(id);
+    const bool seen = std::all_of(usrs.begin(), usrs.end(), [&](const std::string& usr) {
       return records.count(usr) != 0 || bodies.count(usr) != 0;
     });
-    if (!seen)
-      entity.obstacles.push_back(
+    if (entity != entities.end() && !seen)
+      entity->second.obstacles.push_back(
           {codes::TZC1005, "a friend of its class, which other packages may include, is not defined here",
-           entity.where});
+           entity->second.where});
   }
 }
 
@@ -135,6 +136,7 @@ void Facts::merge(Facts&& other) {
   parameters.merge(other.parameters);
   bodies.merge(other.bodies);
   records.merge(other.records);
+  unite(friends, other.friends);
   append(allocations, other.allocations);
   unite(factories, other.factories);
   append(data_uses, other.data_uses);

@@ -58,8 +58,6 @@ struct Entity {
   Location where;
   std::vector<Change> changes;  ///< its declared types
   std::vector<Obstacle> obstacles;
-  std::set<std::string>
-      friends;  ///< of its class, which an exported header declares; USRs, "" for one that has none
 
   /// No function makes it, or it outlives the function that does.
   bool lasts() const {
@@ -235,6 +233,8 @@ struct EntityFacts {
   std::vector<DataUse> data_uses;
   std::set<EntityId> objects;                  ///< messages, and new ones: what flows into them is copied
   std::map<EntityId, std::string> parameters;  ///< USR of their function
+  /// Of what is private in exported headers: friends of its class, by USR, "" for one that has none.
+  std::map<EntityId, std::set<std::string>> friends;
 };
 
 /// Something that may publish a message: what a pointer into its data must not live across.
@@ -325,7 +325,14 @@ struct HiddenFacts {
 };
 constexpr const char* a_deleter = "a deleter";
 
-struct Facts : EntityFacts, EscapeFacts, ThreadFacts {
+/// The classes of the package, by USR.
+struct ClassFacts {
+  std::set<std::string> records;                           ///< that it defines
+  std::map<std::string, std::set<std::string>> bases;      ///< class -> its base classes
+  std::map<std::string, std::set<std::string>> overrides;  ///< virtual function -> all that override it
+};
+
+struct Facts : EntityFacts, EscapeFacts, ThreadFacts, ClassFacts {
   std::vector<AllocationSite> allocations;
   std::map<EntityId, Factory> factories;  ///< by their result
   std::map<SiteId, Advertise> advertises;
@@ -333,11 +340,8 @@ struct Facts : EntityFacts, EscapeFacts, ThreadFacts {
   std::map<SiteId, Subscribe> subscribes;
   std::map<FilterCallback, FilterCallbackUse> filter_callbacks;
   HiddenFacts hidden;
-  std::map<std::string, std::set<std::string>> bases;      ///< record USR -> USRs of its base classes
-  std::map<std::string, std::set<std::string>> overrides;  ///< virtual function -> all that override it; USRs
-  std::set<std::string> records;                           ///< USRs of the classes that the package defines
-  std::set<std::string> bodies;                            ///< USRs of the functions whose bodies were seen
-  bool shadows_tzc = false;  ///< the package gives the name tzc to something of its own
+  std::set<std::string> bodies;  ///< USRs of the functions whose bodies were seen
+  bool shadows_tzc = false;      ///< the package gives the name tzc to something of its own
   std::map<std::string, std::set<std::string>> units_of_file;  ///< package file -> main files that include it
 
   /// Says of a virtual function what its overrides do, too: a call of it may run any of them. After all is merged.

@@ -23,21 +23,12 @@ namespace {
 
 using HeaderUsers = std::map<std::string, std::string>;
 
-/// The main files that include a file of these packages; empty: none does.
-std::set<std::string> units_of(const std::string& file, const PortPlans& plans) {
-  for (const auto& item : plans) {
-    const auto found = item.second.units_of_file.find(file);
-    if (found != item.second.units_of_file.end()) return found->second;
-  }
-  return {};
-}
-
 /// Whether the compiler sees it wherever it reads the file: otherwise the header's change could break code that was
 /// not looked at.
-bool is_compiled(const Inclusion& inclusion, const PortPlans& plans) {
-  const std::set<std::string> users = units_of(inclusion.file, plans);
-  const std::set<std::string> seen = units_of(inclusion.header, plans);
-  return !users.empty() && std::includes(seen.begin(), seen.end(), users.begin(), users.end());
+bool is_compiled(const Inclusion& inclusion, const UnitsOfFile& units_of_file) {
+  const auto users = units_of_file.find(inclusion.file), seen = units_of_file.find(inclusion.header);
+  return users != units_of_file.end() && seen != units_of_file.end() &&
+         std::includes(seen->second.begin(), seen->second.end(), users->second.begin(), users->second.end());
 }
 
 std::set<std::string> keys_of(const std::map<std::string, std::string>& map) {
@@ -64,7 +55,7 @@ class SourcePlanner {
     for (const std::string& folder : messages->include_dirs()) engine.extra_include_dirs.push_back(folder);
     OwnCompiler compiler(compiler_setup(engine));
     engine.judges = judges(compiler);
-    engine.copied = copies();
+    engine.others.copied = copies();
     Expected<PortPlans> plans =
         inputs_.options.change_exported ? plan_with_headers(engine) : inputs_.engine.plan(engine);
     if (!plans) return plans.error();
@@ -145,21 +136,21 @@ class SourcePlanner {
   }
 
   /// Exported headers that no other code is seen to include are the packages' own. What one of the packages includes of
-  /// another without that a compiler sees it is found out by the analysis, which is then made again.
+  /// another without that a compiler sees it is known once the units are parsed.
   Expected<PortPlans> plan_with_headers(EngineOptions& engine) const {
-    const std::vector<Inclusion> inclusions = inclusions_between(folders());
-    std::vector<Inclusion> unseen;
-    for (;;) {
-      const HeaderUsers users = headers_in_use(engine.packages, roots(), unseen);
-      engine.headers_in_use = keys_of(users);
-      Expected<PortPlans> plans = inputs_.engine.plan(engine);
-      if (!plans) return plans;
-      const std::size_t before = unseen.size();
-      std::copy_if(
-          inclusions.begin(), inclusions.end(), std::back_inserter(unseen),
-          [&](const Inclusion& one) { return users.count(one.header) == 0 && !is_compiled(one, *plans); });
-      if (unseen.size() == before) return add_notes(users, *plans), plans;
-    }
+    HeaderUsers users = headers_in_use(engine.packages, roots());
+    engine.others.headers_in_use = keys_of(users);
+    engine.others.more_headers_in_use = [&](const UnitsOfFile& units_of_file) {
+      std::vector<Inclusion> unseen;
+      for (const Inclusion& inclusion : inclusions_between(folders()))
+        if (users.count(inclusion.header) == 0 && !is_compiled(inclusion, units_of_file))
+          unseen.push_back(inclusion);
+      users = headers_in_use(engine.packages, roots(), unseen);
+      return keys_of(users);
+    };
+    Expected<PortPlans> plans = inputs_.engine.plan(engine);
+    if (plans) add_notes(users, *plans);
+    return plans;
   }
 
   std::vector<CopiedDefinition> copies() const {

@@ -16,6 +16,13 @@ using ::testing::IsEmpty;
 const char* const header = "lib/include/lib/fill.h";
 const std::string ros_headers = "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n";
 
+struct Steps : Progress {
+  void step(const std::string& stage, unsigned, unsigned of, const std::string&) override {
+    units[stage] = of;
+  }
+  std::map<std::string, unsigned> units;  ///< of each stage
+};
+
 /// A converter that a library exports, a node of another package that publishes what it fills, and a package that has
 /// nothing to do with them.
 class SeveralPackages : public ::testing::Test {
@@ -45,12 +52,18 @@ class SeveralPackages : public ::testing::Test {
       if (package != headers_only) options.build_dirs[folder(package)] = folder("build");
     }
     options.packages = FolderSet(folders);
-    options.headers_in_use.emplace();
-    for (const std::string& name : headers_in_use) options.headers_in_use->insert(folder(name));
+    options.others.headers_in_use.emplace();
+    for (const std::string& name : headers_in_use) options.others.headers_in_use->insert(folder(name));
     options.judges = judges;
+    options.progress = &progress;
+    if (!used_later.empty())
+      options.others.more_headers_in_use = [this](const UnitsOfFile& units) {
+        EXPECT_EQ(units.count(folder(used_later)), 1u);
+        return std::set<std::string>{folder(used_later)};
+      };
     for (const auto& [name, definition] : copied) {
       const std::size_t begin = files.at(name).find(definition);
-      options.copied.push_back({folder(name), begin, begin + definition.size(), "/ws/src/copy.h"});
+      options.others.copied.push_back({folder(name), begin, begin + definition.size(), "/ws/src/copy.h"});
     }
     return plan_ports(options);
   }
@@ -63,7 +76,8 @@ class SeveralPackages : public ::testing::Test {
   }
 
   std::optional<test::Package> written;
-  std::string headers_only;
+  std::string headers_only, used_later;
+  Steps progress;
   std::map<std::string, std::string> copied;  ///< file -> a definition of it that another package holds, too
   Judges judges;
 };
@@ -166,6 +180,17 @@ TEST_F(SeveralPackages, a_header_that_others_include_stays) {
   EXPECT_EQ(level(plans->at(folder("node"))), Level::one_copy);
   EXPECT_THAT(plans->at(folder("lib")).contents, IsEmpty());
   EXPECT_THAT(plans->at(folder("node")).joined, IsEmpty());
+}
+
+TEST_F(SeveralPackages, a_header_that_turns_out_to_be_in_use_stays_and_who_reads_it_is_read_again) {
+  used_later = header;
+  const auto plans = plan({"lib", "node", "other"});
+  ASSERT_TRUE(plans) << to_string(plans.error());
+  EXPECT_EQ(level(plans->at(folder("node"))), Level::one_copy);
+  EXPECT_THAT(plans->at(folder("lib")).contents, IsEmpty());
+  EXPECT_EQ(level(plans->at(folder("other"))), Level::zero_copy);
+  EXPECT_EQ(progress.units["parsing"], 3u);
+  EXPECT_EQ(progress.units["parsing again"], 2u);
 }
 
 TEST_F(SeveralPackages, who_only_reads_a_changed_header_has_to_know_tzc_too) {

@@ -136,7 +136,7 @@ EngineOptions Package::options(const std::map<std::string, std::string>& setting
   if (is("on-exhausted", "drop")) options.on_exhausted = OnExhausted::drop;
   if (is("on-exhausted", "return")) options.on_exhausted = OnExhausted::return_from_function;
   if (settings.count("mem-size")) options.mem_size = std::stoull(settings.at("mem-size"));
-  if (settings.count("in-use")) options.headers_in_use = {dir() + "/" + settings.at("in-use")};
+  if (settings.count("in-use")) options.others.headers_in_use = {dir() + "/" + settings.at("in-use")};
   // Cases have small arrays, so most of them would be left alone.
   options.small = settings.count("small") ? std::stoull(settings.at("small")) : 0;
   if (settings.count("measured")) options.measured_sizes["image"] = std::stoull(settings.at("measured"));

@@ -102,11 +102,14 @@ Expected<PortPlan> fake_plan(const EngineOptions& options, const std::string& pa
 /// Each package as its plan.json says.
 Expected<PortPlans> fake_plans(const EngineOptions& options) {
   PortPlans plans;
+  UnitsOfFile units_of_file;
   for (const std::string& package : options.packages) {
     Expected<PortPlan> plan = fake_plan(options, package);
     if (!plan) return plan.error();
+    units_of_file.insert(plan->units_of_file.begin(), plan->units_of_file.end());
     plans.emplace(package, std::move(*plan));
   }
+  if (options.others.more_headers_in_use) options.others.more_headers_in_use(units_of_file);
   return plans;
 }
 
