@@ -47,6 +47,24 @@ bool is_dependent(clang::QualType type) {
   return type->isDependentType() || type->isUndeducedType();
 }
 
+/// The right side of an assignment to the expression; null: it is another one's, or none.
+const clang::Expr* assigned_to(const clang::Expr* target, const clang::Expr* assignment) {
+  const clang::Expr *left = nullptr, *right = nullptr;
+  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(assignment); op && op->isAssignmentOp())
+    left = op->getLHS(), right = op->getRHS();
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(assignment); op && op->isAssignmentOp())
+    left = op->getArg(0), right = op->getArg(1);
+  return left && left->IgnoreParenImpCasts() == target->IgnoreParenImpCasts() ? right : nullptr;
+}
+
+/// nh.advertise<M>("image", 1): of a class that no user chooses, so the port makes it what it makes of others.
+bool is_advertise(const clang::Expr* expr) {
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(expr->IgnoreUnlessSpelledInSource());
+  const auto* callee = call ? llvm::dyn_cast<clang::UnresolvedMemberExpr>(call->getCallee()) : nullptr;
+  return callee && !callee->getBaseType()->isDependentType() &&
+         callee->getMemberName().getAsString().rfind("advertise", 0) == 0;
+}
+
 /// Goes up from a mention through what leads on to another part of the same thing.
 class Climb {
  public:
@@ -74,6 +92,8 @@ class Climb {
     if (!expr) return Step::stays;
     if (is_implicit_wrapper(expr) || is_member_of_it(expr) || llvm::isa<clang::UnaryOperator>(expr))
       return leads_on_if_changed(expr);
+    const clang::Expr* assigned = assigned_to(at_, expr);
+    if (assigned && is_advertise(assigned)) return Step::stays;
     if (const auto* call = llvm::dyn_cast<clang::CallExpr>(expr)) return step_to_call(call);
     if (llvm::isa<clang::AbstractConditionalOperator>(expr)) return leads_on_if_changed(expr);
     return expr->isTypeDependent() ? Step::leaves : Step::stays;
