@@ -67,13 +67,12 @@ std::string condition_of_catkin(const XmlDocument& document) {
   return "";
 }
 
-Edit add_element(std::string_view content, const std::string& path, const XmlElement& after,
-                 const std::string& name, const std::string& attributes) {
+Edit add_behind(std::string_view content, const std::string& path, const XmlElement& after,
+                const std::string& element) {
   Edit edit;
   edit.file = path;
   edit.offset = place_after(content, after);
-  edit.text = line_ending(content) + indentation(content, after.begin) + "<" + name + attributes + ">tzc</" +
-              name + ">";
+  edit.text = line_ending(content) + indentation(content, after.begin) + element;
   edit.rule = "build-files";
   return edit;
 }
@@ -112,7 +111,8 @@ Expected<Edits> depend_on_tzc(std::string_view content, const std::string& path)
   for (const std::string& name : wanted(*document)) {
     const XmlElement* neighbour = last_of(*document, neighbours(name));
     if (!neighbour && !document->children.empty()) neighbour = &document->children.back();
-    if (neighbour) edits.push_back(add_element(content, path, *neighbour, name, condition));
+    const std::string element = "<" + name + condition + ">tzc</" + name + ">";
+    if (neighbour) edits.push_back(add_behind(content, path, *neighbour, element));
   }
   return edits;
 }
