@@ -42,6 +42,11 @@ bool is_hidden(const fs::path& path) {
 
 }  // namespace
 
+bool is_cpp_source(const std::string& path) {
+  static const std::set<std::string> extensions = {".cpp", ".cc", ".cxx", ".c++", ".C", ".cp"};
+  return extensions.count(fs::path(path).extension()) != 0;
+}
+
 Expected<std::string> read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return system_error("cannot be read", path);

@@ -21,6 +21,9 @@ Expected<void> write_file(const std::string& path, std::string_view content);
 /// Makes the entries of a folder durable. Best effort: not every file system can.
 void sync_folder(const std::string& path);
 
+/// Whether the file is called as main files of C++ are.
+bool is_cpp_source(const std::string& path);
+
 /// FNV-1a over the content. Detects change, not malice.
 std::uint64_t content_hash(std::string_view content);
 

@@ -44,8 +44,9 @@ std::string squeezed(std::string text) {
   return text;
 }
 
-bool begins_with(const std::string& text, const char* word) {
-  return text.rfind(word, 0) == 0;
+std::string first_word(const std::string& text) {
+  const auto begin = std::find_if(text.begin(), text.end(), is_word);
+  return {begin, std::find_if_not(begin, text.end(), is_word)};
 }
 
 /// Goes through the declarations of namespaces.
@@ -69,26 +70,27 @@ class Definitions {
   }
 
   std::size_t statement(std::size_t at) {
-    const std::string words = squeezed(text_.substr(begin_, at - begin_));
-    const bool declares_variable = words.find('(') == std::string::npos && !begins_with(words, "using") &&
-                                   !begins_with(words, "typedef") && !begins_with(words, "class") &&
-                                   !begins_with(words, "struct") && !begins_with(words, "template");
-    if (declares_variable) add(words, at);
+    static const std::set<std::string> others = {"class", "static", "struct", "template", "typedef", "using"};
+    const std::string words = text_.substr(begin_, at - begin_);
+    const bool declares_variable = words.find('(') == std::string::npos && !others.count(first_word(words));
+    if (declares_variable) add(at);
     return begin_ = at + 1;
   }
 
   std::size_t block(std::size_t at) {
-    const std::string head = squeezed(text_.substr(begin_, at - begin_));
-    const bool is_named = begins_with(head, "inlinenamespace") || begins_with(head, "extern\"");
-    if (is_named || (begins_with(head, "namespace") && head != "namespace")) return begin_ = at + 1;
+    const std::string head = text_.substr(begin_, at - begin_);
+    const std::set<std::string> words = identifiers_in(head);
+    const bool is_namespace = words.count("namespace") != 0;
+    const bool is_linkage = words == std::set<std::string>{"extern"};  // the literal is blank
+    if (is_linkage || (is_namespace && words.size() > 1)) return begin_ = at + 1;
     const std::size_t end = closing_brace(text_, at, 0);
-    if (head != "namespace" && head.find("main(") == std::string::npos)
-      add(squeezed(text_.substr(begin_, end - begin_)), end);
+    if (!is_namespace && !words.count("main") && first_word(head) != "static") add(end);
     return begin_ = end;
   }
 
-  void add(const std::string& words, std::size_t end) {
-    if (!words.empty() && !begins_with(words, "static")) found_[words] = {begin_, end};
+  void add(std::size_t end) {
+    const std::string words = squeezed(text_.substr(begin_, end - begin_));
+    if (!words.empty()) found_[words] = {begin_, end};
   }
 
   const std::string& text_;

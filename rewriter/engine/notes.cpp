@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "buildfiles/compile_database.h"
+#include "edits/files.h"
 #include "model/codes.h"
 #include "verify/unseen_branches.h"
 
@@ -14,11 +15,6 @@ namespace tzc::rewriter {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_source(const fs::path& path) {
-  static const std::set<std::string> extensions = {".cpp", ".cc", ".cxx", ".C"};
-  return extensions.count(path.extension().string()) != 0;
-}
 
 std::string text_of(const Place& place) {
   std::ifstream file(place.file, std::ios::binary);
@@ -61,9 +57,8 @@ void note_sources(const std::string& package, const std::string& build_dir,
     const std::string name = entry->path().filename().string();
     if (entry->is_directory() && (path == build_dir || name[0] == '.')) {
       entry.disable_recursion_pending();
-    } else if (entry->is_regular_file() && is_source(entry->path()) && compiled.count(path) == 0) {
-      notes.push_back(
-          {codes::TZC3001, Location{path, 1, 1}, "no target of this configuration compiles this file"});
+    } else if (entry->is_regular_file() && is_cpp_source(path) && compiled.count(path) == 0) {
+      notes.push_back(not_compiled(path));
     }
   }
 }

@@ -49,6 +49,10 @@ void add(Entity& entity, const Obstacle& obstacle) {
   entity.obstacles.push_back(obstacle);
 }
 
+void note_friends(EntityFacts& facts, const EntityId& id, std::set<std::string> friends) {
+  if (!friends.empty()) facts.friends[id] = std::move(friends);
+}
+
 /// Where a declarator that shares its type with others can part from the one in front of it.
 std::optional<Cut> cut_before(const Unit& unit, const clang::ValueDecl* decl, const Entity& entity) {
   const auto* declarator = llvm::dyn_cast<clang::DeclaratorDecl>(decl);
@@ -101,7 +105,7 @@ void EntityTable::check_signature(Entity& entity, const clang::FunctionDecl* fun
         add(entity, {codes::TZC1005, name + " overrides a function of another package", where});
   const clang::FunctionDecl* first = function->getFirstDecl();
   const bool is_hidden = first->getAccess() == clang::AS_private && !(method && method->isVirtual());
-  if (is_hidden) facts_.friends[entity.id] = friends_of(unit_, first);
+  if (is_hidden) note_friends(facts_, entity.id, friends_of(unit_, first));
   if (!is_hidden && unit_.exports(first->getLocation()))
     add(entity, {codes::TZC1005, name + " is declared in a header that other packages may include", where});
 }
@@ -132,7 +136,8 @@ void EntityTable::check_exported(Entity& entity, const clang::ValueDecl* decl) {
   const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
   if (field) entity.record = usr_of(field->getParent());
   const bool lasts = field || (variable->hasGlobalStorage() && !variable->isStaticLocal());
-  if (lasts && decl->getAccess() == clang::AS_private) facts_.friends[entity.id] = friends_of(unit_, decl);
+  if (lasts && decl->getAccess() == clang::AS_private)
+    note_friends(facts_, entity.id, friends_of(unit_, decl));
   if (!lasts || decl->getAccess() == clang::AS_private) return;
   for (const clang::Decl* declaration : decl->redecls())
     if (unit_.exports(declaration->getLocation()))

@@ -2,7 +2,6 @@
 #include "parse/compile_commands.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
 #include "buildfiles/compile_database.h"
@@ -13,14 +12,9 @@
 namespace tzc::rewriter {
 namespace {
 
-bool is_cxx(const std::string& file) {
-  static const std::set<std::string> extensions = {".cpp", ".cc", ".cxx", ".c++", ".C", ".cp"};
-  return extensions.count(std::filesystem::path(file).extension().string()) != 0;
-}
-
 /// `ccache g++ -c x.cpp` -> `g++ -c x.cpp`
 void drop_launcher(std::vector<std::string>& arguments) {
-  while (arguments.size() > 1 && arguments[1][0] != '-' && !is_cxx(arguments[1]))
+  while (arguments.size() > 1 && arguments[1][0] != '-' && !is_cpp_source(arguments[1]))
     arguments.erase(arguments.begin());
 }
 
@@ -41,7 +35,7 @@ bool belongs_to(const CompileCommand& command, const std::string& package_dir, c
   const auto in_package = [&](const std::string& file) { return is_below(file, package_dir); };
   const std::vector<std::string> sources = unity_sources(command.file);
   if (!sources.empty()) return std::any_of(sources.begin(), sources.end(), in_package);
-  return is_cxx(command.canonical) && in_package(command.canonical) &&
+  return is_cpp_source(command.canonical) && in_package(command.canonical) &&
          !is_below(command.canonical, build_dir);
 }
 

@@ -25,31 +25,31 @@ std::map<std::string, TextRange> definitions_of(const std::string& file) {
   return text ? definitions_in(without_comments(*text)) : std::map<std::string, TextRange>();
 }
 
+/// Headers may have any name; these files, which many packages have, are none.
+bool may_be_header(const std::string& name) {
+  static const std::set<std::string> others = {".txt", ".xml", ".md", ".rst", ".py"};
+  return !is_cpp_source(name) && others.count(fs::path(name).extension()) == 0;
+}
+
 /// The headers of packages, by the last part of their names.
 class Headers {
  public:
   explicit Headers(const FolderSet& packages) {
-    TextFiles files([this](const std::string& file) {
-      if (is_header(file)) by_name_[fs::path(file).filename()].push_back(file);
-    });
+    TextFiles files([this](const std::string& file) { by_name_[fs::path(file).filename()].push_back(file); },
+                    {}, may_be_header);
     for (const std::string& package : packages) files.walk(package);
   }
 
-  void compare(const std::string& other, std::vector<CopiedDefinition>& copied) {
-    const auto known = by_name_.find(fs::path(other).filename());
-    if (known == by_name_.end()) return;
+  bool has(const std::string& name) const { return by_name_.count(name) != 0; }
+
+  void compare(const std::string& other, std::vector<CopiedDefinition>& copied) const {
     const std::map<std::string, TextRange> theirs = definitions_of(other);
-    for (const std::string& header : known->second)
+    for (const std::string& header : by_name_.at(fs::path(other).filename()))
       for (const auto& [words, range] : definitions_of(header))
         if (theirs.count(words)) copied.push_back({header, range.begin, range.end, other});
   }
 
  private:
-  static bool is_header(const std::string& file) {
-    static const std::set<std::string> sources = {".cc", ".cpp", ".cxx", ".c++", ".C", ".c", ".txt", ".xml"};
-    return sources.count(fs::path(file).extension()) == 0;
-  }
-
   std::map<std::string, std::vector<std::string>> by_name_;
 };
 
@@ -61,8 +61,9 @@ std::vector<CopiedDefinition> copied_definitions(const FolderSet& packages, cons
   std::vector<CopiedDefinition> copied;
   const Expected<std::vector<std::string>> others = find_packages_at(root);
   if (!others) return copied;
-  Headers headers(packages);
-  TextFiles files([&](const std::string& file) { headers.compare(file, copied); }, packages);
+  const Headers headers(packages);
+  TextFiles files([&](const std::string& file) { headers.compare(file, copied); }, packages,
+                  [&](const std::string& name) { return headers.has(name); });
   for (const std::string& other : *others)
     if (names.count(name_of(other)) == 0) files.walk(other);
   return copied;

@@ -2,7 +2,6 @@
 #include "tool/package_port.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <set>
 
@@ -30,19 +29,11 @@ bool is_about_dual_branch(const Note& note) {
   return content && in_dual_branch(*content, note.where->line);
 }
 
-std::vector<std::string> files_with(const PackagePort& port, const std::set<std::string>& extensions) {
-  std::vector<std::string> files;
-  for (const auto& entry : port.before)
-    if (extensions.count(std::filesystem::path(entry.first).extension())) files.push_back(entry.first);
-  return files;
-}
-
 std::vector<std::string> sources_of(const PackagePort& port) {
-  return files_with(port, {".cc", ".cpp", ".cxx", ".c++", ".C"});
-}
-
-bool has_headers(const PackagePort& port) {
-  return !files_with(port, {".h", ".hh", ".hpp", ".hxx", ".h++", ".H", ".inl", ".ipp", ".tcc"}).empty();
+  std::vector<std::string> sources;
+  for (const auto& entry : port.before)
+    if (is_cpp_source(entry.first)) sources.push_back(entry.first);
+  return sources;
 }
 
 /// Where its compile commands are; none: it compiles nothing. Its sources may be tests that are not configured.
@@ -56,9 +47,7 @@ Expected<void> find_build(PackagePort& port, const PackagePlace& place, const Op
     return {};
   }
   if (find_configured_dir(place, options.build_dir, options.packages).empty()) return build_dir.error();
-  for (const std::string& source : sources)
-    port.result.report.notes.push_back(
-        {codes::TZC3001, Location{source, 1, 1}, "no target of this configuration compiles this file"});
+  for (const std::string& source : sources) port.result.report.notes.push_back(not_compiled(source));
   return {};
 }
 
@@ -74,7 +63,7 @@ Expected<PackagePort> read_package(const std::string& package_dir, bool others, 
   port.before = snapshot(package_dir);
   const PackagePlace place{package_dir, package->name};
   if (Expected<void> done = find_build(port, place, options); !done) return done.error();
-  if (!port.has_units && others && has_headers(port))
+  if (!port.has_units && others)
     port.build_dir = find_configured_dir(place, options.build_dir, options.packages);
   return port;
 }

@@ -20,6 +20,7 @@ Expected<std::vector<std::string>> find_packages_at(const std::string& argument)
 /// their marks, else the next one that is called src, else the package's parent.
 std::string source_space(const std::string& package_dir);
 
+/// A package: its folder, canonical, and what its package.xml calls it.
 struct PackagePlace {
   std::string dir, name;
 };

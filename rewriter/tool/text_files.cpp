@@ -34,11 +34,12 @@ void TextFiles::walk(const std::string& folder) {
   const bool is_built_in = fs::exists(here / "CMakeCache.txt", failed);
   if (is_built_in && !fs::exists(here / "package.xml", failed)) return;
   for (const auto& entry : fs::directory_iterator(here, failed)) {
-    if (entry.path().filename().string().front() == '.') continue;
+    const std::string name = entry.path().filename();
+    if (name.front() == '.') continue;
     std::error_code ignored;
     if (entry.is_directory(ignored))
       walk(entry.path());
-    else if (is_text(entry.path()))
+    else if ((!is_wanted_ || is_wanted_(name)) && is_text(entry.path()))
       visit_(entry.path());
   }
 }

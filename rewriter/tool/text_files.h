@@ -13,10 +13,11 @@ namespace tzc::rewriter {
 class TextFiles {
  public:
   using Visit = std::function<void(const std::string& path)>;
+  using IsWanted = std::function<bool(const std::string& name)>;
 
-  /// `without`: folders that are left out.
-  explicit TextFiles(Visit visit, FolderSet without = {})
-      : visit_(std::move(visit)), without_(std::move(without)) {}
+  /// `without`: folders that are left out. `is_wanted`: asked for each file's name, before it is opened; empty: all are.
+  explicit TextFiles(Visit visit, FolderSet without = {}, IsWanted is_wanted = {})
+      : visit_(std::move(visit)), without_(std::move(without)), is_wanted_(std::move(is_wanted)) {}
 
   void walk(const std::string& folder);
 
@@ -25,6 +26,7 @@ class TextFiles {
 
   Visit visit_;
   FolderSet without_;
+  IsWanted is_wanted_;
   std::set<std::string> seen_;
 };
 

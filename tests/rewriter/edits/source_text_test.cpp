@@ -46,6 +46,14 @@ TEST(SourceText, what_two_programs_may_define_differently_is_left_out) {
               ElementsAre());
 }
 
+TEST(SourceText, words_are_whole_words) {
+  EXPECT_THAT(
+      definitions("static_queue a;\nstructure b;\nint remain(int) { return 0; }\nvoid namespace_of() { }\n"
+                  "extern \"\" { class C { }; }"),
+      ElementsAre("classC{}", "intremain(int){return0;}", "static_queuea", "structureb",
+                  "voidnamespace_of(){}"));
+}
+
 TEST(SourceText, a_definition_lies_where_it_is_written) {
   const std::string text = "int a;\nstruct B { int c; };\n";
   const TextRange range = definitions_in(text).at("structB{intc;}");
