@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// A publisher with connect callbacks: prints a line of JSON for each, with the number of subscribers that it
-/// saw, and greets each subscriber with an image for it alone (numbers from 1000 up) before it publishes.
+/// saw, and greets each subscriber with an image for it alone (numbers from 1,000,000 up) before it publishes.
 ///
 /// Private parameters: plain (a ros::Publisher), latch, rate (Hz; 0: publish only `before` images), before
 /// (images published at the start), bytes.
@@ -26,11 +26,12 @@ class Greeter {
       tell("leave", s);
     };
     const bool latch = options.param("latch", false);
+    const std::uint32_t queue = 1000;  // no message is dropped where the machine is busy with others
     if (is_plain_)
-      plain_ =
-          node.advertise<sensor_msgs::Image>("image", 10, on_connect, on_leave, ros::VoidConstPtr(), latch);
+      plain_ = node.advertise<sensor_msgs::Image>("image", queue, on_connect, on_leave, ros::VoidConstPtr(),
+                                                  latch);
     else
-      shared_ = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 10, 0, on_connect, on_leave,
+      shared_ = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", queue, 0, on_connect, on_leave,
                                                         ros::VoidConstPtr(), latch);
   }
 
@@ -54,7 +55,7 @@ class Greeter {
   void greet(const ros::SingleSubscriberPublisher& subscriber) {
     tell("connect", subscriber);
     sensor_msgs::Image greeting;
-    tzc_test::fill_image(greeting, 1000 + greeted_++, bytes_);
+    tzc_test::fill_image(greeting, 1000000 + greeted_++, bytes_);
     subscriber.publish(greeting);
   }
 
