@@ -5,6 +5,7 @@
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/overwrites.h"
+#include "facts/stock_vectors.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -156,6 +157,7 @@ bool UseFollower::into_member(const clang::MemberExpr* member) {
   if (is_data_array(member->getType())) {
     entities_.add_data_use(id_, member->getMemberLoc(), growth_at(unit_, member, entities_[id_].type));
     note_resize(member);
+    for (Change& change : changes_for_stock_vector(unit_, member)) entities_.add_use(id_, std::move(change));
     return false;
   }
   return go_on(member);

@@ -15,9 +15,12 @@ bool may_lie_in_bytes(const clang::FieldDecl* field) {
   return !record || record->isTriviallyCopyable();
 }
 
-/// std::vector<float>&: the ported array is none. What is deduced, or named by a typedef, may become one.
-bool is_written_out(clang::QualType type) {
+/// Its own object, or a parameter of a type that no port changes: std::vector<float>&. Other references, what is deduced and what a
+/// typedef names may become the ported array.
+bool is_stock_vector(const clang::VarDecl* variable) {
+  clang::QualType type = variable->getType();
   if (!type->isReferenceType()) return true;
+  if (!llvm::isa<clang::ParmVarDecl>(variable)) return false;
   type = type.getNonReferenceType();
   if (const auto* elaborated = llvm::dyn_cast<clang::ElaboratedType>(type.getTypePtr()))
     type = elaborated->getNamedType();
@@ -71,7 +74,7 @@ bool NumberValues::is_other_array(const clang::Expr* expr) const {
   if (!type->isConstantArrayType() && name != "std::vector" && name != "std::array") return false;
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr);
   const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
-  if (variable) return name == "std::vector" ? is_written_out(variable->getType()) : is_object(expr);
+  if (variable) return name == "std::vector" ? is_stock_vector(variable) : is_object(expr);
   const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr);
   const auto* field = member ? llvm::dyn_cast<clang::FieldDecl>(member->getMemberDecl()) : nullptr;
   const auto* owner = field ? llvm::dyn_cast<clang::CXXRecordDecl>(field->getParent()) : nullptr;

@@ -6,7 +6,8 @@ template <class A>
 struct OccupancyGrid_ {
   std_msgs::Header header;
   uint32_t height = 0, width = 0;
-  std::vector<int8_t> data;
+  typedef std::vector<int8_t> _data_type;
+  _data_type data;
   FAKE_MEMBERS(OccupancyGrid_)
 };
 }  // namespace nav_msgs

@@ -25,6 +25,11 @@ class Array {
     v_ = values;
     return *this;
   }
+  explicit operator std::vector<T>() const { return v_; }
+  template <class Vector>
+  void copy_to(Vector& vector) const {
+    vector.assign(begin(), end());
+  }
   void resize(std::size_t n) { v_.resize(n); }
   void resize(std::size_t n, const T& value) { v_.resize(n, value); }
   void resize(std::size_t n, uninitialized_t) { v_.resize(n); }

@@ -13,7 +13,8 @@ struct OccupancyGrid {
   explicit operator Stock() const { return Stock(); }
   ::std_msgs::Header header;
   uint32_t height = 0, width = 0;
-  ::tzc::Array<int8_t> data;
+  typedef ::tzc::Array<int8_t> _data_type;
+  _data_type data;
 };
 typedef boost::shared_ptr<OccupancyGrid> OccupancyGridPtr;
 typedef boost::shared_ptr<OccupancyGrid const> OccupancyGridConstPtr;

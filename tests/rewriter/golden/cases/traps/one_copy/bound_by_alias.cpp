@@ -35,15 +35,26 @@ void run(ros::NodeHandle& nh, int n) {
   pub.publish(captured);
 }
 //--- expected
-// advertise src/node.cpp:14 std_msgs/Float32MultiArray one_copy 'values'
-// publish src/node.cpp:18 std_msgs/Float32MultiArray one_copy 'values' TZC1009 ported, it would not compile: non-const lvalue reference to type 'std::vector<float>' cannot bind to a value of unrelated type '::tzc::Array<float>'
-// publish src/node.cpp:22 std_msgs/Float32MultiArray one_copy 'values' TZC1009 ported, it would not compile: cannot initialize a variable of type 'std::vector<float> *' with an rvalue of type '::tzc::Array<float> *'
+// advertise src/node.cpp:14 std_msgs/Float32MultiArray zero_copy 'values'
+// publish src/node.cpp:18 std_msgs/Float32MultiArray zero_copy 'values'
+// publish src/node.cpp:22 std_msgs/Float32MultiArray zero_copy 'values'
 // publish src/node.cpp:25 std_msgs/Float32MultiArray one_copy 'values' TZC1009 ported, it would not compile: no matching function for call to 'grow'
 // publish src/node.cpp:28 std_msgs/Float32MultiArray one_copy 'values' TZC1009 ported, it would not compile: no matching function for call to 'grow_const'
-// publish src/node.cpp:32 std_msgs/Float32MultiArray one_copy 'values' TZC1009 ported, it would not compile: no viable conversion from '::tzc::Array<float>' to 'const std::vector<float>'
+// publish src/node.cpp:32 std_msgs/Float32MultiArray one_copy 'values' TZC1009 ported, it would not compile: const_cast from 'const ::tzc::Array<float>' to 'std::vector<float> &' is not allowed
 // publish src/node.cpp:35 std_msgs/Float32MultiArray one_copy 'values' TZC1003 a pointer into its data is held by a closure
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
+// +#include <tzc/std_msgs/Float32MultiArray.h>
 // -  ros::Publisher pub = nh.advertise<std_msgs::Float32MultiArray>("values", 10);
-// +  tzc::Publisher pub = tzc::advertise<std_msgs::Float32MultiArray>(nh, "values", 10);
+// -  std_msgs::Float32MultiArray referred;
+// -  std::vector<float>& reference = referred.data;
+// +  tzc::Publisher pub = tzc::advertise<tzc::std_msgs::Float32MultiArray>(nh, "values", 10);
+// +  tzc::std_msgs::Float32MultiArray referred;
+// +  pub.allocate(referred);
+// +  auto& reference = referred.data;
+// -  std_msgs::Float32MultiArray pointed;
+// -  std::vector<float>* pointer = &pointed.data;
+// +  tzc::std_msgs::Float32MultiArray pointed;
+// +  pub.allocate(pointed);
+// +  auto* pointer = &pointed.data;

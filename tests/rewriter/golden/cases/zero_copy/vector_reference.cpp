@@ -10,10 +10,16 @@ void run(ros::NodeHandle& nh) {
   pub.publish(image);
 }
 //--- expected
-// advertise src/node.cpp:6 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:10 sensor_msgs/Image one_copy 'image' TZC1009 ported, it would not compile: non-const lvalue reference to type 'std::vector<uint8_t>' (aka 'vector<unsigned char>') cannot bind to a value of unrelated type '::tzc::Array<uint8_t>' (aka 'Array<unsigned char>')
+// advertise src/node.cpp:6 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:10 sensor_msgs/Image zero_copy 'image'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
-// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "image", 10);
+// -  sensor_msgs::Image image;
+// -  std::vector<uint8_t>& data = image.data;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);
+// +  auto& data = image.data;

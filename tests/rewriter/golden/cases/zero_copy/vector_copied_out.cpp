@@ -1,0 +1,25 @@
+// The array is copied out into a vector.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(10);
+  std::vector<uint8_t> copy = image.data;
+  pub.publish(image);
+}
+//--- expected
+// advertise src/node.cpp:6 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:10 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// -  sensor_msgs::Image image;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);
+// -  std::vector<uint8_t> copy = image.data;
+// +  std::vector<uint8_t> copy = std::vector<uint8_t>(image.data);
