@@ -34,6 +34,11 @@ Ancestors::Iterator& Ancestors::Iterator::operator++() {
   return *this;
 }
 
+bool is_wrapping(const clang::Stmt* around) {
+  return llvm::isa_and_nonnull<clang::ImplicitCastExpr, clang::MaterializeTemporaryExpr, clang::ParenExpr,
+                               clang::CXXBindTemporaryExpr, clang::FullExpr>(around);
+}
+
 bool is_lambda(const clang::FunctionDecl* function) {
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
   return method && method->getParent()->isLambda();

@@ -61,6 +61,8 @@ std::string enclosing_function_name(clang::ASTContext& ast, const clang::Stmt& s
 /// USR of the class whose `this` the function has, a lambda that of the function around it. Empty: none.
 std::string record_usr_of(const clang::FunctionDecl* function);
 
+/// Parentheses around an expression, and nodes that nobody wrote. Null is neither.
+bool is_wrapping(const clang::Stmt* around);
 bool is_lambda(const clang::FunctionDecl* function);
 
 /// Parentheses, implicit casts and temporaries: the unwritten nodes around an expression.

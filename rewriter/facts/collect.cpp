@@ -8,6 +8,7 @@
 #include "facts/collectors.h"
 #include "facts/message_type.h"
 #include "facts/size_questions.h"
+#include "facts/thread_starts.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -16,7 +17,8 @@ namespace {
 /// The dispatch table: passes each kind of node to its collector.
 class Dispatcher : public AstVisitor {
  public:
-  explicit Dispatcher(const Unit& unit) : unit_(unit), to_(unit), callbacks_(unit, to_.entities()) {}
+  explicit Dispatcher(const Unit& unit)
+      : unit_(unit), to_(unit), callbacks_(unit, to_.entities()), threads_(unit) {}
   bool shouldVisitTemplateInstantiations() const override { return true; }
 
   bool VisitVarDecl(clang::VarDecl* variable) override {
@@ -95,24 +97,27 @@ class Dispatcher : public AstVisitor {
   }
   bool VisitLambdaExpr(clang::LambdaExpr* lambda) override {
     callbacks_.check_lambda(lambda);
+    if (unit_.source.in_package(lambda->getBeginLoc())) threads_.note(lambda);
     return true;
   }
 
   Facts finish() {
     to_.escapes(functions_, arrays_);
     Facts facts = to_.finish();
+    facts.merge(threads_.take());
     facts.shadows_tzc = shadows_tzc_;
     return facts;
   }
 
  private:
   void note_function(const clang::FunctionDecl* function, const clang::DeclRefExpr* reference) {
-    if (callbacks_.check_address_taken(function, reference)) to_.addressed(function);
+    if (callbacks_.check_address_taken(function, reference)) threads_.note(function, reference);
   }
 
   const Unit& unit_;
   Collectors to_;
   CallbackPins callbacks_;
+  ThreadStarts threads_;
   std::vector<const clang::FunctionDecl*> functions_;
   std::vector<const clang::MemberExpr*> arrays_;
   bool shadows_tzc_ = false;

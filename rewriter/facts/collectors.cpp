@@ -17,6 +17,7 @@
 #include "facts/lock_names.h"
 #include "facts/publish_sites.h"
 #include "facts/shared_mats.h"
+#include "facts/threads.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -212,7 +213,9 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
     const FunctionView& view = analysis.analyse(function);
     facts_.bodies.insert(usr_of(pattern_of(function)));
     if (takes_locks(function)) facts_.locking.insert(usr_of(pattern_of(function)));
-    if (excludes_others(function)) facts_.excluding.insert(usr_of(pattern_of(function)));
+    const ThreadCode code(context, view);
+    for (const clang::Stmt* stmt : view.statements())
+      if (takes_exclusive_lock(stmt)) facts_.excluding.insert(code.around(stmt));
     for (ElementUse& use : element_uses(context, view)) facts_.element_uses.push_back(std::move(use));
     if (std::optional<ContentFlow> flow = content_flow(unit_, view))
       facts_.add_content(usr_of(pattern_of(function)), std::move(*flow));
@@ -237,10 +240,6 @@ void Collectors::early_calls(const clang::Stmt* stmt) {
   if (callee && unit_.declares(callee)) facts_.early.insert(usr_of(pattern_of(callee)));
   if (stmt)
     for (const clang::Stmt* child : stmt->children()) early_calls(child);
-}
-
-void Collectors::addressed(const clang::FunctionDecl* function) {
-  facts_.addressed.insert(usr_of(pattern_of(function)));
 }
 
 Facts Collectors::finish() {

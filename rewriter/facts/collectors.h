@@ -48,8 +48,6 @@ class Collectors {
   void escapes(const std::vector<const clang::FunctionDecl*>& functions,
                const std::vector<const clang::MemberExpr*>& arrays);
   void early_calls(const clang::Stmt* stmt);
-  /// The function may be called at any time: something else than a call names it.
-  void addressed(const clang::FunctionDecl* function);
   Facts finish();
 
  private:

@@ -7,6 +7,7 @@
 #include "facts/filled_message.h"
 #include "facts/message_parts.h"
 #include "facts/message_type.h"
+#include "facts/threads.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -135,15 +136,18 @@ class UseReader {
 
 std::vector<ElementUse> element_uses(const EscapeContext& context, const FunctionView& view) {
   std::vector<ElementUse> uses;
-  if (llvm::isa<clang::CXXConstructorDecl>(view.function())) return uses;  // no other thread has the object
   const UseReader reader(view);
+  const ThreadCode code(context, view);
+  const bool is_constructor = llvm::isa<clang::CXXConstructorDecl>(view.function());
   const auto add = [&](const clang::Expr* message, const clang::Expr* at, std::optional<Kind> kind,
                        bool read_only) {
     if (!kind) return;
     ElementUse use;
     use.kind = *kind;
     use.read_only = read_only;
-    if (!view.lambda_around(at)) use.function = usr_of(pattern_of(view.function()));
+    use.code = code.around(at);
+    if (is_constructor && !is_closure(use.code)) return;  // no other thread has the object
+    use.captured = is_closure(use.code) && names_captured(message);
     use.where = context.unit.location(at->getExprLoc());
     for (const EntityId& id : context.sources_of(message)) {
       use.message = id;

@@ -4,6 +4,7 @@
 
 #include "facts/filled_message.h"
 #include "facts/message_parts.h"
+#include "facts/threads.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -125,16 +126,26 @@ const EscapeAnalysis::Analysed& EscapeAnalysis::analysed(const clang::FunctionDe
   return known->second;
 }
 
+PublishEvent EscapeAnalysis::with_closure(const FunctionView& view, const SeenEvent& seen) const {
+  PublishEvent event = seen.event;
+  if (!view.lambda_around(seen.at)) return event;
+  const std::string code = ThreadCode(context_, view).around(seen.at);
+  if (!is_closure(code)) return event;
+  event.closure = code;
+  event.captured = names_captured(seen.at);
+  return event;
+}
+
 const FunctionView& EscapeAnalysis::analyse(const clang::FunctionDecl* definition) {
   const Analysed& here = analysed(definition);
   std::vector<PublishEvent>& effects = context_.found.effects[usr_of(pattern_of(definition))];
   for (const SeenEvent& event : here.events) {
     if (is_before_body(*here.view, event.at) && !event.event.callee.empty())
       context_.found.early.insert(event.event.callee);
-    if (event.event.kind != PublishEvent::Kind::exchange) effects.push_back(event.event);
+    if (event.event.kind != PublishEvent::Kind::exchange) effects.push_back(with_closure(*here.view, event));
     if (!event.event.messages.empty()) note_tail(context_, *here.view, event);
   }
-  for (const SeenEvent& write : here.writes) effects.push_back(write.event);
+  for (const SeenEvent& write : here.writes) effects.push_back(with_closure(*here.view, write));
   for (const clang::Stmt* stmt : here.view->statements()) {
     note_lasting(stmt);
     start(*here.view, stmt);

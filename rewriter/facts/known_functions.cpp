@@ -10,7 +10,7 @@ namespace {
 
 struct Table {
   std::set<std::string> keeps_nothing, makes_new, views, owners;
-  std::vector<std::string> calls_nothing, may_wait, returns, may_throw, quiet;
+  std::vector<std::string> calls_nothing, may_wait, returns, may_throw, quiet, one_at_a_time, threads;
 };
 
 const Table& table() {
@@ -25,6 +25,8 @@ const Table& table() {
 #define RETURNS(name) t.returns.push_back(name);
 #define MAY_THROW(name) t.may_throw.push_back(name);
 #define QUIET(name) t.quiet.push_back(name);
+#define ONE_AT_A_TIME(name) t.one_at_a_time.push_back(name);
+#define THREAD(name) t.threads.push_back(name);
 #include "facts/known_functions.def"
 #undef KEEPS_NOTHING
 #undef MAKES_NEW
@@ -35,6 +37,8 @@ const Table& table() {
 #undef RETURNS
 #undef MAY_THROW
 #undef QUIET
+#undef ONE_AT_A_TIME
+#undef THREAD
     return t;
   }();
   return known;
@@ -76,6 +80,14 @@ bool always_returns(const std::string& function) {
 
 bool is_quiet_function(const std::string& function) {
   return any_matches(table().quiet, function);
+}
+
+bool runs_one_at_a_time(const std::string& function) {
+  return any_matches(table().one_at_a_time, function);
+}
+
+bool makes_thread(const std::string& name) {
+  return any_matches(table().threads, name);
 }
 
 }  // namespace tzc::rewriter

@@ -15,5 +15,9 @@ bool calls_nothing(const std::string& function);
 /// Each call comes back: it throws nothing but for want of memory.
 bool always_returns(const std::string& function);
 bool is_quiet_function(const std::string& function);
+/// Its callbacks run one at a time.
+bool runs_one_at_a_time(const std::string& function);
+/// A function, or a class by its constructor.
+bool makes_thread(const std::string& name);
 
 }  // namespace tzc::rewriter

@@ -29,32 +29,14 @@ bool names_exclusive_lock(llvm::StringRef name) {
          !name.contains_insensitive("upgrade") && !name.contains_insensitive("read");
 }
 
-bool takes_exclusive_lock(const clang::Stmt* stmt) {
-  if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt))
-    return names_exclusive_lock(made->getConstructor()->getParent()->getName());
-  const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
-  const clang::FunctionDecl* callee = call ? call->getDirectCallee() : nullptr;
-  return callee && callee->getIdentifier() && names_exclusive_lock(callee->getName());
-}
-
 class LockFinder : public AstVisitor {
  public:
-  explicit LockFinder(bool (*is_meant)(const clang::Stmt*)) : is_meant_(is_meant) {}
   bool found = false;
   bool VisitStmt(clang::Stmt* stmt) override {
-    found = found || is_meant_(stmt);
+    found = found || takes_lock(stmt);
     return !found;
   }
-
- private:
-  bool (*is_meant_)(const clang::Stmt*);
 };
-
-bool has(const clang::FunctionDecl* definition, bool (*is_meant)(const clang::Stmt*)) {
-  LockFinder locks(is_meant);
-  locks.TraverseStmt(definition->getBody());
-  return locks.found;
-}
 
 }  // namespace
 
@@ -70,11 +52,17 @@ bool takes_lock(const clang::Stmt* stmt) {
 }
 
 bool takes_locks(const clang::FunctionDecl* definition) {
-  return has(definition, takes_lock);
+  LockFinder locks;
+  locks.TraverseStmt(definition->getBody());
+  return locks.found;
 }
 
-bool excludes_others(const clang::FunctionDecl* definition) {
-  return has(definition, takes_exclusive_lock);
+bool takes_exclusive_lock(const clang::Stmt* stmt) {
+  if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt))
+    return names_exclusive_lock(made->getConstructor()->getParent()->getName());
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
+  const clang::FunctionDecl* callee = call ? call->getDirectCallee() : nullptr;
+  return callee && callee->getIdentifier() && names_exclusive_lock(callee->getName());
 }
 
 }  // namespace tzc::rewriter

@@ -16,7 +16,7 @@ bool takes_lock(const clang::Stmt* stmt);
 /// Whether a statement of its body does, lambdas included.
 bool takes_locks(const clang::FunctionDecl* definition);
 
-/// Whether a statement of its body takes a lock that no other thread can have meanwhile: not std::shared_lock, nor a join.
-bool excludes_others(const clang::FunctionDecl* definition);
+/// A lock that no other thread can have meanwhile: not std::shared_lock, nor a join.
+bool takes_exclusive_lock(const clang::Stmt* stmt);
 
 }  // namespace tzc::rewriter

@@ -156,6 +156,8 @@ void Facts::merge(Facts&& other) {
   changing.merge(other.changing);
   locking.merge(other.locking);
   excluding.merge(other.excluding);
+  for (auto& [code, places] : other.run_by_one) run_by_one[code].merge(places);
+  run_by_any.merge(other.run_by_any);
   std::move(other.element_uses.begin(), other.element_uses.end(), std::back_inserter(element_uses));
   advertises.merge(other.advertises);
   publishes.merge(other.publishes);

@@ -244,6 +244,8 @@ struct PublishEvent {
   Kind kind = Kind::unknown;
   std::set<EntityId> messages;  ///< that are published or written to, or passed to the callee
   std::string callee;           ///< USR of a function of the package
+  std::string closure = {};     ///< that it is in (ThreadFacts); "": the function's own code
+  bool captured = false;        ///< the closure names variables of the function around it here
 };
 
 /// A pointer into a message's data went where it cannot be followed.
@@ -303,18 +305,22 @@ struct ElementUse {
     write  ///< so that nobody else may use the message meanwhile
   };
   EntityId message;
-  std::string function;  ///< USR; "": a closure
+  std::string code;       ///< of which thread (ThreadFacts)
+  bool captured = false;  ///< by a closure from the function around it
   Kind kind = Kind::look;
   bool read_only = false;  ///< through const access, which moves no element
   Location where;
 };
 
-/// What threads may do to each other.
+/// What threads may do to each other. Code is a function, by its USR, or a closure that another thread may call, by its place in braces.
 struct ThreadFacts {
   std::set<EntityId> changing;      ///< publishers that change when others may see them
   std::set<std::string> locking;    ///< functions in whose bodies a lock is taken, by USR
-  std::set<std::string> excluding;  ///< those in which it is one that no other thread can have meanwhile
+  std::set<std::string> excluding;  ///< code in which it is one that no other thread can have meanwhile
   std::vector<ElementUse> element_uses;
+  std::map<std::string, std::set<std::string>>
+      run_by_one;                    ///< code that is given to what runs it on one thread at a time: where
+  std::set<std::string> run_by_any;  ///< code that is given to something else
 };
 
 /// Code of the package that libraries call without being given it: classes of libraries whose virtual functions it overrides, by

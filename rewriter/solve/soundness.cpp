@@ -81,10 +81,10 @@ std::optional<Soundness::Danger> Soundness::danger(const Component& component) {
       return Danger{escape.obstacle, escape.message};
   const ElementUse* use = ConcurrentReads(facts_, components_).of(component);
   if (!use) return {};
-  return Danger{{codes::TZC1003,
-                 "another thread may publish it while this function goes through its elements without a lock",
-                 use->where},
-                use->message};
+  return Danger{
+      {codes::TZC1003, "another thread may publish it while this function reads its elements without a lock",
+       use->where},
+      use->message};
 }
 
 }  // namespace tzc::rewriter

@@ -91,6 +91,7 @@ class NodeHandle {
   Timer createTimer(Duration, void (T::*)(const TimerEvent&), T*) {
     return {};
   }
+  Timer createTimer(Duration, const boost::function<void(const TimerEvent&)>&) { return {}; }
 };
 inline void init(int, char**, const char*) {}
 inline void spin() {}

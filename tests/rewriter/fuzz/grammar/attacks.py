@@ -2,8 +2,8 @@
 """Adversarial programs: who points into a message's data, how that is stored, and when it is used, composed with
 publishing. What is written through an old pointer after a publish shows in the next message, which must be the same
 before and after the port; messages that subscribers keep must not change. Others attack what is inserted for the port, by messages that are not there in every step, that are
-named by expressions which do something, or that other threads fill."""
-from . import absent, effects, keepers, messages, outputs, owners, pointers, subscribers, times, waits
+named by expressions which do something, or that other threads fill or read."""
+from . import absent, effects, keepers, messages, outputs, owners, pointers, readers, subscribers, times, waits
 from .publishers import in_block
 from .uses import Use
 
@@ -107,11 +107,12 @@ def in_next_step(program):
     label(program, one.topics(), {"owner": owner, "output": output, "time": in_next_step})
 
 
-REACHES = {"made": absent.MADE, "held": absent.HELD, "effect": effects.WAYS, "wait": waits.WAYS}
+REACHES = {"made": absent.MADE, "held": absent.HELD, "effect": effects.WAYS, "wait": waits.WAYS,
+           "reader": readers.WAYS}
 
 
 def reach(program):
-    """A message that is made, held, named or waited for as the port must respect it."""
+    """A message that is made, held, named, waited for or read by others as the port must respect it."""
     kind = program.rng.choice(list(REACHES))
     way = program.rng.choice(REACHES[kind])
     output = outputs.directly
@@ -131,7 +132,7 @@ def label(program, topics, chosen):
 
 
 STANDARD = {"any", "array", "atomic", "boost/thread.hpp", "boost/weak_ptr.hpp", "condition_variable", "deque", "functional",
-            "future", "list", "memory", "mutex", "optional", "sstream", "thread", "tuple", "utility", "variant"}
+            "future", "list", "memory", "mutex", "numeric", "optional", "shared_mutex", "sstream", "thread", "tuple", "utility", "variant"}
 
 
 def make(program):

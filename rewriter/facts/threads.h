@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clang/AST/ExprCXX.h>
+
+#include <string>
+
+#include "facts/escape_context.h"
+#include "facts/function_view.h"
+
+namespace tzc::rewriter {
+
+/// Names what one thread runs without a break: a function (by its USR), or a closure that another thread may call. A closure that is called
+/// where it is made, or by a function that is known to keep nothing, is a part of its function.
+class ThreadCode {
+ public:
+  ThreadCode(const EscapeContext& context, const FunctionView& view) : context_(context), view_(view) {}
+
+  std::string around(const clang::Stmt* stmt) const;
+
+ private:
+  bool is_called_here(const clang::LambdaExpr* lambda) const;
+  bool is_call_of(const clang::Stmt* call, const clang::Stmt* closure) const;
+  bool is_only_called(const clang::VarDecl* variable, const clang::LambdaExpr* around) const;
+
+  const EscapeContext& context_;
+  const FunctionView& view_;
+};
+
+std::string closure_name(const Unit& unit, const clang::LambdaExpr* lambda);
+bool is_closure(const std::string& code);
+/// Whether a variable of the function around the closure is named, in a closure.
+bool names_captured(const clang::Stmt* stmt);
+
+}  // namespace tzc::rewriter
