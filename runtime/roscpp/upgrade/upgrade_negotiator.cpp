@@ -69,11 +69,9 @@ void UpgradeNegotiator::invite(const TcpLink& link) {
   int round = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (invitation->token.empty()) {
-      invitation->tries = 0;
-      invitation->given_up = false;
-      invitation->token = random_token();
-    }
+    if (invitation->token.empty() || invitation->warned) invitation->tries = 0;
+    if (invitation->token.empty()) invitation->token = random_token();
+    invitation->warned = false;
     round = ++invitation->round;
   }
   post(invitation, round, std::chrono::milliseconds(0), &UpgradeNegotiator::begin);
@@ -149,7 +147,8 @@ std::string UpgradeNegotiator::why_not(const boost::weak_ptr<ros::TransportSubsc
   for (const InvitationPtr& one : invitations_) {
     if (!is_same(one->link, link)) continue;
     const std::string tries = std::to_string(one->tries) + (one->tries == 1 ? " try: " : " tries: ");
-    if (one->given_up) return "given up after " + tries + one->trouble;
+    if (one->warned && !one->token.empty())
+      return "asked again every few minutes, after " + tries + one->trouble;
     if (!one->token.empty() && one->tries > 0) return "asked again soon, after " + tries + one->trouble;
     if (!one->trouble.empty()) return one->trouble;
   }
@@ -235,23 +234,27 @@ void UpgradeNegotiator::post(const InvitationPtr& invitation, int round, std::ch
 void UpgradeNegotiator::look(const InvitationPtr& invitation, int round) {
   const TcpLink link = invitation->link.lock();
   if (is_gone(link)) return;
-  bool was_last = false;
+  bool is_time_to_warn = false;
+  int tries = 0;
+  std::string trouble;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (invitation->token.empty() || invitation->round != round) return;
-    was_last = invitation->tries >= most_upgrade_attempts();
-    if (was_last) invitation->token.clear();
-    invitation->given_up = was_last;
+    is_time_to_warn = !invitation->warned && invitation->tries >= most_upgrade_attempts();
+    invitation->warned |= is_time_to_warn;
+    tries = invitation->tries;
+    trouble = invitation->trouble;
   }
-  was_last ? give_up(*invitation, link->getDestinationCallerID()) : try_once(invitation);
+  if (is_time_to_warn) warn(link->getDestinationCallerID(), tries, trouble);
+  try_once(invitation);
 }
 
-void UpgradeNegotiator::give_up(const Invitation& invitation, const std::string& subscriber) const {
+void UpgradeNegotiator::warn(const std::string& subscriber, int tries, const std::string& trouble) const {
   TZC_WARN_THROTTLED_FOR(offer_.topic + " to " + subscriber, 10,
-                         "TZC: " << offer_.topic << " to " << subscriber << " stays on TCPROS after "
-                                 << invitation.tries << " tries: " << invitation.trouble
-                                 << ". Its messages arrive, but serialized; it is asked again when it "
-                                    "subscribes anew");
+                         "TZC: " << offer_.topic << " to " << subscriber << " stays on TCPROS after " << tries
+                                 << " tries: " << trouble
+                                 << ". Its messages arrive, but serialized; it is asked again every few "
+                                    "minutes, and when it subscribes anew");
 }
 
 }  // namespace detail

@@ -22,9 +22,9 @@ namespace detail {
 ///     ^                     │                                   │                     │
 ///     └── a longer pause ───┴──── no answer ────────────────────┴── it does not come ─┘
 ///
-/// A failed upgrade is retried until the subscriber connects. The tries end before that only when its TCPROS
-/// connection ends; when it refuses (no TZC, another machine, user, type or version); or, with a warning, at
-/// their maximum number. Thread-safe.
+/// A failed upgrade is retried until the subscriber connects, with a warning after some tries. They end before
+/// that only when its TCPROS connection ends, or when it refuses (no TZC, another machine, user, type or
+/// version). Thread-safe.
 class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator> {
  public:
   using TcpLink = ros::TransportSubscriberLinkPtr;
@@ -66,8 +66,8 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
     int tries = 0;
     int round = 0;  ///< number of the last planned check; earlier ones do nothing
     Clock::time_point came;
-    std::string trouble;    ///< why the last try failed, or why there is none
-    bool given_up = false;  ///< that was the last try
+    std::string trouble;  ///< why the last try failed, or why there is none
+    bool warned = false;  ///< after so many tries
   };
   using InvitationPtr = std::shared_ptr<Invitation>;
   struct Answer {
@@ -85,7 +85,7 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
             void (UpgradeNegotiator::*act)(const InvitationPtr&, int));
   void look_later(const InvitationPtr& invitation, std::chrono::milliseconds pause);
   void look(const InvitationPtr& invitation, int round);
-  void give_up(const Invitation& invitation, const std::string& subscriber) const;
+  void warn(const std::string& subscriber, int tries, const std::string& trouble) const;
 
   Offer offer_;
   PeerPool& peers_;

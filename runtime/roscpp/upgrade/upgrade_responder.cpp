@@ -245,9 +245,8 @@ void UpgradeResponder::ask(const LinkPtr& link, const std::string& topic, int tr
   const auto again = [this, weak, topic, tries] {
     if (const LinkPtr waiting = weak.lock()) ask(waiting, topic, tries + 1);
   };
-  if (tries < most_upgrade_attempts())
-    peers_.post(link->getPublisherXMLRPCURI(), again, pause_after(tries));
-  else
+  peers_.post(link->getPublisherXMLRPCURI(), again, pause_after(tries));
+  if (tries == most_upgrade_attempts())
     TZC_WARN_THROTTLED_FOR(topic + " from " + link->getCallerID(), 10,
                            "TZC: " << topic << " stays on TCPROS after " << tries
                                    << " tries: " << reply.status

@@ -13,7 +13,12 @@ TEST(RetryPolicy, pauses_double_up_to_half_a_minute) {
   EXPECT_EQ(pause_after(1), milliseconds(250));
   EXPECT_EQ(pause_after(2), milliseconds(500));
   EXPECT_EQ(pause_after(7), milliseconds(16000));
-  for (int attempts = 8; attempts < 1000; ++attempts) EXPECT_EQ(pause_after(attempts), milliseconds(32000));
+  for (int attempts = 8; attempts <= 10; ++attempts) EXPECT_EQ(pause_after(attempts), milliseconds(32000));
+}
+
+TEST(RetryPolicy, what_leads_nowhere_is_asked_seldom) {
+  for (int attempts = 11; attempts < 1000; ++attempts)
+    EXPECT_EQ(pause_after(attempts), std::chrono::minutes(5));
 }
 
 TEST(RetryPolicy, ten_attempts_last_a_minute_and_a_half) {
