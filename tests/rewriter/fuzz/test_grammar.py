@@ -83,9 +83,23 @@ class Programs(unittest.TestCase):
                     self.assertRegex(text, r"\+\+at;|at\+\+;", way.__name__)
 
 
+    def test_what_steps_stays_within_its_messages(self):
+        """An output may publish its argument twice, as `twice` does; the loop has two turns."""
+        for way in (effects.iterator_that_steps, effects.pointer_that_steps):
+            program = Program(random.Random(1), 1)
+            text = "\n".join(way(Use(program, messages.IMAGE, lambda program, message: Twice())))
+            size = re.search(r"(?:resize\(|\[)(\d+)", "\n".join(program.state + program.setup))
+            self.assertEqual(2 * text.count("at++"), int(size[1]), way.__name__)
+
+
 class Silent:
     def publish(self, argument, pointer=False):
         return []
+
+
+class Twice:
+    def publish(self, argument, pointer=False):
+        return [f"publish({argument});"] * 2
 
 
 class Comparison(unittest.TestCase):

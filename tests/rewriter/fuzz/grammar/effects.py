@@ -24,13 +24,13 @@ twice = "for (int turn = 0; turn < 2; ++turn) {"  # not until the end: an output
 def iterator_that_steps(use):
     kind = use.frame()
     frames = use.program.variable(f"std::vector<{kind}>", "frames")
-    use.program.setup.append(f"{frames}.resize(2);")
+    use.program.setup.append(f"{frames}.resize(4);")  # an output may publish twice in each turn
     return ([f"auto at = {frames}.begin();"] +
             within(twice, use.fill("at->message.") + use.send("(at++)->message")))
 
 
 def pointer_that_steps(use):
-    frames = use.program.variable(use.message.cpp, "frames", "[2]")
+    frames = use.program.variable(use.message.cpp, "frames", "[4]")
     return ([f"{use.message.cpp}* at = {frames};"] +
             within(twice, use.fill("at->") + use.send("*at++")))
 
