@@ -5,6 +5,7 @@
 #include <clang/AST/DeclTemplate.h>
 #include <clang/AST/StmtCXX.h>
 
+#include "facts/ast_walk.h"
 #include "facts/known_functions.h"
 
 namespace tzc::rewriter {
@@ -200,9 +201,7 @@ bool Climber::into_list(const clang::InitListExpr* list) {
 /// A closure that is used up on the spot keeps nothing; its body is part of the function.
 bool Climber::is_used_up(const clang::LambdaExpr* lambda) const {
   const clang::Stmt* around = view_.parent(lambda);
-  while (llvm::isa_and_nonnull<clang::ImplicitCastExpr, clang::MaterializeTemporaryExpr, clang::ParenExpr,
-                               clang::CXXBindTemporaryExpr>(around))
-    around = view_.parent(around);
+  while (is_wrapping(around)) around = view_.parent(around);
   if (const auto* copy = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(around))
     if (copy->getConstructor()->getParent() == lambda->getLambdaClass()) around = view_.parent(copy);
   const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(around);

@@ -51,9 +51,7 @@ class VectorUse {
   std::optional<clang::DynTypedNode> around_of(clang::DynTypedNode node) const {
     for (;;) {
       const auto around = written_parent(unit_.ast(), node);
-      if (!around || !(around->get<clang::ImplicitCastExpr>() || around->get<clang::ParenExpr>() ||
-                       around->get<clang::FullExpr>() || around->get<clang::CXXBindTemporaryExpr>()))
-        return around;
+      if (!around || !is_wrapping(around->get<clang::Stmt>())) return around;
       node = *around;
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/thread_starts.h"
 
+#include <set>
+
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/known_functions.h"
@@ -90,9 +92,8 @@ void ThreadStarts::note(const clang::LambdaExpr* lambda) {
 }
 
 void ThreadStarts::add(const std::string& code, const clang::Expr* mention) {
-  const Location at = unit_.location(mention->getBeginLoc());
   if (is_run_one_at_a_time(unit_, mention))
-    found_.run_by_one[code].insert(at.file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column));
+    found_.run_by_one[code].insert(place_name(unit_, mention));
   else
     found_.run_by_any.insert(code);
 }

@@ -16,7 +16,9 @@ class ThreadStarts {
 
   /// `mention` names the function, and does not call it: it may be called at any time.
   void note(const clang::FunctionDecl* function, const clang::DeclRefExpr* mention);
+  /// What is done with the closure is seen where it is made.
   void note(const clang::LambdaExpr* lambda);
+  /// All that was noted.
   Facts take() { return std::move(found_); }
 
  private:

@@ -6,9 +6,14 @@
 #include "facts/known_functions.h"
 
 namespace tzc::rewriter {
+
+std::string place_name(const Unit& unit, const clang::Expr* expr) {
+  const Location at = unit.location(expr->getBeginLoc());
+  return at.file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
+}
+
 std::string closure_name(const Unit& unit, const clang::LambdaExpr* lambda) {
-  const Location at = unit.location(lambda->getBeginLoc());
-  return "{" + at.file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + "}";
+  return "{" + place_name(unit, lambda) + "}";
 }
 
 bool is_closure(const std::string& code) {

@@ -16,6 +16,7 @@ class ThreadCode {
  public:
   ThreadCode(const EscapeContext& context, const FunctionView& view) : context_(context), view_(view) {}
 
+  /// The code that a statement of the function is in.
   std::string around(const clang::Stmt* stmt) const;
 
  private:
@@ -27,7 +28,11 @@ class ThreadCode {
   const FunctionView& view_;
 };
 
+/// "/src/node.cpp:7:3", the same in every unit.
+std::string place_name(const Unit& unit, const clang::Expr* expr);
+/// The code that a closure is: its place in braces.
 std::string closure_name(const Unit& unit, const clang::LambdaExpr* lambda);
+/// Whether code is a closure, and no function.
 bool is_closure(const std::string& code);
 /// Whether a variable of the function around the closure is named, in a closure.
 bool names_captured(const clang::Stmt* stmt);
