@@ -78,7 +78,7 @@ bool private_writes() {
   return settings().private_writes;
 }
 
-int most_upgrade_attempts() {
+int upgrade_attempts_until_warning() {
   return settings().upgrade_attempts;
 }
 

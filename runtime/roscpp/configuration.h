@@ -21,8 +21,8 @@ PublisherOptions configured(const PublisherOptions& in_code);
 /// Whether code of this node may write to messages that it receives (channel::SubscriberOptions::private_writes).
 bool private_writes();
 
-/// How often another node is called for an upgrade before the connection stays on TCPROS for good.
-int most_upgrade_attempts();
+/// After how many calls of another node for an upgrade a warning says that the connection is on TCPROS still.
+int upgrade_attempts_until_warning();
 
 /// Whether this node keeps a statistics page, which tzc-monitor reads.
 bool has_statistics_page();

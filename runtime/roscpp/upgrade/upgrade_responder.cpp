@@ -246,7 +246,7 @@ void UpgradeResponder::ask(const LinkPtr& link, const std::string& topic, int tr
     if (const LinkPtr waiting = weak.lock()) ask(waiting, topic, tries + 1);
   };
   peers_.post(link->getPublisherXMLRPCURI(), again, pause_after(tries));
-  if (tries == most_upgrade_attempts())
+  if (tries == upgrade_attempts_until_warning())
     TZC_WARN_THROTTLED_FOR(topic + " from " + link->getCallerID(), 10,
                            "TZC: " << topic << " stays on TCPROS after " << tries
                                    << " tries: " << reply.status

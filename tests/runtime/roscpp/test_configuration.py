@@ -239,6 +239,7 @@ class Others(Configuration):
                 self.listen()
                 talker = self.start_talker(count=0, env={"ROS_MASTER_URI": proxy.uri, **(env or {})}, **parameters)
                 self.ros.wait_until(lambda: "stays on TCPROS after 2 tries" in talker.log(), 20, "the warning")
+                self.ros.wait_until(lambda: proxy.calls("lookupNode") > 2, 20, "the next try")
                 talker.stop()
         self.in_both_ways("upgrade_attempts", "2", check)
 
