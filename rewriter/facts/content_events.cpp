@@ -159,8 +159,9 @@ void EventReader::publish(const clang::CXXMemberCallExpr* call) {
 bool EventReader::rule_call(const clang::CallExpr* call, const std::string& name) {
   for (const LibraryCall* rule : unit_.rules.calls) {
     if ((name != rule->function && name != rule->to) || rule->argument >= call->getNumArgs()) continue;
-    add(rule->gives_vector ? Kind::take : Kind::reset, parts_.part_of(call->getArg(rule->argument)),
-        call->getExprLoc());
+    const MessagePart part = parts_.part_of(call->getArg(rule->argument));
+    if (rule->elements == LibraryCall::Elements::filled) add(Kind::reset, part, call->getExprLoc());
+    if (rule->elements == LibraryCall::Elements::of_vector) add(Kind::take, part, call->getExprLoc());
     return true;
   }
   for (const MethodCall* rule : unit_.rules.methods) {

@@ -12,8 +12,10 @@ const clang::Expr* filled_by(const Unit& unit, const clang::CallExpr* call) {
   if (!function) return nullptr;
   if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call))
     return op->getOperator() == clang::OO_Equal ? op->getArg(0) : nullptr;
-  for (unsigned i = 0; i < call->getNumArgs(); ++i)
-    if (unit.rules.find_call(qualified_name_of(function), i)) return call->getArg(i);
+  for (unsigned i = 0; i < call->getNumArgs(); ++i) {
+    const LibraryCall* rule = unit.rules.find_call(qualified_name_of(function), i);
+    if (rule) return rule->elements == LibraryCall::Elements::left ? nullptr : call->getArg(i);
+  }
   const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
   if (!member || call->getNumArgs() == 0) return nullptr;
   const MethodCall* rule = unit.rules.find_method(qualified_name_of(member->getMethodDecl()->getParent()),

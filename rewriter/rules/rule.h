@@ -27,7 +27,8 @@ struct LibraryCall {
   unsigned argument;     ///< which argument is the message that is ported
   const char* to;
   const char* header;
-  bool gives_vector = false;  ///< the message is given the elements of a std::vector
+  /// What becomes of the arrays' elements: the function fills them anew, gives the message those of a std::vector, or leaves them.
+  enum class Elements { filled, of_vector, left } elements = Elements::filled;
 };
 
 /// A member function of a library class that becomes a free function with the object as first argument.

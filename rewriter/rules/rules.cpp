@@ -19,7 +19,7 @@ const ClassRename* const classes[] = {
 
 const LibraryCall* const calls[] = {
     &rules::pcl_to_ros_msg, &rules::pcl_from_pcl, &rules::pcl_move_from_pcl,
-    &rules::fill_image,     &rules::clear_image,
+    &rules::fill_image,     &rules::clear_image,  &rules::add_point_field,
 };
 
 const MethodCall* const methods[] = {

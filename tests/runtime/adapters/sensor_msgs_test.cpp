@@ -33,6 +33,18 @@ void modify(Clouds& clouds, Change change) {
   clouds.expect_equal();
 }
 
+TEST(AddPointField, adds_like_the_library) {
+  Clouds clouds;
+  modify(clouds, [](auto& modifier) { modifier.setPointCloud2FieldsByString(1, "xyz"); });
+  const int offset = ::addPointField(clouds.stock, "ring", 2, Field::UINT16, 16);
+  EXPECT_EQ(offset, sensor_msgs::addPointField(clouds.ours, "ring", 2, Field::UINT16, 16));
+  clouds.expect_equal();
+  constexpr int unknown = 77;
+  EXPECT_THROW(::addPointField(clouds.stock, "odd", 1, unknown, offset), std::runtime_error);
+  EXPECT_THROW(sensor_msgs::addPointField(clouds.ours, "odd", 1, unknown, offset), std::runtime_error);
+  clouds.expect_equal();
+}
+
 TEST(FillImage, fills_like_the_library) {
   const std::vector<std::uint8_t> pixels(20 * 10, 7);
   ::sensor_msgs::Image stock;

@@ -39,6 +39,21 @@ inline void clearImage(Image& image) {
 
 namespace detail {
 
+/// A stock cloud that has the fields of a tzc:: cloud, as long as it lives.
+class LentFields {
+ public:
+  explicit LentFields(PointCloud2& cloud) : cloud_(cloud) { stock_.fields.swap(cloud_.fields); }
+  LentFields(const LentFields&) = delete;
+  LentFields& operator=(const LentFields&) = delete;
+  ~LentFields() { stock_.fields.swap(cloud_.fields); }
+
+  ::sensor_msgs::PointCloud2& stock() { return stock_; }
+
+ private:
+  PointCloud2& cloud_;
+  ::sensor_msgs::PointCloud2 stock_;
+};
+
 /// A stock cloud that borrows the data of a tzc:: cloud, and copies its fields. The tzc:: cloud must outlive
 /// it.
 class BorrowedCloud {
@@ -65,6 +80,12 @@ class BorrowedCloud {
 };
 
 }  // namespace detail
+
+/// addPointField of <sensor_msgs/point_cloud2_iterator.h>: returns the offset of the next field. Throws std::runtime_error for an unknown
+/// datatype, and has added the field then.
+inline int addPointField(PointCloud2& cloud, const std::string& name, int count, int datatype, int offset) {
+  return ::addPointField(detail::LentFields(cloud).stock(), name, count, datatype, offset);
+}
 
 /// sensor_msgs::PointCloud2Iterator over a tzc:: cloud. Derives from it, so it can be passed as one.
 template <class T>

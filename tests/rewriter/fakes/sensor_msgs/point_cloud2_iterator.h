@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <sensor_msgs/PointCloud2.h>
+namespace {
+inline int addPointField(sensor_msgs::PointCloud2&, const std::string&, int, int, int) {
+  return 0;
+}
+}  // namespace
 namespace sensor_msgs {
 class PointCloud2Modifier {
  public:

@@ -10,6 +10,9 @@ inline bool fillImage(Image&, const std::string&, uint32_t, uint32_t, uint32_t, 
   return true;
 }
 inline void clearImage(Image&) {}
+inline int addPointField(PointCloud2&, const std::string&, int, int, int) {
+  return 0;
+}
 class PointCloud2Modifier {
  public:
   explicit PointCloud2Modifier(PointCloud2&) {}
