@@ -159,6 +159,46 @@ def under_a_lock(use):
             publish_meanwhile(use, owned, guard) + ["done = true;", "reader.join();"] + told(use, owned, array))
 
 
+def under_locks_that_do_not_meet(use):
+    """Each takes a lock, but not the same one, or not as long as it matters. Nobody writes, so nobody has to."""
+    owned, array, lines = filled(use)
+    mutex = use.program.variable("std::mutex", "mutex")
+    other = use.program.variable("std::mutex", "other")
+    lock = f"std::unique_lock<std::mutex> lock({mutex});"
+    once, again = (use.send(owned.argument, owned.pointer) for _ in range(2))
+    published = use.rng.choice([
+        within("{", [f"std::lock_guard<std::mutex> lock({other});"] + once),
+        ["{", "  " + lock, "  fuzz::pause();", "}"] + once,
+        within("{", [lock, "lock.unlock();"] + once),
+        within("{", [f"std::unique_lock<std::mutex> lock({mutex}, std::defer_lock);"] + once),
+        within("{", [f"{mutex}.lock();", "fuzz::pause();", f"{mutex}.unlock();"] + once)])
+    return (lines + WATCH + within("std::thread reader([&] {", passes(use, array, [lock]), "});") + ["fuzz::pause();"] +
+            published + ["fuzz::pause();"] + again + ["done = true;", "reader.join();"] + told(use, owned, array))
+
+
+def after_writing_and_telling(use):
+    """The other thread fills the message, says that it is there, and goes on reading."""
+    owned = use.rng.choice(owners.LASTING)(use.program, use.message)
+    array = f"{owned.access}{use.message.arrays[0][0]}"
+    body = fill(use, owned.access) + ["ready = true;"] + passes(use, array)
+    return (owned.lines + WATCH + ["std::atomic<bool> ready(false);"] +
+            within("std::thread reader([&] {", body, "});") + ["while (!ready) std::this_thread::yield();"] +
+            publish_meanwhile(use, owned) + ["done = true;", "reader.join();"] + told(use, owned, array))
+
+
+def after_the_publish(use):
+    """Two threads read what was published before; nobody publishes meanwhile."""
+    owned, array, lines = filled(use)
+    readers = []
+    for name in ("one", "two"):
+        body = ["for (int turn = 0; turn < 3; ++turn) {"] + read_once(use, array)[1:]
+        body = ["std::uint64_t sum = 0, before = 0;", "while (!done) std::this_thread::yield();"] + body + [
+            "  if (turn != 0 && sum != before) ++wrong;", "  before = sum;", "  sum = 0;", "}"]
+        readers += within(f"std::thread reader_{name}([&] {{", body, "});")
+    return (lines + WATCH + use.send(owned.argument, owned.pointer) + readers +
+            ["done = true;", "reader_one.join();", "reader_two.join();"] + told(use, owned, array))
+
+
 def by_a_function(use):
     """Of the program, which can name the message."""
     owned = use.rng.choice([owners.kept, owners.kept_pointer_made_once, owners.in_struct, owners.behind_accessor])(
@@ -179,4 +219,5 @@ def by_publishing(use):
             use.send(owned.argument, owned.pointer) + ["worker.join();"])
 
 
-WAYS = [while_it_is_published, by_two_at_once, under_a_shared_lock, under_a_lock, by_a_function, by_publishing]
+WAYS = [while_it_is_published, by_two_at_once, under_a_shared_lock, under_a_lock, under_locks_that_do_not_meet,
+        after_writing_and_telling, after_the_publish, by_a_function, by_publishing]
