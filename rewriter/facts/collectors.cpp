@@ -214,8 +214,10 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
     facts_.bodies.insert(usr_of(pattern_of(function)));
     if (takes_locks(function)) facts_.locking.insert(usr_of(pattern_of(function)));
     const ThreadCode code(context, view);
-    for (const clang::Stmt* stmt : view.statements())
-      if (takes_exclusive_lock(stmt)) facts_.excluding.insert(code.around(stmt));
+    for (const clang::Stmt* stmt : view.statements()) {
+      if (may_synchronize(stmt)) facts_.synchronizing.insert(code.around(stmt));
+      if (code.hands_over(stmt)) facts_.handing_over.insert(code.around(stmt));
+    }
     for (ElementUse& use : element_uses(context, view)) facts_.element_uses.push_back(std::move(use));
     if (std::optional<ContentFlow> flow = content_flow(unit_, view))
       facts_.add_content(usr_of(pattern_of(function)), std::move(*flow));

@@ -5,6 +5,7 @@
 
 #include "facts/calls.h"
 #include "facts/filled_message.h"
+#include "facts/held_locks.h"
 #include "facts/message_parts.h"
 #include "facts/message_type.h"
 #include "facts/threads.h"
@@ -54,7 +55,7 @@ class UseReader {
     if (const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(around)) return of_method(member);
     if (const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(around)) {
       if (op->getOperator() == clang::OO_Subscript) return of_element(op);
-      if (op->isAssignmentOp()) return op->getArg(0) == mention ? Kind::write : Kind::walk;
+      if (op->isAssignmentOp()) return op->getArg(0) == mention ? Kind::rebuild : Kind::walk;
     }
     if (const clang::VarDecl* variable = variable_of_loop(around)) return of_loop(variable);
     return of_argument(around, mention).value_or(Kind::walk);
@@ -83,7 +84,7 @@ class UseReader {
     const std::string name = method->getNameAsString();
     if (about_sizes.count(name)) return {};
     if (one.count(name)) return of_element(call);
-    if (!pointers.count(name)) return method->isConst() ? Kind::walk : Kind::write;
+    if (!pointers.count(name)) return method->isConst() ? Kind::walk : Kind::rebuild;
     const clang::Stmt* pointer = call;
     const clang::Stmt* around = around_of(pointer);
     return of_argument(around, pointer).value_or(Kind::walk);
@@ -138,6 +139,7 @@ std::vector<ElementUse> element_uses(const EscapeContext& context, const Functio
   std::vector<ElementUse> uses;
   const UseReader reader(view);
   const ThreadCode code(context, view);
+  const HeldLocks locks(code, view);
   const bool is_constructor = llvm::isa<clang::CXXConstructorDecl>(view.function());
   const auto add = [&](const clang::Expr* message, const clang::Expr* at, std::optional<Kind> kind,
                        bool read_only) {
@@ -147,6 +149,7 @@ std::vector<ElementUse> element_uses(const EscapeContext& context, const Functio
     use.read_only = read_only;
     use.code = code.around(at);
     if (is_constructor && !is_closure(use.code)) return;  // no other thread has the object
+    use.locks = locks.at(at);
     use.captured = is_closure(use.code) && names_captured(message);
     use.where = context.unit.location(at->getExprLoc());
     for (const EntityId& id : context.sources_of(message)) {

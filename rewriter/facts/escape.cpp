@@ -3,6 +3,7 @@
 #include "facts/escape.h"
 
 #include "facts/filled_message.h"
+#include "facts/held_locks.h"
 #include "facts/message_parts.h"
 #include "facts/threads.h"
 #include "model/codes.h"
@@ -92,6 +93,27 @@ std::vector<SeenEvent> array_writes(EscapeContext& context, const FunctionView& 
   return writes;
 }
 
+/// Tells threads' events apart.
+class ThreadEvents {
+ public:
+  ThreadEvents(const EscapeContext& context, const FunctionView& view)
+      : code_(context, view), locks_(code_, view) {}
+
+  PublishEvent of(const SeenEvent& seen) const {
+    PublishEvent event = seen.event;
+    event.locks = locks_.at(seen.at);
+    const std::string code = code_.around(seen.at);
+    if (!is_closure(code)) return event;
+    event.closure = code;
+    event.captured = names_captured(seen.at);
+    return event;
+  }
+
+ private:
+  ThreadCode code_;
+  HeldLocks locks_;
+};
+
 /// In a constructor's initializers: members that are declared later do not exist yet.
 bool is_before_body(const FunctionView& view, const clang::Stmt* stmt) {
   while (const clang::Stmt* around = view.parent(stmt)) stmt = around;
@@ -126,26 +148,17 @@ const EscapeAnalysis::Analysed& EscapeAnalysis::analysed(const clang::FunctionDe
   return known->second;
 }
 
-PublishEvent EscapeAnalysis::with_closure(const FunctionView& view, const SeenEvent& seen) const {
-  PublishEvent event = seen.event;
-  if (!view.lambda_around(seen.at)) return event;
-  const std::string code = ThreadCode(context_, view).around(seen.at);
-  if (!is_closure(code)) return event;
-  event.closure = code;
-  event.captured = names_captured(seen.at);
-  return event;
-}
-
 const FunctionView& EscapeAnalysis::analyse(const clang::FunctionDecl* definition) {
   const Analysed& here = analysed(definition);
+  const ThreadEvents threads(context_, *here.view);
   std::vector<PublishEvent>& effects = context_.found.effects[usr_of(pattern_of(definition))];
   for (const SeenEvent& event : here.events) {
     if (is_before_body(*here.view, event.at) && !event.event.callee.empty())
       context_.found.early.insert(event.event.callee);
-    if (event.event.kind != PublishEvent::Kind::exchange) effects.push_back(with_closure(*here.view, event));
+    if (event.event.kind != PublishEvent::Kind::exchange) effects.push_back(threads.of(event));
     if (!event.event.messages.empty()) note_tail(context_, *here.view, event);
   }
-  for (const SeenEvent& write : here.writes) effects.push_back(with_closure(*here.view, write));
+  for (const SeenEvent& write : here.writes) effects.push_back(threads.of(write));
   for (const clang::Stmt* stmt : here.view->statements()) {
     note_lasting(stmt);
     start(*here.view, stmt);

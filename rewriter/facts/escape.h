@@ -66,7 +66,6 @@ class EscapeAnalysis {
     std::vector<SeenEvent> writes;  ///< to arrays of messages
   };
   const Analysed& analysed(const clang::FunctionDecl* definition);
-  PublishEvent with_closure(const FunctionView& view, const SeenEvent& seen) const;
   void note_lasting(const clang::Stmt* stmt);
   void start(const FunctionView& view, const clang::Stmt* stmt);
   void climb(const FunctionView& view, const Referring& from);

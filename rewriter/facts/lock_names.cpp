@@ -23,10 +23,19 @@ bool takes_over(const clang::FunctionDecl* callee) {
   return record.contains("atomic") || record.contains("future");
 }
 
-/// lock_guard, unique_lock, mutex_.lock(); several threads may have a shared_lock.
-bool names_exclusive_lock(llvm::StringRef name) {
-  return name.contains_insensitive("lock") && names_lock(name) && !name.contains_insensitive("shared") &&
-         !name.contains_insensitive("upgrade") && !name.contains_insensitive("read");
+/// Of a function or class by which threads meet.
+bool names_meeting(llvm::StringRef name) {
+  static constexpr llvm::StringRef parts[] = {
+      "thread",    "async", "mutex", "semaphore", "sem_",     "signal", "notify", "future", "promise",
+      "condition", "event", "latch", "queue",     "barrier",  "fence",  "post",   "spawn",  "task",
+      "spin",      "emit",  "sync",  "unlock",    "parallel", "start",  "fork",   "detach", "stop"};
+  return llvm::any_of(parts, [&](llvm::StringRef part) { return name.contains_insensitive(part); });
+}
+
+bool is_between_processes(const clang::FunctionDecl* function) {
+  static constexpr llvm::StringRef names[] = {"read", "write",    "send",    "sendto", "sendmsg", "recv",
+                                              "poll", "recvfrom", "recvmsg", "select", "kill",    "raise"};
+  return function->isExternC() && llvm::is_contained(names, function->getName());
 }
 
 class LockFinder : public AstVisitor {
@@ -51,18 +60,27 @@ bool takes_lock(const clang::Stmt* stmt) {
   return callee && (takes_over(callee) || (callee->getIdentifier() && names_lock(callee->getName())));
 }
 
+bool may_synchronize(const clang::Stmt* stmt) {
+  if (takes_lock(stmt)) return true;
+  const clang::FunctionDecl* callee = nullptr;
+  if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) callee = made->getConstructor();
+  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) callee = call->getDirectCallee();
+  if (!callee) return llvm::isa<clang::CallExpr>(stmt);
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
+  const bool has_name = callee->getIdentifier() != nullptr;
+  return (has_name && (names_meeting(callee->getName()) || is_between_processes(callee))) ||
+         (method && method->getParent()->getIdentifier() && names_meeting(method->getParent()->getName()));
+}
+
 bool takes_locks(const clang::FunctionDecl* definition) {
   LockFinder locks;
   locks.TraverseStmt(definition->getBody());
   return locks.found;
 }
 
-bool takes_exclusive_lock(const clang::Stmt* stmt) {
-  if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt))
-    return names_exclusive_lock(made->getConstructor()->getParent()->getName());
-  const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
-  const clang::FunctionDecl* callee = call ? call->getDirectCallee() : nullptr;
-  return callee && callee->getIdentifier() && names_exclusive_lock(callee->getName());
+bool names_exclusive_lock(llvm::StringRef name) {
+  return name.contains_insensitive("lock") && names_lock(name) && !name.contains_insensitive("shared") &&
+         !name.contains_insensitive("upgrade") && !name.contains_insensitive("read");
 }
 
 }  // namespace tzc::rewriter

@@ -16,7 +16,11 @@ bool takes_lock(const clang::Stmt* stmt);
 /// Whether a statement of its body does, lambdas included.
 bool takes_locks(const clang::FunctionDecl* definition);
 
-/// A lock that no other thread can have meanwhile: not std::shared_lock, nor a join.
-bool takes_exclusive_lock(const clang::Stmt* stmt);
+/// Also where a thread begins, or may be told something: thread_(...), ready_.notify_all(), semaphore.post(). By name, and rather too often:
+/// what stands in code without any of these happens before, or after, all that another thread does, as one whole.
+bool may_synchronize(const clang::Stmt* stmt);
+
+/// lock_guard, unique_lock, MutexLocker: a class whose objects have a lock that no other thread can have meanwhile. Not std::shared_lock.
+bool names_exclusive_lock(llvm::StringRef name);
 
 }  // namespace tzc::rewriter

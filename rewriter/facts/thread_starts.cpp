@@ -62,21 +62,26 @@ bool is_in_what_runs_once(const Unit& unit, const clang::DynTypedNode& mention) 
          function->getNameAsString() == "onInit";
 }
 
-/// Bound or wrapped, or as it is.
-bool is_run_one_at_a_time(const Unit& unit, const clang::Expr* handed) {
+/// What gets a function or closure, bound or wrapped or as it is.
+struct Runner {
+  bool has_one_thread = false;
+  bool may_be_thread = true;
+};
+
+Runner runner_of(const Unit& unit, const clang::Expr* handed) {
   const auto mention = clang::DynTypedNode::create(*handed);
   for (auto node = written_parent(unit.ast(), mention); node; node = written_parent(unit.ast(), *node)) {
     const auto* expr = node->get<clang::Expr>();
-    if (!expr) return false;
+    if (!expr) break;
     if (is_wrapping(expr) || llvm::isa<clang::UnaryOperator, clang::ExplicitCastExpr>(expr)) continue;
     const clang::FunctionDecl* function = called_by(expr);
-    if (!function) return false;
+    if (!function) break;
     const bool may_be_many = is_in_loop(unit, mention);
-    if (runs_one_at_a_time(qualified_name_of(function))) return !may_be_many;
-    if (starts_thread(function)) return !may_be_many && is_in_what_runs_once(unit, mention);
-    if (!only_wraps(function)) return false;
+    if (runs_one_at_a_time(qualified_name_of(function))) return {!may_be_many, false};
+    if (starts_thread(function)) return {!may_be_many && is_in_what_runs_once(unit, mention), true};
+    if (!only_wraps(function)) break;
   }
-  return false;
+  return {};
 }
 
 }  // namespace
@@ -92,10 +97,13 @@ void ThreadStarts::note(const clang::LambdaExpr* lambda) {
 }
 
 void ThreadStarts::add(const std::string& code, const clang::Expr* mention) {
-  if (is_run_one_at_a_time(unit_, mention))
-    found_.run_by_one[code].insert(place_name(unit_, mention));
+  CodeStarts& starts = found_.starts[code];
+  const Runner runner = runner_of(unit_, mention);
+  starts.by_thread |= runner.may_be_thread;
+  if (runner.has_one_thread)
+    starts.by_one.insert(place_name(unit_, mention));
   else
-    found_.run_by_any.insert(code);
+    starts.by_any = true;
 }
 
 }  // namespace tzc::rewriter

@@ -8,8 +8,8 @@
 
 namespace tzc::rewriter {
 
-/// Functions and closures that are handed over, and whether what gets them runs them on one thread at a time: a subscription, a timer, a
-/// thread of which there is one (ONE_AT_A_TIME and THREAD in known_functions.def).
+/// Functions and closures that are handed over, and who gets them: what runs them on one thread at a time (a subscription, a timer), a thread
+/// (ONE_AT_A_TIME and THREAD in known_functions.def), or something else.
 class ThreadStarts {
  public:
   explicit ThreadStarts(const Unit& unit) : unit_(unit) {}

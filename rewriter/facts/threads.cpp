@@ -27,9 +27,14 @@ bool names_captured(const clang::Stmt* stmt) {
          llvm::any_of(stmt->children(), names_captured);
 }
 
-std::string ThreadCode::around(const clang::Stmt* stmt) const {
+const clang::LambdaExpr* ThreadCode::closure_around(const clang::Stmt* stmt) const {
   const clang::LambdaExpr* lambda = view_.lambda_around(stmt);
   while (lambda && is_called_here(lambda)) lambda = view_.lambda_around(lambda);
+  return lambda;
+}
+
+std::string ThreadCode::around(const clang::Stmt* stmt) const {
+  const clang::LambdaExpr* lambda = closure_around(stmt);
   return lambda ? closure_name(context_.unit, lambda) : usr_of(pattern_of(view_.function()));
 }
 
@@ -49,6 +54,14 @@ bool ThreadCode::is_only_called(const clang::VarDecl* variable, const clang::Lam
   });
 }
 
+/// std::for_each(std::execution::par, ...): several threads run what it is given.
+static bool may_run_in_parallel(const clang::CallExpr* call) {
+  return llvm::any_of(call->arguments(), [](const clang::Expr* argument) {
+    const clang::CXXRecordDecl* type = argument->getType().getNonReferenceType()->getAsCXXRecordDecl();
+    return type && qualified_name_of(type).find("execution::") != std::string::npos;
+  });
+}
+
 bool ThreadCode::is_called_here(const clang::LambdaExpr* lambda) const {
   const clang::Stmt* inner = lambda;
   const clang::Stmt* around = view_.parent(lambda);
@@ -65,7 +78,18 @@ bool ThreadCode::is_called_here(const clang::LambdaExpr* lambda) const {
                           view_.lambda_around(around));
   const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(around);
   const clang::FunctionDecl* callee = call ? call->getDirectCallee() : nullptr;
-  return callee && context_.keeping_of(qualified_name_of(callee), {}) != Keeping::unknown;
+  return callee && !may_run_in_parallel(call) &&
+         context_.keeping_of(qualified_name_of(callee), {}) != Keeping::unknown;
+}
+
+bool ThreadCode::hands_over(const clang::Stmt* stmt) const {
+  if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) return !is_called_here(lambda);
+  const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(stmt);
+  if (!name || !context_.unit.declares(llvm::dyn_cast<clang::FunctionDecl>(name->getDecl()))) return false;
+  const clang::Stmt* around = view_.parent(name);
+  while (is_wrapping(around)) around = view_.parent(around);
+  const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(around);
+  return !call || call->getCalleeDecl() != name->getDecl();
 }
 
 }  // namespace tzc::rewriter

@@ -18,6 +18,10 @@ class ThreadCode {
 
   /// The code that a statement of the function is in.
   std::string around(const clang::Stmt* stmt) const;
+  /// The closure that this code is; null: it is the function's own.
+  const clang::LambdaExpr* closure_around(const clang::Stmt* stmt) const;
+  /// A closure, or a function of the package by its name, goes to others here, which may give it to another thread.
+  bool hands_over(const clang::Stmt* stmt) const;
 
  private:
   bool is_called_here(const clang::LambdaExpr* lambda) const;

@@ -110,7 +110,6 @@ void Facts::add_overrides() {
       else
         events.insert(events.end(), seen->second.begin(), seen->second.end());
       if (seen == own.end() || locking.count(other)) locking.insert(function);
-      if (!excluding.count(other)) excluding.erase(function);
     }
   }
 }
@@ -155,9 +154,14 @@ void Facts::merge(Facts&& other) {
   hidden.missed.merge(other.hidden.missed);
   changing.merge(other.changing);
   locking.merge(other.locking);
-  excluding.merge(other.excluding);
-  for (auto& [code, places] : other.run_by_one) run_by_one[code].merge(places);
-  run_by_any.merge(other.run_by_any);
+  synchronizing.merge(other.synchronizing);
+  handing_over.merge(other.handing_over);
+  for (auto& [code, others] : other.starts) {
+    CodeStarts& mine = starts[code];
+    mine.by_one.merge(others.by_one);
+    mine.by_any |= others.by_any;
+    mine.by_thread |= others.by_thread;
+  }
   std::move(other.element_uses.begin(), other.element_uses.end(), std::back_inserter(element_uses));
   advertises.merge(other.advertises);
   publishes.merge(other.publishes);

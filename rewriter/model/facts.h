@@ -242,10 +242,11 @@ struct PublishEvent {
   /// unknown: code that is not seen here runs; exchange: the elements become another object's; write: an array is written to
   enum class Kind { publish, call, unknown, exchange, write };
   Kind kind = Kind::unknown;
-  std::set<EntityId> messages;  ///< that are published or written to, or passed to the callee
-  std::string callee;           ///< USR of a function of the package
-  std::string closure = {};     ///< that it is in (ThreadFacts); "": the function's own code
-  bool captured = false;        ///< the closure names variables of the function around it here
+  std::set<EntityId> messages;       ///< that are published or written to, or passed to the callee
+  std::string callee;                ///< USR of a function of the package
+  std::string closure = {};          ///< that it is in (ThreadFacts); "": the function's own code
+  bool captured = false;             ///< the closure names variables of the function around it here
+  std::set<std::string> locks = {};  ///< that its thread has there (ThreadFacts)
 };
 
 /// A pointer into a message's data went where it cannot be followed.
@@ -300,28 +301,39 @@ struct EscapeFacts {
 /// A function uses elements of a message.
 struct ElementUse {
   enum class Kind {
-    look,  ///< at one element, at once
-    walk,  ///< what it got at is used later; or it asks for a begin and an end
-    write  ///< so that nobody else may use the message meanwhile
+    look,    ///< at one element, at once
+    walk,    ///< what it got at is used later; or it asks for a begin and an end
+    write,   ///< to elements, which nobody else may use meanwhile
+    rebuild  ///< of the whole array, so that nobody else may use any of it meanwhile
   };
   EntityId message;
   std::string code;       ///< of which thread (ThreadFacts)
   bool captured = false;  ///< by a closure from the function around it
   Kind kind = Kind::look;
-  bool read_only = false;  ///< through const access, which moves no element
+  bool read_only = false;       ///< through const access, which moves no element
+  std::set<std::string> locks;  ///< that its thread has there (ThreadFacts)
   Location where;
 };
 
-/// What threads may do to each other. Code is a function, by its USR, or a closure that another thread may call, by its place in braces.
-struct ThreadFacts {
-  std::set<EntityId> changing;      ///< publishers that change when others may see them
-  std::set<std::string> locking;    ///< functions in whose bodies a lock is taken, by USR
-  std::set<std::string> excluding;  ///< code in which it is one that no other thread can have meanwhile
-  std::vector<ElementUse> element_uses;
-  std::map<std::string, std::set<std::string>>
-      run_by_one;                    ///< code that is given to what runs it on one thread at a time: where
-  std::set<std::string> run_by_any;  ///< code that is given to something else
+/// Where code is handed over to be called.
+struct CodeStarts {
+  std::set<std::string> by_one;  ///< places where it goes to what runs it on one thread at a time
+  bool by_any = false;           ///< it goes to something else, too
+  bool by_thread = false;        ///< it goes to a thread, or to something that may have one
 };
+
+/// What threads may do to each other. Code is a function, by its USR, or a closure that another thread may call, by its place in braces. A
+/// lock is named by the mutex: the USRs of the variable or field, and of the objects around it.
+struct ThreadFacts {
+  std::set<EntityId> changing;          ///< publishers that change when others may see them
+  std::set<std::string> locking;        ///< functions in whose bodies a lock is taken, by USR
+  std::set<std::string> synchronizing;  ///< code in which threads may wait for each other, in any way
+  std::set<std::string> handing_over;   ///< code that gives code to others, which a thread may run
+  std::vector<ElementUse> element_uses;
+  std::map<std::string, CodeStarts> starts;  ///< of code that is handed over
+};
+/// Begins the names of mutexes that are variables of a function: another call of it has another one.
+constexpr const char* local_lock = "local ";
 
 /// Code of the package that libraries call without being given it: classes of libraries whose virtual functions it overrides, by
 /// name, and `a_deleter` where it gives a shared pointer one.

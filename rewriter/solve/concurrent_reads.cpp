@@ -4,106 +4,25 @@
 #include <algorithm>
 
 namespace tzc::rewriter {
-
 namespace {
 
-/// "c:@S@Node@F@Node#...": no other thread has the object yet.
-bool is_constructor(const std::string& usr) {
-  const std::size_t function = usr.rfind("@F@");
-  if (function == std::string::npos) return false;
-  const std::string name = "@" + usr.substr(function + 3, usr.find('#', function) - function - 3);
-  return function >= name.size() && usr.compare(function - name.size(), name.size(), name) == 0;
+bool have_common_lock(const RunningCode::Spot& one, const RunningCode::Spot& other) {
+  return std::any_of(one.locks.begin(), one.locks.end(),
+                     [&](const std::string& lock) { return other.locks.count(lock) != 0; });
 }
 
-const std::string& code_of(const std::string& function, const PublishEvent& event) {
-  return event.closure.empty() ? function : event.closure;
+bool begins_with(const std::string& text, const std::string& begin) {
+  return text.compare(0, begin.size(), begin) == 0;
 }
 
 }  // namespace
 
 ConcurrentReads::ConcurrentReads(const Facts& facts, const Components& components)
-    : facts_(facts), components_(components) {
-  for (const auto& [usr, events] : facts.effects)
-    for (const PublishEvent& event : events)
-      if (!event.callee.empty()) callers_[event.callee].insert(code_of(usr, event));
-}
+    : facts_(facts), components_(components), running_(facts) {}
 
 bool ConcurrentReads::is_in(const EntityId& message, const Component& component) const {
   const Component* of = components_.of(message);
   return of && of->id == component.id;
-}
-
-/// The function and all that lead to it.
-ConcurrentReads::Functions ConcurrentReads::callers_of(const std::string& function) const {
-  Functions found{function};
-  std::vector<std::string> open{function};
-  while (!open.empty()) {
-    const auto callers = callers_.find(open.back());
-    open.pop_back();
-    if (callers == callers_.end()) continue;
-    for (const std::string& caller : callers->second)
-      if (!is_constructor(caller) && found.insert(caller).second) open.push_back(caller);
-  }
-  return found;
-}
-
-/// Those that a library, the system or a thread calls: no function of the package does, or one that is not called is named.
-ConcurrentReads::Functions ConcurrentReads::roots_among(const Functions& functions) const {
-  Functions roots;
-  for (const std::string& function : functions)
-    if (callers_.count(function) == 0 || facts_.addressed.count(function) != 0) roots.insert(function);
-  return roots;
-}
-
-bool ConcurrentReads::excludes_others(const Functions& functions) const {
-  return std::any_of(functions.begin(), functions.end(),
-                     [&](const std::string& function) { return facts_.excluding.count(function) != 0; });
-}
-
-ConcurrentReads::Publishers ConcurrentReads::publishers_of(const Component& component) {
-  Publishers publishers;
-  for (const auto& [usr, events] : facts_.effects) {
-    for (const PublishEvent& event : events) {
-      const bool publishes = event.kind == PublishEvent::Kind::publish &&
-                             std::any_of(event.messages.begin(), event.messages.end(),
-                                         [&](const EntityId& message) { return is_in(message, component); });
-      if (!publishes) continue;
-      const Functions callers = callers_of(code_of(usr, event));
-      publishers.roots.merge(roots_among(callers));
-      publishers.exclude = publishers.exclude && excludes_others(callers);
-    }
-  }
-  return publishers;
-}
-
-/// Whether no two threads run the root at once. What no code of the package names is main, or a library's to call.
-bool ConcurrentReads::is_run_by_one(const std::string& root) const {
-  const auto places = facts_.run_by_one.find(root);
-  return facts_.run_by_any.count(root) == 0 &&
-         (places == facts_.run_by_one.end() || places->second.size() == 1);
-}
-
-bool ConcurrentReads::may_meet(const Functions& roots, const Functions& others) const {
-  return std::any_of(roots.begin(), roots.end(), [&](const std::string& root) {
-    return std::any_of(others.begin(), others.end(),
-                       [&](const std::string& other) { return other != root || !is_run_by_one(root); });
-  });
-}
-
-/// What reads the component's elements, and is not kept from doing so while others publish.
-std::vector<ConcurrentReads::Reader> ConcurrentReads::readers_of(const Component& component,
-                                                                 const Publishers& publishers) const {
-  Functions writing;
-  for (const ElementUse& use : facts_.element_uses)
-    if (use.kind == ElementUse::Kind::write && is_in(use.message, component)) writing.insert(use.code);
-  std::vector<Reader> readers;
-  for (const ElementUse& use : facts_.element_uses) {
-    if (!is_in(use.message, component) || writing.count(use.code) != 0) continue;
-    const Functions callers = callers_of(use.code);
-    if (publishers.exclude && excludes_others(callers)) continue;
-    readers.push_back({&use, roots_among(callers)});
-  }
-  return readers;
 }
 
 /// A closure that another thread may run uses a message of the function around it.
@@ -117,20 +36,104 @@ bool ConcurrentReads::is_captured(const Component& component) const {
   return false;
 }
 
-const ElementUse* ConcurrentReads::of(const Component& component) {
-  if (!component.has_lasting_message() && !is_captured(component)) return nullptr;
-  const Publishers publishers = publishers_of(component);
-  const std::vector<Reader> readers = readers_of(component, publishers);
-  for (const Reader& reader : readers) {
-    if (!may_meet(reader.roots, publishers.roots)) continue;
-    const bool walks = reader.use->kind == ElementUse::Kind::walk;
-    const bool moved = std::any_of(readers.begin(), readers.end(), [&](const Reader& other) {
-      return !other.use->read_only &&
-             (may_meet(reader.roots, other.roots) || (walks && may_meet(other.roots, publishers.roots)));
-    });
-    if (moved) return reader.use;
+/// Whether the field is one of the class, its bases, or a class that is derived from it: of the same object then.
+bool ConcurrentReads::is_part_of(const std::string& field, const std::string& record) const {
+  if (begins_with(field, record + "@FI@")) return true;
+  const auto bases = facts_.bases.find(record);
+  return bases != facts_.bases.end() &&
+         std::any_of(bases->second.begin(), bases->second.end(),
+                     [&](const std::string& base) { return is_part_of(field, base); });
+}
+
+/// Whether all who use a message have the same mutex under that name: it is part of the same object, or there is only one of both.
+bool ConcurrentReads::guards(const std::string& lock, const Component& component) const {
+  static const std::string own = "this/";
+  const bool of_function = begins_with(lock, local_lock);
+  const bool of_object = begins_with(lock, own);
+  return std::all_of(component.entities.begin(), component.entities.end(), [&](const Entity* message) {
+    if (!message->lasts()) return true;
+    const bool is_member = message->storage == Storage::member;
+    return !of_function &&
+           (!of_object || (is_member && is_part_of(lock.substr(own.size()), message->record)));
+  });
+}
+
+ConcurrentReads::Spot ConcurrentReads::spot(const std::string& code, const std::set<std::string>& locks,
+                                            const Component& component) const {
+  Spot spot = running_.spot(code, locks);
+  for (auto lock = spot.locks.begin(); lock != spot.locks.end();)
+    lock = guards(*lock, component) ? std::next(lock) : spot.locks.erase(lock);
+  return spot;
+}
+
+ConcurrentReads::Accesses ConcurrentReads::accesses_of(const Component& component) const {
+  Accesses found;
+  for (const auto& [usr, events] : facts_.effects)
+    for (const PublishEvent& event : events)
+      if (event.kind == PublishEvent::Kind::publish &&
+          std::any_of(event.messages.begin(), event.messages.end(),
+                      [&](const EntityId& message) { return is_in(message, component); }))
+        found.publishes.push_back(spot(code_of(usr, event), event.locks, component));
+  for (const ElementUse& use : facts_.element_uses) {
+    if (!is_in(use.message, component)) continue;
+    const bool writes = use.kind == ElementUse::Kind::write || use.kind == ElementUse::Kind::rebuild;
+    (writes ? found.writes : found.reads).push_back({&use, spot(use.code, use.locks, component)});
   }
-  return nullptr;
+  return found;
+}
+
+/// Where one's code writes, and never meets another thread on the way from there to here, the source must keep the other off as long as it
+/// runs: it would write to what the other uses, otherwise. `whole`: the other uses each element.
+bool ConcurrentReads::is_kept_from(const Accesses& all, const Spot& one, const Spot& other,
+                                   bool whole) const {
+  if (running_.synchronizes(one.code)) return false;
+  return std::any_of(all.writes.begin(), all.writes.end(), [&](const Access& write) {
+    return write.spot.code == one.code && !have_common_lock(write.spot, other) &&
+           (whole || write.use->kind == ElementUse::Kind::rebuild);
+  });
+}
+
+bool ConcurrentReads::meets_publish(const Accesses& all, const Spot& read) const {
+  return std::any_of(all.publishes.begin(), all.publishes.end(), [&](const Spot& publish) {
+    return !have_common_lock(read, publish) && running_.may_meet(read, publish) &&
+           !is_kept_from(all, read, publish, true) && !is_kept_from(all, publish, read, false);
+  });
+}
+
+bool ConcurrentReads::meets_read(const Accesses& all, const Spot& one, const Spot& other) const {
+  return !have_common_lock(one, other) && running_.may_meet(one, other) &&
+         !is_kept_from(all, one, other, false) && !is_kept_from(all, other, one, false);
+}
+
+/// Threads may share an array out between them: what one writes is not what the other reads.
+bool ConcurrentReads::meets_write(const Spot& read, const Access& write) const {
+  return write.use->kind == ElementUse::Kind::write && !have_common_lock(read, write.spot) &&
+         running_.may_meet(read, write.spot) &&
+         (running_.is_for_thread(read) || running_.is_for_thread(write.spot));
+}
+
+/// By another thread.
+bool ConcurrentReads::is_moved(const Accesses& all, const Access& read) const {
+  const bool by_reader = std::any_of(all.reads.begin(), all.reads.end(), [&](const Access& other) {
+    return !other.use->read_only && meets_read(all, read.spot, other.spot);
+  });
+  return by_reader || std::any_of(all.writes.begin(), all.writes.end(),
+                                  [&](const Access& write) { return meets_write(read.spot, write); });
+}
+
+bool ConcurrentReads::is_endangered(const Accesses& all, const Access& read) const {
+  const bool walks = read.use->kind == ElementUse::Kind::walk;
+  if (walks && read.use->read_only) return is_moved(all, read);
+  // It moves the elements itself, or is done with the one that it reads before they move twice.
+  return meets_publish(all, read.spot) && (walks || is_moved(all, read));
+}
+
+const ElementUse* ConcurrentReads::of(const Component& component) const {
+  if (!component.has_lasting_message() && !is_captured(component)) return nullptr;
+  const Accesses all = accesses_of(component);
+  const auto found = std::find_if(all.reads.begin(), all.reads.end(),
+                                  [&](const Access& read) { return is_endangered(all, read); });
+  return found == all.reads.end() ? nullptr : found->use;
 }
 
 }  // namespace tzc::rewriter

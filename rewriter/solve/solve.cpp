@@ -9,21 +9,12 @@
 #include "solve/flow_graph.h"
 #include "solve/light_messages.h"
 #include "solve/received_writes.h"
+#include "solve/site_index.h"
 #include "solve/site_of_fact.h"
 #include "solve/soundness.h"
 
 namespace tzc::rewriter {
 namespace {
-
-template <class Fact>
-using ByComponent = std::map<ComponentId, std::vector<const Fact*>>;
-
-template <class Fact>
-const std::vector<const Fact*>& at(const ByComponent<Fact>& facts, ComponentId id) {
-  static const std::vector<const Fact*> none;
-  const auto found = facts.find(id);
-  return found == facts.end() ? none : found->second;
-}
 
 class Solver {
  public:
@@ -33,17 +24,17 @@ class Solver {
         components_(components),
         options_(options),
         demotions_(demotions),
+        sites_(facts, components),
         flow_graph_(facts.flows),
         received_(facts),
-        light_(facts, components) {
-    index_sites();
-  }
+        light_(facts, components),
+        soundness_(facts, components) {}
 
   Solution run() {
     decide_all(ComponentKind::publisher, &Solver::decide_publisher);
     decide_all(ComponentKind::filter, &Solver::decide_filter);
     for (const Component& component : components_.all())
-      if (component.kind == ComponentKind::message && !at(publishes_of_, component.id).empty())
+      if (component.kind == ComponentKind::message && !sites_.publishes_of(component).empty())
         solution_.decisions[component.id] = decide_message(component);
     leave_idle_publishers();
     decide_all(ComponentKind::subscription, &Solver::decide_subscription);
@@ -51,7 +42,6 @@ class Solver {
   }
 
  private:
-  void index_sites();
   void decide_all(ComponentKind kind, Decision (Solver::*decide)(const Component&) const);
   Decision decide_publisher(const Component& component) const;
   Decision decide_filter(const Component& component) const;
@@ -71,32 +61,13 @@ class Solver {
   const Components& components_;
   const SolveOptions& options_;
   const Demotions& demotions_;
+  SiteIndex sites_;
   FlowGraph flow_graph_;
   ReceivedWrites received_;
   LightMessages light_;
+  Soundness soundness_;
   Solution solution_;
-  ByComponent<Publish> published_by_, publishes_of_;  // by publisher, by message
-  ByComponent<Advertise> advertised_;
-  ByComponent<AllocationSite> allocations_;
 };
-
-void Solver::index_sites() {
-  for (const auto& item : facts_.publishes) {
-    const Publish& site = item.second;
-    if (const Component* publisher = components_.of(site.publisher))
-      published_by_[publisher->id].push_back(&site);
-    for (const EntityId& entity : site.messages)
-      if (const Component* message = components_.of(entity)) {
-        auto& sites = publishes_of_[message->id];
-        if (std::find(sites.begin(), sites.end(), &site) == sites.end()) sites.push_back(&site);
-      }
-  }
-  for (const auto& item : facts_.advertises)
-    if (const Component* publisher = components_.of(item.second.publisher))
-      advertised_[publisher->id].push_back(&item.second);
-  for (const AllocationSite& site : facts_.allocations)
-    if (const Component* message = components_.of(site.entity)) allocations_[message->id].push_back(&site);
-}
 
 void Solver::decide_all(ComponentKind kind, Decision (Solver::*decide)(const Component&) const) {
   for (const Component& component : components_.all())
@@ -116,12 +87,12 @@ std::optional<Decision> Solver::unwanted(const Component& component) const {
   const auto left_out = [](const Site& site) {
     return refused({codes::TZC1016, "left out by --only or --except", site.where});
   };
-  for (const Publish* fact : at(published_by_, component.id)) {
+  for (const Publish* fact : sites_.published_by(component)) {
     Site site = site_of(*fact, options_.packages);
     site.topic = topic_of(facts_, flow_graph_, fact->publisher);
     if (!options_.wanted(site)) return left_out(site);
   }
-  for (const Advertise* fact : at(advertised_, component.id)) {
+  for (const Advertise* fact : sites_.advertised(component)) {
     const Site site = site_of(*fact, options_.packages);
     if (!options_.wanted(site)) return left_out(site);
   }
@@ -135,8 +106,8 @@ bool is_ported_already(const Component& component) {
 }
 
 bool Solver::has_data_part(const Component& publisher) const {
-  const auto& published = at(published_by_, publisher.id);
-  const auto& advertised = at(advertised_, publisher.id);
+  const auto& published = sites_.published_by(publisher);
+  const auto& advertised = sites_.advertised(publisher);
   return std::any_of(published.begin(), published.end(),
                      [](const Publish* p) { return p->has_data_part || p->pcl; }) ||
          std::any_of(advertised.begin(), advertised.end(),
@@ -151,7 +122,7 @@ Decision Solver::decide_publisher(const Component& component) const {
     return refused({codes::TZC1015, "this run leaves everything on TCPROS", first.where});
   if (auto refusal = blocked(component)) return *refusal;
   if (auto refusal = unwanted(component)) return *refusal;
-  if (at(advertised_, component.id).empty())
+  if (sites_.advertised(component).empty())
     return refused(
         {codes::TZC1017, "no advertise call for '" + first.name + "' was found in the package", first.where});
   return contradicted(component).value_or(Decision{Outcome::ported, {}, {}});
@@ -160,7 +131,7 @@ Decision Solver::decide_publisher(const Component& component) const {
 /// One advertise call of a template that each instance would need changed differently.
 std::optional<Decision> Solver::contradicted(const Component& component) const {
   std::map<std::tuple<std::string, unsigned, unsigned>, std::string> texts;
-  for (const Advertise* site : at(advertised_, component.id))
+  for (const Advertise* site : sites_.advertised(component))
     for (const Change& change : site->changes) {
       const std::string text = change.text + site->stock_type + site->twin_type;
       const auto [known, is_new] =
@@ -178,18 +149,19 @@ Decision Solver::decide_filter(const Component& component) const {
 
 /// A publisher all of whose messages are light stays as it is.
 void Solver::leave_idle_publishers() {
-  for (const auto& [id, sites] : published_by_) {
-    const bool idle = std::all_of(sites.begin(), sites.end(), [&](const Publish* site) {
+  for (const Component& publisher : components_.all()) {
+    const auto& sites = sites_.published_by(publisher);
+    const bool idle = !sites.empty() && std::all_of(sites.begin(), sites.end(), [&](const Publish* site) {
       const Component* message = site->messages.empty() ? nullptr : components_.of(site->messages[0]);
       const Decision* decision = message ? solution_.of(message->id) : nullptr;
       return (!site->has_data_part && !site->pcl) || (decision && decision->outcome == Outcome::not_needed);
     });
-    if (idle && solution_.ports(id)) solution_.decisions[id] = {};
+    if (idle && solution_.ports(publisher.id)) solution_.decisions[publisher.id] = {};
   }
 }
 
 std::optional<Decision> Solver::wrong_shape(const Component& component) const {
-  const auto& sites = at(publishes_of_, component.id);
+  const auto& sites = sites_.publishes_of(component);
   const auto nested =
       std::find_if(sites.begin(), sites.end(), [](const Publish* site) { return site->nested_only; });
   if (nested != sites.end())
@@ -202,7 +174,7 @@ std::optional<Decision> Solver::wrong_shape(const Component& component) const {
 }
 
 Decision Solver::decide_message(const Component& component) {
-  const auto& sites = at(publishes_of_, component.id);
+  const auto& sites = sites_.publishes_of(component);
   if (std::none_of(sites.begin(), sites.end(), [](const Publish* site) { return site->has_data_part; }))
     return {};
   if (auto refusal = blocked(component)) return *refusal;
@@ -213,8 +185,7 @@ Decision Solver::decide_message(const Component& component) {
     return {
         Outcome::not_needed, {"", "its arrays hold at most " + std::to_string(*bytes) + " bytes", {}}, {}};
   if (auto refusal = wrong_shape(component)) return *refusal;
-  if (const auto danger = Soundness(facts_, components_).danger(component))
-    return refused(danger->why, danger->at);
+  if (const auto danger = soundness_.danger(component)) return refused(danger->why, danger->at);
   return bind_allocations(component);
 }
 
@@ -227,7 +198,7 @@ bool Solver::all_local(const Component& component) const {
 
 /// Made here and nowhere else: what is not seen to be filled is empty.
 std::optional<std::uint64_t> Solver::known_bytes(const Component& component) const {
-  const auto& sites = at(allocations_, component.id);
+  const auto& sites = sites_.allocations(component);
   const bool filled = std::any_of(sites.begin(), sites.end(), [](const AllocationSite* site) {
     const auto* inserted = std::get_if<InsertedAllocation>(&site->how);
     return !inserted || inserted->filled;
@@ -238,13 +209,13 @@ std::optional<std::uint64_t> Solver::known_bytes(const Component& component) con
 
 Decision Solver::bind_allocations(const Component& component) {
   std::set<ComponentId> publishers;
-  for (const Publish* site : at(publishes_of_, component.id))
+  for (const Publish* site : sites_.publishes_of(component))
     if (const Component* publisher = components_.of(site->publisher))
       if (solution_.ports(publisher->id)) publishers.insert(publisher->id);
   if (publishers.empty())
     return refused({codes::TZC1009, "its publisher stays on TCPROS", component.entities.front()->where});
   Binder binder(facts_, components_, component, std::move(publishers));
-  if (auto refusal = binder.bind(at(allocations_, component.id))) return *refusal;
+  if (auto refusal = binder.bind(sites_.allocations(component))) return *refusal;
   solution_.allocations.insert(solution_.allocations.end(), binder.allocations().begin(),
                                binder.allocations().end());
   solution_.factories.insert(solution_.factories.end(), binder.factories().begin(), binder.factories().end());

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "model/codes.h"
-#include "solve/concurrent_reads.h"
 
 namespace tzc::rewriter {
 
@@ -79,12 +78,13 @@ std::optional<Soundness::Danger> Soundness::danger(const Component& component) {
   for (const DataEscape& escape : facts_.escapes)
     if (is_in(escape.message) && (!escape.ends_with_scope || ends_loudly()))
       return Danger{escape.obstacle, escape.message};
-  const ElementUse* use = ConcurrentReads(facts_, components_).of(component);
+  const ElementUse* use = concurrent_.of(component);
   if (!use) return {};
-  return Danger{
-      {codes::TZC1003, "another thread may publish it while this function reads its elements without a lock",
-       use->where},
-      use->message};
+  return Danger{{codes::TZC1003,
+                 "another thread may publish or read it while this function reads its elements: no lock that "
+                 "both take keeps them apart",
+                 use->where},
+                use->message};
 }
 
 }  // namespace tzc::rewriter

@@ -7,13 +7,15 @@
 
 #include "model/facts.h"
 #include "solve/components.h"
+#include "solve/concurrent_reads.h"
 
 namespace tzc::rewriter {
 
 /// Whether a pointer into the data of a component's messages may live across one of its publishes, by the same thread or by another.
 class Soundness {
  public:
-  Soundness(const Facts& facts, const Components& components) : facts_(facts), components_(components) {}
+  Soundness(const Facts& facts, const Components& components)
+      : facts_(facts), components_(components), concurrent_(facts, components) {}
 
   struct Danger {
     Obstacle why;
@@ -35,6 +37,7 @@ class Soundness {
 
   const Facts& facts_;
   const Components& components_;
+  ConcurrentReads concurrent_;
   const Component* component_ = nullptr;
   bool lasting_ = false;
   std::optional<std::set<std::string>> publishing_, writing_;  // functions, for component_

@@ -22,7 +22,7 @@ class Map {
   int count_ = 0, sum_ = 0;
 };
 //--- expected
-// publish src/node.cpp:13 sensor_msgs/Image one_copy 'map' TZC1003 another thread may publish it while this function reads its elements without a lock
+// publish src/node.cpp:13 sensor_msgs/Image one_copy 'map' TZC1003 another thread may publish or read it while this function reads its elements: no lock that both take keeps them apart
 // advertise src/node.cpp:19 sensor_msgs/Image one_copy 'map'
 //
 // +++ src/node.cpp

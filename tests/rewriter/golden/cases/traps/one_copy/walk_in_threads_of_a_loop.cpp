@@ -22,7 +22,7 @@ class Map {
   sensor_msgs::Image map_;
 };
 //--- expected
-// publish src/node.cpp:16 sensor_msgs/Image one_copy 'map' TZC1003 another thread may publish it while this function reads its elements without a lock
+// publish src/node.cpp:16 sensor_msgs/Image one_copy 'map' TZC1003 another thread may publish or read it while this function reads its elements: no lock that both take keeps them apart
 // advertise src/node.cpp:21 sensor_msgs/Image one_copy 'map'
 //
 // +++ src/node.cpp

@@ -17,7 +17,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:8 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:15 sensor_msgs/Image one_copy 'image' TZC1003 another thread may publish it while this function reads its elements without a lock
+// publish src/node.cpp:15 sensor_msgs/Image one_copy 'image' TZC1003 another thread may publish or read it while this function reads its elements: no lock that both take keeps them apart
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
