@@ -244,12 +244,31 @@ std::set<std::string> section(const CmakeListFile& file, const CmakeCommand& com
   return all;
 }
 
-/// ${CATKIN_DEVEL_PREFIX}/include, ${EIGEN3_INCLUDE_DIRS}: made by the build, or another package's.
-bool is_elsewhere(const std::string& folder, const std::string& project) {
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// find_package(Eigen3), find_package(Qt5 COMPONENTS Widgets), pkg_check_modules(UVC libuvc): what they name variables by, in lower case.
+std::set<std::string> found_packages(const CmakeProject& project) {
+  std::set<std::string> names;
+  for (const char* finder : {"find_package", "pkg_check_modules", "pkg_search_module"})
+    each_command(project, finder, [&](const CmakeListFile& file, const CmakeCommand& command) {
+      const std::string package = lower(command.arguments[0].text);
+      for (const std::string& value : file.values.expand(command))
+        names.insert({lower(value), package + lower(value)});
+    });
+  return names;
+}
+
+/// ${CATKIN_DEVEL_PREFIX}/include, ${EIGEN3_INCLUDE_DIRS}: made by the build, or another package's. Any other variable may be the
+/// package's own.
+bool is_elsewhere(const std::string& folder, const std::set<std::string>& packages) {
   static const std::regex variable(R"(^\$\{(CATKIN_DEVEL_PREFIX|CMAKE_BINARY_DIR|CMAKE_CURRENT_BINARY_DIR|)"
                                    R"(PROJECT_BINARY_DIR|(\w+)_INCLUDE_DIRS?)\})");
   std::smatch match;
-  return std::regex_search(folder, match, variable) && match[2] != project && match[2] != "PROJECT_NAME";
+  return std::regex_search(folder, match, variable) &&
+         (!match[2].matched || packages.count(lower(match[2])) != 0);
 }
 
 /// A variable without a known value may be any folder of the package.
@@ -274,10 +293,10 @@ std::set<std::string> exported_libraries(const CmakeProject& project) {
 
 std::set<std::string> exported_folders(const CmakeProject& project, const std::string& package_dir) {
   std::set<std::string> folders;
+  const std::set<std::string> packages = found_packages(project);
   each_command(project, "catkin_package", [&](const CmakeListFile& file, const CmakeCommand& command) {
-    const std::string name = std::filesystem::path(package_dir).filename().string();
     for (const std::string& folder : section(file, command, "INCLUDE_DIRS"))
-      if (!is_elsewhere(folder, name)) folders.insert(exported_folder(folder, package_dir));
+      if (!is_elsewhere(folder, packages)) folders.insert(exported_folder(folder, package_dir));
   });
   if (!calls(project, "catkin_package"))
     folders.insert(exported_folder("include", package_dir));  // cs_export() of catkin_simple, or a macro
