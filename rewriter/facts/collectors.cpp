@@ -212,10 +212,12 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
   for (const clang::FunctionDecl* function : functions) {
     const FunctionView& view = analysis.analyse(function);
     facts_.bodies.insert(usr_of(pattern_of(function)));
-    if (takes_locks(function)) facts_.locking.insert(usr_of(pattern_of(function)));
     const ThreadCode code(context, view);
     for (const clang::Stmt* stmt : view.statements()) {
-      if (may_synchronize(stmt)) facts_.synchronizing.insert(code.around(stmt));
+      if (may_synchronize(stmt)) {
+        facts_.locking.insert(usr_of(pattern_of(function)));
+        facts_.synchronizing.insert(code.around(stmt));
+      }
       if (code.hands_over(stmt)) facts_.handing_over.insert(code.around(stmt));
     }
     for (ElementUse& use : element_uses(context, view)) facts_.element_uses.push_back(std::move(use));

@@ -26,9 +26,9 @@ bool takes_over(const clang::FunctionDecl* callee) {
 /// Of a function or class by which threads meet.
 bool names_meeting(llvm::StringRef name) {
   static constexpr llvm::StringRef parts[] = {
-      "thread",    "async", "mutex", "semaphore", "sem_",     "signal", "notify", "future", "promise",
-      "condition", "event", "latch", "queue",     "barrier",  "fence",  "post",   "spawn",  "task",
-      "spin",      "emit",  "sync",  "unlock",    "parallel", "start",  "fork",   "detach", "stop"};
+      "thread",    "async", "mutex",  "semaphore", "sem_",    "signal", "notify", "future", "promise",
+      "condition", "event", "latch",  "queue",     "barrier", "fence",  "post",   "spawn",  "task",
+      "emit",      "sync",  "unlock", "parallel",  "start",   "fork",   "detach", "stop"};
   return llvm::any_of(parts, [&](llvm::StringRef part) { return name.contains_insensitive(part); });
 }
 

@@ -152,7 +152,7 @@ class Between : public AstVisitor {
       reach_.call(made->getConstructor(), {made->getArgs(), made->getNumArgs()});
       note_callee(made->getConstructor());
     }
-    locks |= takes_lock(stmt);
+    locks |= may_synchronize(stmt);
     changes |= reach_.found;
     leaves |= reach_.leaves;
     return true;

@@ -43,7 +43,7 @@ class MustExecute {
   bool takes(const std::string& step, unsigned at) const;
   /// Whether code that is seen may give the name another meaning between two offsets.
   bool changes_between(unsigned from, unsigned to) const;
-  /// Where a lock is taken, or another thread waited for, between two offsets.
+  /// Where another thread may be waited for, or let go on, between two offsets.
   Waits waits_between(unsigned from, unsigned to) const;
 
  private:

@@ -326,7 +326,7 @@ struct CodeStarts {
 /// lock is named by the mutex: the USRs of the variable or field, and of the objects around it.
 struct ThreadFacts {
   std::set<EntityId> changing;          ///< publishers that change when others may see them
-  std::set<std::string> locking;        ///< functions in whose bodies a lock is taken, by USR
+  std::set<std::string> locking;        ///< functions in whose bodies threads may wait for each other, by USR
   std::set<std::string> synchronizing;  ///< code in which threads may wait for each other, in any way
   std::set<std::string> handing_over;   ///< code that gives code to others, which a thread may run
   std::vector<ElementUse> element_uses;
