@@ -27,9 +27,10 @@ const clang::LambdaExpr* lambda_in(const clang::Expr* expr) {
   return llvm::dyn_cast<clang::LambdaExpr>(expr);
 }
 
-/// A pointer or iterator to elements that are, or hold, pointers.
+/// A pointer, array or iterator to elements that are, or hold, pointers.
 bool reaches_pointers(clang::QualType type) {
   type = type.getNonReferenceType().getCanonicalType();
+  if (type->isArrayType()) return may_hold_pointer(type);
   if (type->isVoidPointerType() || type->isFunctionPointerType()) return false;
   if (type->isPointerType()) return may_hold_pointer(type->getPointeeType());
   const auto* made =
@@ -63,6 +64,16 @@ ArrayMethod array_method(const std::string& name) {
   if (access.count(name)) return ArrayMethod::access;
   if (nothing.count(name)) return ArrayMethod::nothing;
   return name == "swap" ? ArrayMethod::exchange : ArrayMethod::unknown;
+}
+
+/// stream << static_cast<const void*>(pointer), snprintf(text, size, "%p", pointer): the text can be made a pointer again.
+bool writes_address(const std::string& function, clang::QualType type) {
+  static const std::set<std::string> to_text = {"sprintf", "snprintf", "std::sprintf", "std::snprintf"};
+  if (!type->isPointerType()) return false;
+  if (function == "std::basic_ostream::operator<<") return type->isVoidPointerType();
+  const clang::QualType pointee = type->getPointeeType().getCanonicalType().getUnqualifiedType();
+  return to_text.count(function) != 0 && !pointee->isSpecificBuiltinType(clang::BuiltinType::Char_S) &&
+         !pointee->isSpecificBuiltinType(clang::BuiltinType::Char_U);
 }
 
 }  // namespace
@@ -237,6 +248,8 @@ bool CallSteps::may_store_pointer(const clang::CallExpr* call) {
 
 bool CallSteps::into_known_call(const clang::CallExpr* call, bool result_is_new) {
   if (at_.how != Reference::array && may_store_pointer(call)) return escape("may be stored by a call");
+  if (writes_address(qualified_name_of(call->getDirectCallee()), at_.expr->getType()))
+    return escape("is written down as a text");
   check_callables(call);
   if (result_is_new) return done();
   if (at_.how == Reference::array && call->isGLValue() && is_data_array(call->getType())) return go_on(call);

@@ -172,7 +172,35 @@ bool Climber::into_unary(const clang::UnaryOperator* op) {
   return op->isPRValue() && !may_hold_pointer(op->getType()) ? done() : go_on(op);
 }
 
+namespace {
+
+/// Whether what a pointer is subtracted from, or minus, begins in an array of a message, too, or is a local variable that must: the
+/// language knows no distance between others. `p - reinterpret_cast<char*>(this)` is one that pointers are kept as.
+bool begins_in_an_array(const clang::Expr* pointer) {
+  pointer = pointer->IgnoreParenCasts();
+  if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(pointer))
+    return begins_in_an_array(op->getSubExpr());
+  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(pointer))
+    return begins_in_an_array(op->getLHS()->getType()->isIntegerType() ? op->getRHS() : op->getLHS());
+  if (const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(pointer))
+    return begins_in_an_array(element->getBase());
+  if (const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(pointer))
+    return begins_in_an_array(call->getImplicitObjectArgument());
+  if (const auto* call = llvm::dyn_cast<clang::CXXOperatorCallExpr>(pointer))
+    return begins_in_an_array(call->getArg(0));
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(pointer))
+    return is_data_array(member->getType());
+  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(pointer);
+  const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
+  return variable && variable->isLocalVarDeclOrParm() && !variable->isStaticLocal();
+}
+
+}  // namespace
+
 bool Climber::into_binary(const clang::BinaryOperator* op) {
+  const clang::Expr* other = op->getLHS() == at_.expr ? op->getRHS() : op->getLHS();
+  if (op->getOpcode() == clang::BO_Sub && other->getType()->isPointerType() && !begins_in_an_array(other))
+    return escape("becomes a distance from something else");
   if (op->getOpcode() == clang::BO_Comma) return op->getRHS() == at_.expr ? go_on(op) : done();
   if (op->getOpcode() == clang::BO_Assign && op->getRHS() == at_.expr) return into_assignment(op->getLHS());
   if (op->isAssignmentOp()) return op->getLHS() == at_.expr ? go_on(op) : done();
