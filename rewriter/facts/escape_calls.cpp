@@ -27,25 +27,51 @@ const clang::LambdaExpr* lambda_in(const clang::Expr* expr) {
   return llvm::dyn_cast<clang::LambdaExpr>(expr);
 }
 
-/// A pointer, array or iterator to elements that are, or hold, pointers.
+/// The type that a class names so; null: it names none.
+clang::QualType named_in(const clang::CXXRecordDecl* record, llvm::StringRef name) {
+  if (!record || !record->hasDefinition()) return {};
+  for (const clang::Decl* decl : record->decls())
+    if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(decl); alias && alias->getName() == name)
+      return alias->getUnderlyingType().getCanonicalType();
+  for (const clang::CXXBaseSpecifier& base : record->bases())
+    if (const clang::QualType found = named_in(base.getType()->getAsCXXRecordDecl(), name); !found.isNull())
+      return found;
+  return {};
+}
+
+/// Of an iterator, or of one that inserts into a container; null: it is none.
+clang::QualType element_of(const clang::CXXRecordDecl* iterator) {
+  const clang::QualType value = named_in(iterator, "value_type");
+  if (!value.isNull() && !value->isVoidType()) return value;
+  const clang::QualType container = named_in(iterator, "container_type");
+  if (container.isNull()) return {};
+  const clang::QualType element = named_in(container->getAsCXXRecordDecl(), "value_type");
+  return element.isNull() ? container : element;
+}
+
+/// Of std::reference_wrapper<T>, std::pair<T, U>.
+bool leads_to_pointers(const clang::TemplateArgument& argument) {
+  if (argument.getKind() != clang::TemplateArgument::Type) return false;
+  const clang::QualType type = argument.getAsType().getCanonicalType();
+  if (type->isPointerType()) return may_hold_pointer(type->getPointeeType());
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  return record && is_owner_class(qualified_name_of(record)) && may_hold_pointer(type);
+}
+
+/// A pointer, array or iterator to elements that are, or hold, pointers; an owner of some, or a reference to an object of a class.
 bool reaches_pointers(clang::QualType type) {
   type = type.getNonReferenceType().getCanonicalType();
   if (type->isArrayType()) return may_hold_pointer(type);
   if (type->isVoidPointerType() || type->isFunctionPointerType()) return false;
   if (type->isPointerType()) return may_hold_pointer(type->getPointeeType());
-  const auto* made =
-      llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
-  if (!made) return false;
-  const std::string name = qualified_name_of(made);
-  if (is_owner_class(name)) return may_hold_pointer(type);
-  if (!is_view_class(name) && !made->getName().ends_with("iterator")) return false;
-  return llvm::any_of(made->getTemplateArgs().asArray(), [](const clang::TemplateArgument& argument) {
-    if (argument.getKind() != clang::TemplateArgument::Type) return false;
-    const clang::QualType part = argument.getAsType().getCanonicalType();
-    if (part->isPointerType()) return may_hold_pointer(part->getPointeeType());
-    const clang::CXXRecordDecl* record = part->getAsCXXRecordDecl();
-    return record && is_owner_class(qualified_name_of(record)) && may_hold_pointer(part);
-  });
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  if (!record) return false;
+  if (is_owner_class(qualified_name_of(record))) return may_hold_pointer(type);
+  const clang::QualType element = element_of(record);
+  if (!element.isNull()) return may_hold_pointer(element);
+  const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
+  return made && is_view_class(qualified_name_of(record)) &&
+         llvm::any_of(made->getTemplateArgs().asArray(), leads_to_pointers);
 }
 
 bool is_moved(const clang::Expr* expr) {
@@ -203,6 +229,16 @@ bool CallSteps::into_operator(const clang::CXXOperatorCallExpr* call) {
   return of_iterator ? into_result(call) : into_call(call);
 }
 
+bool CallSteps::escape_to_question(const std::string& function) {
+  return escape("goes to " + function + ", which asks for its type", false);
+}
+
+/// An array, or an iterator: what is a class becomes a pointer.
+bool CallSteps::changes_type() const {
+  return at_.how == Reference::array || (at_.how == Reference::elements &&
+                                         at_.expr->getType()->isRecordType() && is_view(at_.expr->getType()));
+}
+
 bool CallSteps::into_call(const clang::CallExpr* call) {
   const clang::FunctionDecl* callee = call->getDirectCallee();
   if (call->getCallee() == at_.expr) return escape("is called");
@@ -218,9 +254,8 @@ bool CallSteps::into_call(const clang::CallExpr* call) {
   if (passes_through(callee) && name != "std::ref" && name != "std::cref" && name != "boost::ref" &&
       name != "boost::cref")
     return go_on(call);
-  if (at_.how == Reference::array && context_.unit.declares(callee) &&
-      !is_type_blind(context_.unit, callee, index))
-    return escape("is not needed: '" + name + "' asks for the array's type", false);
+  if (context_.unit.declares(callee) && changes_type() && !is_type_blind(context_.unit, callee, index))
+    return escape_to_question(llvm::isa<clang::CXXOperatorCallExpr>(call) ? "a closure" : "'" + name + "'");
   if (context_.unit.declares(callee) && analysis_.follow(callee, index, at_)) return done();
   if (at_.how == Reference::elements && exchanges_values(name, at_.expr)) return done();
   const Keeping keeping = context_.keeping_of(name, at_.messages);
@@ -293,7 +328,10 @@ bool CallSteps::into_construction(const clang::CXXConstructExpr* construct) {
     return may_hold_pointer(type) ? go_on(construct) : done();
   if (is_view(type)) return go_on(construct, Reference::view);
   if (context_.unit.declares(constructor)) {
-    const bool followed = analysis_.follow(constructor, argument_index(arguments, at_.expr), at_);
+    const unsigned index = argument_index(arguments, at_.expr);
+    if (changes_type() && !is_type_blind(context_.unit, constructor, index))
+      return escape_to_question("'" + record->getNameAsString() + "'");
+    const bool followed = analysis_.follow(constructor, index, at_);
     return followed ? done() : escape("is passed to '" + record->getNameAsString() + "'");
   }
   if (is_owner_class(qualified_name_of(record)) && !may_hold_pointer(type)) return done();

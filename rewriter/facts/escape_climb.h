@@ -53,6 +53,8 @@ class CallSteps : protected ClimbState {
   bool into_array_method(const clang::MemberExpr* member, const clang::CXXMemberCallExpr* call);
   bool into_element_method(const clang::CXXMemberCallExpr* call);
   bool into_object_operator(const clang::CXXOperatorCallExpr* call);
+  bool changes_type() const;
+  bool escape_to_question(const std::string& function);
   bool into_known_call(const clang::CallExpr* call, bool result_is_new);
   /// The value of a call: part of what it was given, when its type can be.
   bool into_result(const clang::Expr* call);

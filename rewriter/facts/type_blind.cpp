@@ -15,6 +15,14 @@ bool is_of_parameter(const clang::NestedNameSpecifier* qualifier) {
   return type && llvm::isa<clang::TemplateTypeParmType>(type);
 }
 
+/// std::iterator_traits<It>::value_type: the same for a class of iterators and for the pointer that takes its place.
+bool is_of_iterator(const clang::NestedNameSpecifier* qualifier) {
+  const clang::Type* type = qualifier ? qualifier->getAsType() : nullptr;
+  const auto* made = type ? type->getAs<clang::TemplateSpecializationType>() : nullptr;
+  const clang::TemplateDecl* name = made ? made->getTemplateName().getAsTemplateDecl() : nullptr;
+  return name && name->getName() == "iterator_traits";
+}
+
 /// Whether the program has its own version of a class template for some types.
 bool is_specialised(const clang::TemplateDecl* name) {
   const auto* pattern = llvm::dyn_cast_or_null<clang::ClassTemplateDecl>(name);
@@ -60,12 +68,13 @@ class TypeQuestions : public AstVisitor {
     return note(!is_of_parameter(name->getQualifier()));
   }
   bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc name) override {
-    return note(!is_of_parameter(name.getTypePtr()->getQualifier()));
+    const clang::NestedNameSpecifier* qualifier = name.getTypePtr()->getQualifier();
+    return note(!is_of_parameter(qualifier) && !is_of_iterator(qualifier));
   }
   bool VisitUnresolvedLookupExpr(clang::UnresolvedLookupExpr* name) override {
+    const bool chooses = name->hasExplicitTemplateArgs() || name->getNumDecls() > 1;
     return note(llvm::any_of(name->decls(), [&](const clang::NamedDecl* decl) {
-      return llvm::isa<clang::VarTemplateDecl>(decl->getUnderlyingDecl()) ||
-             (name->hasExplicitTemplateArgs() && is_own(decl));
+      return llvm::isa<clang::VarTemplateDecl>(decl->getUnderlyingDecl()) || (chooses && is_own(decl));
     }));
   }
   bool VisitUnresolvedMemberExpr(clang::UnresolvedMemberExpr* name) override {

@@ -1,0 +1,33 @@
+// An algorithm inserts the pointer into a set.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+#include <algorithm>
+#include <iterator>
+#include <unordered_set>
+
+class Node {
+ public:
+  void tick() {
+    sensor_msgs::Image image;
+    image.data.resize(100);
+    std::unordered_set<uint8_t*> rows;
+    std::fill_n(std::inserter(rows, rows.end()), 1, image.data.data());
+    pub_.publish(image);
+    **rows.begin() = 3;
+    pub_.publish(image);
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);
+};
+//--- expected
+// publish src/node.cpp:16 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data may be stored by a call
+// publish src/node.cpp:18 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data may be stored by a call
+// advertise src/node.cpp:23 sensor_msgs/Image one_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);
+// +  tzc::Publisher pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "image", 1);
