@@ -235,8 +235,9 @@ bool CallSteps::escape_to_question(const std::string& function) {
 
 /// An array, or an iterator: what is a class becomes a pointer.
 bool CallSteps::changes_type() const {
-  return at_.how == Reference::array || (at_.how == Reference::elements &&
-                                         at_.expr->getType()->isRecordType() && is_view(at_.expr->getType()));
+  const clang::CXXRecordDecl* record = at_.expr->getType()->getAsCXXRecordDecl();
+  return at_.how == Reference::array ||
+         (record && record->getIdentifier() && record->getName().ends_with_insensitive("iterator"));
 }
 
 bool CallSteps::into_call(const clang::CallExpr* call) {

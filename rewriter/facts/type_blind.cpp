@@ -48,11 +48,25 @@ bool has_statics(const clang::TemplateDecl* name) {
          });
 }
 
+/// Of the standard library, or of the package in its manner.
+bool names_trait(llvm::StringRef name) {
+  static constexpr llvm::StringRef others[] = {"integral_constant", "bool_constant", "conditional",
+                                               "negation",          "conjunction",   "disjunction"};
+  return name.starts_with("is_") || name.starts_with("has_") || llvm::is_contained(others, name);
+}
+
 class TypeQuestions : public AstVisitor {
  public:
   explicit TypeQuestions(const Unit& unit) : unit_(unit) {}
   bool found = false;
 
+  /// std::is_pointer<It>(), as a value or to choose a function by.
+  bool VisitStmt(clang::Stmt* stmt) override {
+    const auto* made = llvm::dyn_cast<clang::CXXUnresolvedConstructExpr>(stmt);
+    const auto* type = made ? made->getTypeAsWritten()->getAs<clang::TemplateSpecializationType>() : nullptr;
+    const clang::TemplateDecl* name = type ? type->getTemplateName().getAsTemplateDecl() : nullptr;
+    return note(name && (names_trait(name->getName()) || has_statics(name) || is_specialised(name)));
+  }
   bool VisitIfStmt(clang::IfStmt* choice) override { return note(choice->isConstexpr()); }
   bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr*) override { return note(true); }
   bool VisitTypeTraitExpr(clang::TypeTraitExpr*) override { return note(true); }
