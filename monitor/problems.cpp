@@ -74,7 +74,10 @@ class Search {
         text += fmt::format(" {} holds {} blocks{}, {} messages are in flight to it{}.",
                             connection.subscriber, connection.held, held_for(connection),
                             connection.in_flight, connection.is_stopped ? " (stopped)" : "");
-    return text + " Raise ~tzc/memory_size, or let subscribers keep less.";
+    return text + (topic.memory.used > 0
+                       ? " Raise ~tzc/memory_size, or let subscribers keep less."
+                       : " Nobody keeps any: the system, the ceiling or the size refused more, and the "
+                         "node's log says which.");
   }
 
   static std::string held_for(const Connection& connection) {
@@ -85,7 +88,7 @@ class Search {
     if (connection.transport == Transport::tcpros || connection.transport == Transport::udpros)
       found_.push_back(
           {ProblemKind::tcpros, node.name,
-           fmt::format("{} sends {} to {} over {}: {}.{}", node.name, topic.name, connection.subscriber,
+           fmt::format("{} sends {} to {} over {}: {}{}", node.name, topic.name, connection.subscriber,
                        name(connection.transport), named_reason(connection), remedy(connection.reason))});
     const std::uint64_t lost = connection.revoked_for_queue + connection.revoked_for_memory;
     // A stopped process loses messages, of course; its line says what to do.

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "filter.h"
 #include "words.h"
 
@@ -11,7 +13,7 @@ namespace {
 
 std::string transport_text(const Connection& connection) {
   if (connection.transport == Transport::shared) return "through shared memory.";
-  std::string text = fmt::format("{}: {}.",
+  std::string text = fmt::format("{}: {}",
                                  connection.transport == Transport::intraprocess
                                      ? "without any transport"
                                      : fmt::format("over {}", name(connection.transport)),
@@ -43,29 +45,52 @@ void explain_topic(const Node& node, const Topic& topic, const std::string& want
         fmt::format("{} publishes {} and has no subscriber.", node.name, topic.name));
 }
 
+/// What the subscriber's own page says of a publisher that has no page here.
+std::string sentence(const Node& node, const Subscription& subscription) {
+  std::string text =
+      fmt::format("{} gets {} from {} ", node.name, subscription.topic, subscription.publisher);
+  if (subscription.transport == Transport::shared) return text + "through shared memory.";
+  return text +
+         fmt::format(
+             "over {}: there is no statistics page of {} here. It may not use TZC, or have it switched off, "
+             "be another user's, run on another machine, or be gone.",
+             name(subscription.transport), subscription.publisher);
+}
+
+void explain_subscriptions(const Node& node, const std::string& topic,
+                           const std::set<std::string>& publishers, Explanation& explanation) {
+  for (const Subscription& subscription : node.subscriptions)
+    if (subscription.topic == topic && publishers.count(subscription.publisher) == 0)
+      explanation.sentences.push_back(sentence(node, subscription));
+}
+
 }  // namespace
 
 Explanation explain(const std::vector<Node>& nodes, const std::string& node, const std::string& topic) {
   const std::string wanted = global_name(node), name = global_name(topic);
   Explanation explanation;
-  std::string publishers;
+  std::set<std::string> publishers;
   for (const Node& one : nodes) {
     for (const Topic& published : one.topics) {
       if (published.name != name) continue;
-      publishers += (publishers.empty() ? "" : ", ") + one.name;
+      publishers.insert(one.name);
       explain_topic(one, published, wanted, explanation);
     }
   }
+  for (const Node& one : nodes)
+    if (one.name == wanted) explain_subscriptions(one, name, publishers, explanation);
   if (!explanation.sentences.empty()) return explanation;
   explanation.nothing =
       publishers.empty()
           ? fmt::format(
                 "No process of this user publishes {} with TZC and a statistics page. Its publisher may "
                 "not use TZC, may have switched it off for this topic or node (rosparam get NODE/tzc, "
-                "TZC_DISABLE), may have had no subscriber yet, or may run on another machine; then its "
+                "TZC_DISABLE), may have had no subscriber yet, may be another user's, or may run on another "
+                "machine; then its "
                 "connections are on TCPROS.",
                 name)
-          : fmt::format("{} is published by {}, which has no connection to {}.", name, publishers, wanted);
+          : fmt::format("{} is published by {}, which has no connection to {}.", name,
+                        fmt::join(publishers, ", "), wanted);
   return explanation;
 }
 

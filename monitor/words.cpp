@@ -16,7 +16,10 @@ struct Advice {
 constexpr Advice advices[] = {
     {"does not know the method tzcOffer",
      "That node does not use TZC: port it, or start it with tzc-run (rospy nodes stay on TCPROS)."},
-    {"has not attached", "It subscribes by nh.subscribe: use tzc::subscribe or tzc::attach there."},
+    {"has not attached",
+     "It subscribes by nh.subscribe: use tzc::subscribe or tzc::attach there. Or TZC is switched off there: "
+     "rosparam get "
+     "NODE/tzc, TZC_DISABLE."},
     {"another machine or network namespace", "Containers need --network=host to share memory."},
     {"another user", "Run both nodes as the same user, also inside containers."},
     {"not an offer of this version", "Use one release of TZC for all nodes of the machine."},
@@ -75,8 +78,10 @@ const char* name(Transport transport) {
 
 std::string named_reason(const Connection& connection) {
   constexpr std::string_view itself = "this node ";
-  if (connection.reason.rfind(itself, 0) != 0) return connection.reason;
-  return connection.subscriber + " " + connection.reason.substr(itself.size());
+  const bool is_own = connection.reason.rfind(itself, 0) == 0;
+  const std::string text =
+      is_own ? connection.subscriber + " " + connection.reason.substr(itself.size()) : connection.reason;
+  return text.empty() || text.back() != '?' ? text + "." : text;
 }
 
 std::string advice(const std::string& reason) {

@@ -14,7 +14,7 @@ std::string short_bytes(double bytes);
 std::string short_time(double seconds);
 const char* name(State state);
 const char* name(Transport transport);
-/// Why a connection is not shared, with the subscriber's name where the subscriber speaks of itself.
+/// Why a connection is not shared, with the subscriber's name where the subscriber speaks of itself, and a full stop.
 std::string named_reason(const Connection& connection);
 /// What a user can do about a reason why a connection is not shared (docs/troubleshooting.md); empty: nothing is known.
 std::string advice(const std::string& reason);

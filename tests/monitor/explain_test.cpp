@@ -37,7 +37,36 @@ TEST(Explain, all_connections_of_a_publisher) {
   EXPECT_THAT(explain({camera_and_depth()}, "/camera", "/image").sentences,
               ElementsAre("/camera sends /image to /viewer through shared memory.",
                           "/camera sends /image to /rviz over TCPROS: /rviz has not attached /image. It "
-                          "subscribes by nh.subscribe: use tzc::subscribe or tzc::attach there."));
+                          "subscribes by nh.subscribe: use tzc::subscribe or tzc::attach there. Or TZC is "
+                          "switched off there: rosparam get NODE/tzc, TZC_DISABLE."));
+}
+
+TEST(Explain, what_a_subscriber_gets_from_publishers_without_a_page) {
+  Node viewer;
+  viewer.name = "/viewer";
+  for (const char* publisher : {"/camera", "/plain", "/hidden"}) {
+    Subscription subscription;
+    subscription.topic = "/image";
+    subscription.publisher = publisher;
+    subscription.transport = subscription.publisher == "/plain" ? Transport::tcpros : Transport::shared;
+    viewer.subscriptions.push_back(subscription);
+  }
+  EXPECT_THAT(
+      explain({camera_and_depth(), viewer}, "/viewer", "/image").sentences,
+      ElementsAre(
+          "/camera sends /image to /viewer through shared memory.",
+          "/viewer gets /image from /plain over TCPROS: there is no statistics page of /plain here. It "
+          "may not use TZC, or have it switched off, be another user's, run on another machine, or be "
+          "gone.",
+          "/viewer gets /image from /hidden through shared memory."));
+  EXPECT_TRUE(explain({viewer}, "/viewer", "/depth").sentences.empty());
+}
+
+TEST(Explain, a_reason_that_is_a_question_ends_with_its_mark) {
+  Node node = camera_and_depth();
+  node.topics[0].connections[1].reason = "no answer, and does it run?";
+  EXPECT_THAT(explain({node}, "/rviz", "/image").sentences,
+              ElementsAre("/camera sends /image to /rviz over TCPROS: no answer, and does it run?"));
 }
 
 TEST(Explain, that_a_process_is_stopped) {

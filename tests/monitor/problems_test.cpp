@@ -72,6 +72,13 @@ TEST_F(Problems, of_memory_name_who_keeps_it) {
                           "subscribers keep less."));
 }
 
+TEST_F(Problems, of_memory_that_nobody_keeps_do_not_ask_for_more) {
+  camera.topics[0].counters.exhausted = 9;
+  connect("/viewer");
+  EXPECT_THAT(texts(),
+              ElementsAre(HasSubstr("Nobody keeps any: the system, the ceiling or the size refused more")));
+}
+
 TEST_F(Problems, of_memory_that_are_over_are_none) {
   camera.topics[0].counters.exhausted = 9;
   camera.rates = {Rates{30, 30, 0, 0, 0}};

@@ -206,7 +206,10 @@ class Monitor(MonitorCase):
         self.listen(name="viewer")
         talker = self.start_talker(count=0, rate=50, **{"tzc/statistics_page": 0})
         self.ros.wait_until(lambda: self.shared_transports(self.name("talker")), 20, "the upgrade")
-        status, _, trouble = self.monitor("--why", self.name("viewer"), self.name("image"))
+        expected = f"{self.name('viewer')} gets {self.name('image')} from {self.name('talker')} through shared memory.\n"
+        self.ros.wait_until(lambda: self.monitor("--why", self.name("viewer"), self.name("image"))[:2] == (0, expected), 20,
+                            "the viewer's own page to show it")
+        status, _, trouble = self.monitor("--why", self.name("talker"), self.name("image"))
         self.assertEqual(status, 1)
         self.assertIn("No process of this user publishes", trouble)
         self.assertEqual(pages_of(talker.pid), [])
