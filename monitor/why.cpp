@@ -86,8 +86,7 @@ Explanation explain(const std::vector<Node>& nodes, const std::string& node, con
                 "No process of this user publishes {} with TZC and a statistics page. Its publisher may "
                 "not use TZC, may have switched it off for this topic or node (rosparam get NODE/tzc, "
                 "TZC_DISABLE), may have had no subscriber yet, may be another user's, or may run on another "
-                "machine; then its "
-                "connections are on TCPROS.",
+                "machine; then its connections are on TCPROS.",
                 name)
           : fmt::format("{} is published by {}, which has no connection to {}.", name,
                         fmt::join(publishers, ", "), wanted);

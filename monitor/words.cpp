@@ -18,8 +18,7 @@ constexpr Advice advices[] = {
      "That node does not use TZC: port it, or start it with tzc-run (rospy nodes stay on TCPROS)."},
     {"has not attached",
      "It subscribes by nh.subscribe: use tzc::subscribe or tzc::attach there. Or TZC is switched off there: "
-     "rosparam get "
-     "NODE/tzc, TZC_DISABLE."},
+     "rosparam get NODE/tzc, TZC_DISABLE."},
     {"another machine or network namespace", "Containers need --network=host to share memory."},
     {"another user", "Run both nodes as the same user, also inside containers."},
     {"not an offer of this version", "Use one release of TZC for all nodes of the machine."},

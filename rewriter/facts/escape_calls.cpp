@@ -3,6 +3,7 @@
 // bodies are followed, and everything else, which is an escape.
 #include <clang/AST/DeclTemplate.h>
 
+#include "facts/ast_walk.h"
 #include "facts/escape_climb.h"
 #include "facts/known_functions.h"
 #include "facts/type_blind.h"
@@ -256,7 +257,7 @@ bool CallSteps::into_call(const clang::CallExpr* call) {
       name != "boost::cref")
     return go_on(call);
   if (context_.unit.declares(callee) && changes_type() && !is_type_blind(context_.unit, callee, index))
-    return escape_to_question(llvm::isa<clang::CXXOperatorCallExpr>(call) ? "a closure" : "'" + name + "'");
+    return escape_to_question(is_lambda(callee) ? "a closure" : "'" + name + "'");
   if (context_.unit.declares(callee) && analysis_.follow(callee, index, at_)) return done();
   if (at_.how == Reference::elements && exchanges_values(name, at_.expr)) return done();
   const Keeping keeping = context_.keeping_of(name, at_.messages);

@@ -174,8 +174,8 @@ bool Climber::into_unary(const clang::UnaryOperator* op) {
 
 namespace {
 
-/// Whether what a pointer is subtracted from, or minus, begins in an array of a message, too, or is a local variable that must: the
-/// language knows no distance between others. `p - reinterpret_cast<char*>(this)` is one that pointers are kept as.
+/// Whether the other side of a subtraction of pointers may lie in the same array: it begins in one of a message, or is a local variable. The
+/// language knows no other distances, but programs keep pointers as one: `p - reinterpret_cast<char*>(this)`.
 bool begins_in_an_array(const clang::Expr* pointer) {
   pointer = pointer->IgnoreParenCasts();
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(pointer))

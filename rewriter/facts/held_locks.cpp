@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/held_locks.h"
 
-#include <optional>
-
 #include "facts/ast_walk.h"
 #include "facts/lock_names.h"
 #include "model/facts.h"

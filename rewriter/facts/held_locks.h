@@ -16,7 +16,7 @@ class HeldLocks {
  public:
   HeldLocks(const ThreadCode& code, const FunctionView& view);
 
-  /// The mutexes' names: the same in every unit and function, but for local variables (is_local_lock).
+  /// The mutexes' names: the same in every unit and function, but for local variables (local_lock).
   std::set<std::string> at(const clang::Stmt* stmt) const;
 
  private:
