@@ -16,7 +16,14 @@ bool before(const Edit& a, const Edit& b) {
   return std::make_pair(a.offset, a.length != 0) < std::make_pair(b.offset, b.length != 0);
 }
 
-/// By place, duplicates dropped.
+Error conflict(const Edit& first, const Edit& second) {
+  return {"edits of the rules '" + first.rule + "' and '" + second.rule + "' overlap at byte " +
+              std::to_string(second.offset),
+          second.file, ""};
+}
+
+}  // namespace
+
 Edits in_order(const Edits& edits) {
   Edits unique;
   for (const Edit& edit : edits) {
@@ -27,14 +34,6 @@ Edits in_order(const Edits& edits) {
   std::stable_sort(unique.begin(), unique.end(), before);
   return unique;
 }
-
-Error conflict(const Edit& first, const Edit& second) {
-  return {"edits of the rules '" + first.rule + "' and '" + second.rule + "' overlap at byte " +
-              std::to_string(second.offset),
-          second.file, ""};
-}
-
-}  // namespace
 
 Expected<std::string> apply_edits(std::string_view content, const Edits& edits) {
   std::string result;

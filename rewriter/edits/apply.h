@@ -14,6 +14,9 @@ namespace tzc::rewriter {
 /// edits that overlap or leave the content are an error that names the rules.
 Expected<std::string> apply_edits(std::string_view content, const Edits& edits);
 
+/// The edits of one file as apply_edits applies them: by place, duplicates dropped.
+Edits in_order(const Edits& edits);
+
 /// Edits by file, each list in the order given.
 std::map<std::string, Edits> by_file(const Edits& edits);
 

@@ -53,10 +53,8 @@ EditedLines::EditedLines(const std::string& original, const Edits& edits, const 
   if (edited && *edited != written) unformatted_ = compare(*edited, written);
 }
 
-void EditedLines::learn_edits(const std::string& original, Edits edits) {
-  std::stable_sort(edits.begin(), edits.end(),
-                   [](const Edit& a, const Edit& b) { return a.offset < b.offset; });
-  for (const Edit& edit : edits)
+void EditedLines::learn_edits(const std::string& original, const Edits& edits) {
+  for (const Edit& edit : in_order(edits))
     edits_.push_back({1 + count_lines(original, 0, edit.offset),
                       static_cast<int>(count_lines(edit.text, 0, edit.text.size())) -
                           static_cast<int>(count_lines(original, edit.offset, edit.offset + edit.length))});

@@ -26,7 +26,7 @@ class EditedLines {
   LineRange original(unsigned written_line) const;
 
  private:
-  void learn_edits(const std::string& original, Edits edits);
+  void learn_edits(const std::string& original, const Edits& edits);
   unsigned before_edits(unsigned line) const;
 
   struct EditedPlace {

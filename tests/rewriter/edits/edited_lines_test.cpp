@@ -35,6 +35,16 @@ TEST(EditedLines, exact_where_nothing_was_formatted) {
   }
 }
 
+TEST(EditedLines, an_edit_that_two_components_make_counts_once) {
+  Edits twice = edits();
+  for (const Edit& edit : edits()) twice.push_back(edit);
+  const std::string edited = *apply_edits(original, twice);
+  const EditedLines lines(original, twice, edited);
+  for (unsigned line = 1; line <= 7; ++line)
+    EXPECT_EQ(lines.original(line).first, EditedLines(original, edits(), edited).original(line).first)
+        << line;
+}
+
 TEST(EditedLines, through_formatting) {
   const EditedLines lines(original, edits(), "a\nx y\nb\nc\n  D\ne\n");
   EXPECT_EQ(lines.original(2).first, 2u);
