@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <new>
 
 #include "roscpp/publish/exhaustion_report.h"
 #include "roscpp/publish/to_stock_bytes.h"
@@ -68,6 +69,19 @@ const MessageCodec* RecordEncoder::find(const std::type_info& type) const {
   return found == codecs_.end() ? nullptr : &*found;
 }
 
+OutgoingMessage RecordEncoder::unless_out_of_memory(const std::function<OutgoingMessage()>& make) {
+  try {
+    return make();
+  } catch (const std::bad_alloc&) {
+    ++counters_.dropped;
+    TZC_WARN_THROTTLED_FOR(
+        topic_, 10,
+        "TZC: " << topic_ << ": a message is dropped for subscribers on shared memory: neither the "
+                << "shared memory nor the process's own has room for it (ulimit -v, a container's limit)");
+    return OutgoingMessage();
+  }
+}
+
 OutgoingMessage RecordEncoder::encode(const ros::SerializedMessage& message, std::uint32_t sequence) {
   const MessageCodec& codec = *find(*message.type_info);
   const void* address = message.message.get();
@@ -108,9 +122,12 @@ OutgoingMessage RecordEncoder::control_record(const MessageCodec& codec, message
 
 bool RecordEncoder::drops_without_memory(const std::function<std::size_t()>& bytes) {
   ++counters_.exhausted;
+  const bool warns = exhausted_warning_.is_due();
+  const std::size_t size =
+      warns ? bytes() : 0;  // may throw, and then the message is counted as dropped elsewhere
   const bool is_dropped = on_exhausted_ == OnExhausted::drop;
   if (is_dropped) ++counters_.dropped;
-  if (exhausted_warning_.is_due()) warn_exhausted(bytes());
+  if (warns) warn_exhausted(size);
   return is_dropped;
 }
 
@@ -149,8 +166,10 @@ OutgoingMessage RecordEncoder::of_bytes(const ros::SerializedMessage& message, s
   if (!by_bytes_.is(message.buf.get())) {
     const std::size_t length_prefix = 4;
     const boost::shared_ptr<void const> owner(message.buf.get(), [keep = message.buf](const void*) {});
-    by_bytes_.start(owner, whole_record(message.buf.get() + length_prefix, message.num_bytes - length_prefix),
-                    links);
+    const auto whole = [&] {
+      return whole_record(message.buf.get() + length_prefix, message.num_bytes - length_prefix);
+    };
+    by_bytes_.start(owner, unless_out_of_memory(whole), links);
   }
   return by_bytes_.take();
 }

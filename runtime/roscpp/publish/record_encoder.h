@@ -43,7 +43,8 @@ class RecordEncoder {
   OutgoingMessage of_pointer(const ros::SerializedMessage& message, std::size_t links, Number number) {
     if (!by_pointer_.is(message.message.get())) {
       const std::uint32_t sequence = number();
-      by_pointer_.start(message.message, encode(message, sequence), links);
+      by_pointer_.start(message.message, unless_out_of_memory([&] { return encode(message, sequence); }),
+                        links);
     }
     return by_pointer_.take();
   }
@@ -79,6 +80,8 @@ class RecordEncoder {
         dropped{0}, control_bytes{0};
   };
 
+  /// What `make` returns; nothing, with a warning, when the process's own memory does not suffice for it either.
+  OutgoingMessage unless_out_of_memory(const std::function<OutgoingMessage()>& make);
   OutgoingMessage encode(const ros::SerializedMessage& message, std::uint32_t sequence);
   /// Empty, and nothing is counted, when the message fits no record.
   OutgoingMessage control_record(const MessageCodec& codec, message::Encoded& encoded,
