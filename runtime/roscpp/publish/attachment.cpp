@@ -95,6 +95,10 @@ bool Attachment::publish_by_reference(const std::type_info& type,
   publish();
   return true;
 }
+void Attachment::publish_numbered(const std::type_info& type, message::Encoded& encoded,
+                                  const std::function<void()>& publish) {
+  endpoint_->publish_numbered(type, encoded, publish);
+}
 bool Attachment::publish_directly(const std::type_info& type, message::Encoded& encoded) {
   return endpoint_->publish_directly(type, encoded);
 }

@@ -222,6 +222,31 @@ bool PublicationEndpoint::has_local_writers(const std::type_info& type) const {
   return publication && codec && detail::has_local_writers(*publication, *codec);
 }
 
+void PublicationEndpoint::publish_numbered(const std::type_info& type, message::Encoded& encoded,
+                                           const std::function<void()>& publish) {
+  // No other thread publishes on the topic until this one has.
+  const boost::recursive_mutex::scoped_lock lock(
+      access::advertised_topics_mutex_(*ros::TopicManager::instance()));
+  const ros::PublicationPtr publication = publication_.lock();
+  if (!publication || !publication->hasSubscribers()) return publish();
+  {
+    const PublicationLock publication_lock(*publication);
+    stream_.records().number(type, encoded, stream_.foresee_number(publication_lock.queued()));
+  }
+  const bool is_counted = numbers_by_pointer(*publication, type);
+  publish();
+  if (!is_counted) publication->incrementSequence();
+}
+
+// roscpp numbers what it serializes, and the first SharedLink what it sends. A message that only callbacks of this
+// process get would have been serialized for them.
+bool PublicationEndpoint::numbers_by_pointer(ros::Publication& publication,
+                                             const std::type_info& type) const {
+  bool serializes = false, by_pointer = false;
+  publication.getPublishTypes(serializes, by_pointer, type);
+  return serializes || publication.isLatched() || stream_.links() > 0;
+}
+
 bool PublicationEndpoint::publish_directly(const std::type_info& type, message::Encoded& encoded) {
   const ros::PublicationPtr publication = publication_.lock();
   if (!publication || publication->isLatched() || !RecordEncoder::fits(encoded)) return false;

@@ -52,6 +52,11 @@ class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpo
   /// waits in its queue.
   bool publish_directly(const std::type_info& type, message::Encoded& encoded);
 
+  /// Writes the number into an encoded message of a known type that roscpp gives what is published by reference, and calls
+  /// `publish`, which publishes a view of it by pointer.
+  void publish_numbered(const std::type_info& type, message::Encoded& encoded,
+                        const std::function<void()>& publish);
+
   /// roscpp's connect callback: offers shared memory to the subscriber.
   void on_connect(const ros::SingleSubscriberPublisher& subscriber);
   /// A subscriber of that name requests an offer.
@@ -62,6 +67,8 @@ class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpo
 
   PublicationEndpoint(const ros::PublicationPtr& publication, std::shared_ptr<SegmentMemory> memory,
                       OnExhausted on_exhausted, Worker& worker, PeerPool& peers);
+  /// Whether a message of that type that is published by pointer advances the topic's sequence number.
+  bool numbers_by_pointer(ros::Publication& publication, const std::type_info& type) const;
   bool is_listening();
   bool listen(std::size_t queue_size);
   bool authorizes(const channel::Credentials& peer, const std::string& token);

@@ -43,6 +43,10 @@ class PublicationStream {
   OutgoingMessage of_encoded(const std::type_info& type, message::Encoded& encoded);
   /// @}
 
+  /// Returns the number that the message will get that is published next; the caller holds advertised_topics_mutex_ until
+  /// then, and a PublicationLock now.
+  /// @param queued number of messages in roscpp's queue
+  std::uint32_t foresee_number(std::size_t queued);
   /// roscpp has numbered a message and passes it to the links as bytes.
   void saw_serialized(const ros::SerializedMessage& message);
   /// Sets the number of links that take what is published. With the first one the stream begins to follow

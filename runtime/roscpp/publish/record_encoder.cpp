@@ -97,6 +97,11 @@ bool RecordEncoder::fits(const message::Encoded& encoded) {
   return encoded.buffers.size() <= kMostBlocks && encoded.control.size() <= kMostControlBytes;
 }
 
+void RecordEncoder::number(const std::type_info& type, message::Encoded& encoded,
+                           std::uint32_t sequence) const {
+  if (find(type)->has_header) write_sequence(encoded.control.data(), encoded.control.size(), sequence);
+}
+
 OutgoingMessage RecordEncoder::too_scattered(const MessageCodec& codec, const void* message,
                                              std::uint32_t sequence, std::size_t blocks) {
   TZC_WARN_THROTTLED_FOR(

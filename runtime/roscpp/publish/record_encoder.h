@@ -56,6 +56,8 @@ class RecordEncoder {
   /// Whether a record can hold the message's block references and control part; otherwise the message must be
   /// serialized.
   static bool fits(const message::Encoded& encoded);
+  /// Writes a sequence number into an encoded message, if the topic's messages have one.
+  void number(const std::type_info& type, message::Encoded& encoded, std::uint32_t sequence) const;
   /// The record of a message that roscpp has serialized and numbered.
   OutgoingMessage of_bytes(const ros::SerializedMessage& message, std::size_t links);
 

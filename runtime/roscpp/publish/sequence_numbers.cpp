@@ -9,6 +9,9 @@ namespace {
 
 constexpr const void* kNumberedAlready = nullptr;
 
+/// More than roscpp can have taken from its queue and not numbered yet.
+constexpr std::uint32_t kMostInFlight = 1 << 20;
+
 bool is_queued(const void* message) {
   return message != kNumberedAlready;
 }
@@ -16,10 +19,18 @@ bool is_queued(const void* message) {
 }  // namespace
 
 SequenceNumbers::Taken SequenceNumbers::take(const void* queued, std::uint32_t count) {
-  const auto number = static_cast<std::uint32_t>(count + waiting_.size());
+  const std::uint32_t number = next(count);
   const bool counts_now = !queued && waiting_.empty();
   if (!counts_now) waiting_.push_back(queued ? queued : kNumberedAlready);
   return Taken{number, counts_now};
+}
+
+std::uint32_t SequenceNumbers::foresee(std::uint32_t count, std::size_t queued) {
+  const auto counted = static_cast<std::uint32_t>(count + queued);
+  const std::uint32_t following = foreseen_ ? *foreseen_ + 1 : counted;
+  const bool is_in_flight = following - counted <= kMostInFlight;
+  foreseen_ = is_in_flight ? following : counted;
+  return *foreseen_;
 }
 
 std::size_t SequenceNumbers::numbered(const void* bytes) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
 namespace tzc {
@@ -28,6 +29,16 @@ class SequenceNumbers {
   /// @param count roscpp's own count
   Taken take(const void* queued, std::uint32_t count);
 
+  /// Returns the number that take() would return.
+  std::uint32_t next(std::uint32_t count) const {
+    return static_cast<std::uint32_t>(count + waiting_.size());
+  }
+
+  /// The same for a topic whose queue nobody follows, so that roscpp's count tells less: roscpp may just be numbering
+  /// messages that it took from its queue.
+  /// @param queued number of messages in roscpp's queue
+  std::uint32_t foresee(std::uint32_t count, std::size_t queued);
+
   /// roscpp has taken these bytes from its queue and numbered them.
   /// @return by how much roscpp must advance its count
   std::size_t numbered(const void* bytes);
@@ -45,6 +56,7 @@ class SequenceNumbers {
   /// Messages in roscpp's queue, as bytes, oldest first, and between them a null for each message that was
   /// sent with a number.
   std::deque<const void*> waiting_;
+  std::optional<std::uint32_t> foreseen_;  ///< what foresee() returned last
 };
 
 }  // namespace detail

@@ -100,6 +100,47 @@ class Numbering(TopicCase):
             self.assert_seq_as_tcpros(listener)
 
 
+class NumbersInOneProcess(TopicCase):
+    """header.seq of images that a callback of the publisher's own process reads, and of those that go out beside them."""
+    tries = 0
+
+    def numbers_of(self, others, **parameters):
+        """What the own callback and the other listeners got, as [seq, ...] each."""
+        NumbersInOneProcess.tries += 1
+        topic = f"image{self.tries}"
+        remaps = (f"image:={topic}",)
+        listeners = [self.listen(mode, name=f"{mode}{self.tries}", topic=topic, remaps=remaps, queue=1000) for mode in others]
+        node = self.node("own_reader", f"own{self.tries}", dict(parameters, subscribers=1 + len(others)), remaps)
+        self.assertEqual(node.wait(30), 0, node.tail())
+        own = Listener(node)
+        for listener in (own, *listeners):
+            self.assert_got(listener, range(50))
+        return [[message["seq"] for message in listener.messages()] for listener in (own, *listeners)]
+
+    def assert_as_plain(self, others=(), **parameters):
+        plain = self.numbers_of(others, **parameters)
+        ported = self.numbers_of(others, ported=True, shared=others.count("pointer"), **parameters)
+        self.assertEqual(ported, plain)
+        return plain
+
+    def test_by_reference_roscpp_numbers_for_its_own_process_too(self):
+        self.assertEqual(self.assert_as_plain(), [list(range(50))])
+        self.assert_as_plain(writer=True)
+
+    def test_by_reference_beside_other_processes(self):
+        for others in (("plain",), ("pointer",), ("plain", "pointer")):
+            self.assertEqual(self.assert_as_plain(others), [list(range(50))] * (1 + len(others)), others)
+
+    def test_by_pointer_the_own_process_gets_what_the_program_wrote(self):
+        own, other = self.assert_as_plain(("pointer",), pointer=True)
+        self.assertEqual((own[0], other), (7000000, list(range(50))))
+
+    def test_image_transport(self):
+        self.assertEqual(self.assert_as_plain(library="image_transport"), [list(range(50))])
+        self.assert_as_plain(("plain", "pointer"), library="image_transport")
+        self.assert_as_plain(library="image_transport", pointer=True)
+
+
 class Statistics(TopicCase):
     def setUp(self):
         super().setUp()

@@ -55,12 +55,12 @@ class Publisher : public detail::ImagePublisherBase<::image_transport::Publisher
   void publish(const ::sensor_msgs::ImageConstPtr& message) const { publisher_.publish(message); }
   void publish(const ::sensor_msgs::Image& message) const {
     if (!publish_by_reference<::sensor_msgs::Image>([&] { publisher_.publish(message); }))
-      publish_twin(message);
+      publish_twin(message, ByReference::yes);
   }
   /// A tzc::sensor_msgs::Image, by reference or pointer.
   template <class M>
   void publish(const M& message) const {
-    publish_twin(message);
+    publish_twin(message, ByReference::yes);
   }
   template <class M>
   void publish(const boost::shared_ptr<M>& message) const {
@@ -70,15 +70,15 @@ class Publisher : public detail::ImagePublisherBase<::image_transport::Publisher
  private:
   /// Without subscribers it copies and converts nothing, as the library's plugins do.
   template <class M>
-  void publish_twin(const M& message) const {
+  void publish_twin(const M& message, ByReference how) const {
     if (publisher_.getNumSubscribers() == 0) return;
     ::tzc::detail::publish_as_stock(
-        attachment_.get(), message,
+        attachment_.get(), message, how,
         [this](const ::sensor_msgs::ImageConstPtr& view) { publisher_.publish(view); });
   }
   template <class M>
   void publish_pointer(const boost::shared_ptr<M>& message) const {
-    publish_twin(*message);
+    publish_twin(*message, ByReference::no);
   }
   void publish_pointer(const ::sensor_msgs::ImagePtr& message) const { publisher_.publish(message); }
 };
@@ -96,12 +96,13 @@ class CameraPublisher : public detail::ImagePublisherBase<::image_transport::Cam
   }
   void publish(const ::sensor_msgs::Image& image, const ::sensor_msgs::CameraInfo& info) const {
     if (!publish_by_reference<::sensor_msgs::Image>([&] { publisher_.publish(image, info); }))
-      publish_image(image, boost::make_shared<::sensor_msgs::CameraInfo>(info));
+      publish_image(image, boost::make_shared<::sensor_msgs::CameraInfo>(info), ByReference::yes);
   }
   /// Image and info by reference; either may be its tzc:: type.
   template <class Image, class Info>
   void publish(const Image& image, const Info& info) const {
-    publish_image(image, boost::make_shared<::sensor_msgs::CameraInfo>(message::to_stock(info)));
+    publish_image(image, boost::make_shared<::sensor_msgs::CameraInfo>(message::to_stock(info)),
+                  ByReference::yes);
   }
   /// A tzc::sensor_msgs::Image by pointer, with the camera info by pointer.
   template <class Image, class Info>
@@ -118,15 +119,16 @@ class CameraPublisher : public detail::ImagePublisherBase<::image_transport::Cam
 
  private:
   template <class Image>
-  void publish_image(const Image& image, const ::sensor_msgs::CameraInfoConstPtr& info) const {
-    ::tzc::detail::publish_as_stock(attachment_.get(), image, [&](const ::sensor_msgs::ImageConstPtr& view) {
-      publisher_.publish(view, info);
-    });
+  void publish_image(const Image& image, const ::sensor_msgs::CameraInfoConstPtr& info,
+                     ByReference how) const {
+    ::tzc::detail::publish_as_stock(
+        attachment_.get(), image, how,
+        [&](const ::sensor_msgs::ImageConstPtr& view) { publisher_.publish(view, info); });
   }
   template <class Image>
   void publish_image_pointer(const boost::shared_ptr<Image>& image,
                              const ::sensor_msgs::CameraInfoConstPtr& info) const {
-    publish_image(*image, info);
+    publish_image(*image, info, ByReference::no);
   }
   void publish_image_pointer(const ::sensor_msgs::ImagePtr& image,
                              const ::sensor_msgs::CameraInfoConstPtr& info) const {

@@ -28,7 +28,7 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
   /// one gets fresh memory.
   template <class M>
   void publish(const M& message) const {
-    publish_value(message, message::HasPartialForm<M>());
+    publish_value(message, ByReference::yes, message::HasPartialForm<M>());
   }
   /// The same by pointer. As with ros::Publisher the message must not be changed afterwards: subscribers in
   /// this process get the object itself (a stock message) or a view of it (a tzc:: message).
@@ -51,18 +51,18 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
   using IsGenerated = std::integral_constant<bool, message::IsTwin<M>::value && !IsForeign<M>::value>;
 
   template <class M>
-  void publish_value(const M& message, std::true_type) const {
-    if (!publish_by_reference<Stock<M>>([&] { publish_plainly(message); })) publish_shared(message);
+  void publish_value(const M& message, ByReference how, std::true_type) const {
+    if (!publish_by_reference<Stock<M>>([&] { publish_plainly(message); })) publish_shared(message, how);
   }
   /// roscpp serializes it, also for subscribers on shared memory.
   template <class M>
-  void publish_value(const M& message, std::false_type) const {
+  void publish_value(const M& message, ByReference, std::false_type) const {
     publish_plainly(message);
   }
 
   template <class M>
   void publish_pointer(const boost::shared_ptr<M>& message, std::true_type) const {
-    publish(*message);
+    publish_value(*message, ByReference::no, message::HasPartialForm<M>());
   }
   template <class M>
   void publish_pointer(const boost::shared_ptr<M>& message, std::false_type) const {
@@ -90,14 +90,13 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
   void introduce(std::false_type) const {}
 
   template <class M>
-  void publish_shared(const M& message) const {
+  void publish_shared(const M& message, ByReference how) const {
     detail::SharedMessage<M> shared;
     if (!publisher_) return publisher_.publish(message);  // logs the error
     if (!shared.encode(message, attachment_->memory())) return publish_exhausted(message);
     if (attachment_->publish_directly(typeid(Stock<M>), shared.encoded)) return;
-    if (!shared.make_local_view(*attachment_, message)) return publish_exhausted(message);
-    const detail::EncodedScope scope(shared.view.get(), shared.encoded);
-    publish_plainly(shared.view);
+    const auto publish = [&](const boost::shared_ptr<const Stock<M>>& view) { publish_plainly(view); };
+    if (!shared.publish_view(*attachment_, message, how, publish)) publish_exhausted(message);
   }
 
   template <class M>

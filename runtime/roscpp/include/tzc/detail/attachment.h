@@ -51,6 +51,10 @@ class Attachment {
   /// this type by pointer it does nothing and returns false. No subscriber begins to take pointers during the
   /// call, so the message keeps its place before later ones that go by pointer.
   bool publish_by_reference(const std::type_info& type, const std::function<void()>& publish) const;
+  /// Calls `publish`, which publishes a view of an encoded message by pointer, in place of the program's publish by
+  /// reference: roscpp's next number stands in the message before, as in what subscribers would get from roscpp.
+  void publish_numbered(const std::type_info& type, message::Encoded& encoded,
+                        const std::function<void()>& publish);
   /// Hot path: sends an encoded message to its subscribers past roscpp, if all of them take shared memory and
   /// the topic is not latched. False: it did nothing, publish through roscpp.
   bool publish_directly(const std::type_info& type, message::Encoded& encoded);

@@ -94,6 +94,8 @@ class PublisherBase {
   const Stock& stock() const { return publisher_; }
 
  protected:
+  typedef detail::ByReference ByReference;
+
   /// Calls `publish`, which publishes a message of roscpp type M by reference, and returns true. When a
   /// subscriber takes such messages by pointer it does nothing and returns false.
   template <class M, class Publish>

@@ -10,6 +10,10 @@
 namespace tzc {
 namespace detail {
 
+/// How the program publishes a message. roscpp writes the topic's sequence number into what it gets by reference, for
+/// subscribers of the same process, too, and into what it gets by pointer only on the wire.
+enum class ByReference { no, yes };
+
 /// A message that is being published: its partial form, and the stock message over the same shared bytes that
 /// roscpp and subscribers of this process see.
 template <class M>
@@ -25,28 +29,44 @@ struct SharedMessage {
     view = message::stock_view(message, encoded);
     return view != nullptr;
   }
-  /// The same for subscribers of this process: `view` is a private copy when one of them may write to it.
-  bool make_local_view(const Attachment& attachment, const M& message) {
-    if (!attachment.has_local_writers(typeid(Stock))) return make_view(message);
-    view = message::stock_copy(message, encoded);
+  /// Calls `publish` with the view for roscpp and the subscribers of this process, a private copy when one of them may write
+  /// to it; call encode first. False: it did nothing, since no view is possible, which does not happen for a valid
+  /// message.
+  template <class Publish>
+  bool publish_view(Attachment& attachment, const M& message, ByReference how, const Publish& publish) {
+    const auto publish_it = [&] {
+      if (!make_local_view(attachment, message)) return;
+      const EncodedScope scope(view.get(), encoded);
+      publish(view);
+    };
+    if (how == ByReference::no)
+      publish_it();
+    else
+      attachment.publish_numbered(typeid(Stock), encoded, publish_it);
     return view != nullptr;
   }
 
   message::Encoded encoded;
   boost::shared_ptr<const Stock> view;
+
+ private:
+  bool make_local_view(const Attachment& attachment, const M& message) {
+    if (!attachment.has_local_writers(typeid(Stock))) return make_view(message);
+    view = message::stock_copy(message, encoded);
+    return view != nullptr;
+  }
 };
 
 /// Publishes a message through a publisher that takes only stock pointers: over shared memory if there is
 /// any, otherwise as a stock message on the heap.
 /// @param publish called once with the pointer, or not at all when the message was dropped
 template <class M, class Publish>
-void publish_as_stock(Attachment* attachment, const M& message, Publish publish) {
+void publish_as_stock(Attachment* attachment, const M& message, ByReference how, Publish publish) {
   typedef typename message::StockOf<M>::type Stock;
   SharedMessage<M> shared;
   if (attachment && shared.encode(message, attachment->memory()) &&
-      shared.make_local_view(*attachment, message)) {
-    const EncodedScope scope(shared.view.get(), shared.encoded);
-    publish(shared.view);
+      shared.publish_view(*attachment, message, how, publish)) {
+    return;
   } else if (!attachment || attachment->delivers_exhausted()) {
     publish(boost::shared_ptr<const Stock>(boost::make_shared<Stock>(message::to_stock(message))));
   } else {
