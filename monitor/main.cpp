@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -81,12 +83,19 @@ int explain_why(const Options& options) {
 
 int join_traces(const Options& options) {
   TraceJoin join(std::cout);
+  bool is_readable = true;
   for (const std::string& name : options.traces) {
     std::ifstream file(name);
-    join.add(file, name);
+    if (file) {
+      join.add(file, name);
+      continue;
+    }
+    fmt::print(stderr, "tzc-monitor: cannot read {}: {}\n", name, std::strerror(errno));
+    is_readable = false;
   }
   const bool has_events = join.finish();
   for (const std::string& trouble : join.troubles()) fmt::print(stderr, "tzc-monitor: {}\n", trouble);
+  if (!is_readable) return wrong_usage;
   return has_events ? found : nothing_found;
 }
 

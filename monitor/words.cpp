@@ -19,6 +19,8 @@ constexpr Advice advices[] = {
     {"has not attached",
      "It subscribes by nh.subscribe: use tzc::subscribe or tzc::attach there. Or TZC is switched off there: "
      "rosparam get NODE/tzc, TZC_DISABLE."},
+    {"disable_topics names this topic",
+     "Take the topic from that parameter, or from TZC_DISABLE_TOPICS, to share it."},
     {"another machine or network namespace", "Containers need --network=host to share memory."},
     {"another user", "Run both nodes as the same user, also inside containers."},
     {"not an offer of this version", "Use one release of TZC for all nodes of the machine."},

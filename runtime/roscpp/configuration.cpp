@@ -6,9 +6,13 @@
 #include <tzc/process_memory.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <cstddef>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 #include "roscpp/roscpp_version.h"
@@ -19,6 +23,9 @@ namespace detail {
 namespace {
 
 using XmlRpc::XmlRpcValue;
+
+/// In bytes. What is more was a negative number before its conversion.
+constexpr std::size_t kMostMemory = std::numeric_limits<std::ptrdiff_t>::max();
 
 /// Whole numbers as such: one beyond 2^31, which XMLRPC's integers cannot hold, comes as a double.
 std::string to_text(double number) {
@@ -40,19 +47,37 @@ std::string to_text(XmlRpcValue& value) {
   return text.str();
 }
 
-SettingTexts read_texts() {
+void read_environment(SettingTexts& texts) {
+  std::map<std::string, std::string> settings;  // by the environment's name
+  for (const std::string& name : setting_names()) settings[environment_name(name)] = name;
+  for (char** variable = environ; variable && *variable; ++variable) {
+    const std::string text = *variable;
+    const std::string name = text.substr(0, text.find('='));
+    if (name.compare(0, 4, "TZC_") != 0) continue;
+    if (const auto setting = settings.find(name); setting != settings.end())
+      texts.environment[setting->second] = text.substr(std::min(name.size() + 1, text.size()));
+    else
+      texts.other_variables.push_back(name);
+  }
+}
+
+SettingTexts read_texts(std::vector<std::string>& warnings) {
   SettingTexts texts;
+  read_environment(texts);
   XmlRpcValue parameters;
-  if (ros::param::get("~tzc", parameters) && parameters.getType() == XmlRpcValue::TypeStruct)
+  if (!ros::param::get("~tzc", parameters)) return texts;
+  if (parameters.getType() == XmlRpcValue::TypeStruct)
     for (auto& parameter : parameters) texts.parameters[parameter.first] = to_text(parameter.second);
-  for (const std::string& name : setting_names())
-    if (const char* text = std::getenv(environment_name(name).c_str())) texts.environment[name] = text;
+  else
+    warnings.push_back("~tzc is '" + to_text(parameters) +
+                       "' and is ignored: TZC's parameters lie below it, as in ~tzc/memory_size");
   return texts;
 }
 
 Settings read_settings() {
   std::vector<std::string> warnings;
-  const Settings settings = parse_settings(read_texts(), warnings);
+  const SettingTexts texts = read_texts(warnings);
+  const Settings settings = parse_settings(texts, warnings);
   for (const std::string& warning : warnings)
     ROS_WARN_STREAM("TZC: " << warning << " (share/doc/tzc/configuration.md)");
   if (settings.memory_ceiling.value_or(0) != 0) set_memory_ceiling(*settings.memory_ceiling);
@@ -86,8 +111,13 @@ bool has_statistics_page() {
   return settings().statistics_page;
 }
 
-PublisherOptions configured(const PublisherOptions& in_code) {
-  return overridden(in_code, settings());
+PublisherOptions configured(const PublisherOptions& in_code, const std::string& topic) {
+  PublisherOptions options = overridden(in_code, settings());
+  if (options.memory_size <= kMostMemory) return options;
+  ROS_WARN_STREAM("TZC: " << topic << ": a memory size of " << options.memory_size
+                          << " bytes cannot be meant (is it a negative number?); the memory sizes itself");
+  options.memory_size = 0;
+  return options;
 }
 
 }  // namespace detail

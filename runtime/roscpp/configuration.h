@@ -15,8 +15,8 @@ bool is_enabled(const std::string& topic);
 /// Whether this resolved topic alone is turned off in this node (`disable_topics`). Thread-safe.
 bool is_left_out(const std::string& topic);
 
-/// The code's options, overridden by environment and ROS parameters (docs/configuration.md).
-PublisherOptions configured(const PublisherOptions& in_code);
+/// The code's options for a topic, overridden by environment and ROS parameters (docs/configuration.md).
+PublisherOptions configured(const PublisherOptions& in_code, const std::string& topic);
 
 /// Whether code of this node may write to messages that it receives (channel::SubscriberOptions::private_writes).
 bool private_writes();

@@ -96,12 +96,19 @@ void read_switch(const Entry& entry, bool& setting) {
   setting = given.value_or(setting);
 }
 
-/// Blanks and commas are no part of a topic's name.
+/// Blanks and commas are no part of a topic's name. Nobody knows here which namespace a relative one is meant in.
 void read_topics(const Entry& entry, Settings& settings) {
   std::string list = entry.text;
   std::replace(list.begin(), list.end(), ',', ' ');
   std::istringstream stream(list);
-  for (std::string topic; stream >> topic;) settings.disable_topics.insert(topic);
+  for (std::string topic; stream >> topic;) {
+    if (topic[0] == '/')
+      settings.disable_topics.insert(topic);
+    else
+      entry.warnings.push_back(
+          entry.place + " names the topic '" + topic +
+          "', which is ignored: write the resolved name, with a slash in front, as rostopic list shows it");
+  }
 }
 
 void read_policy_attempts(const Entry& entry, Settings& settings) {
@@ -169,6 +176,22 @@ void warn_of_unknown(const Texts& parameters, std::vector<std::string>& warnings
                          did_you_mean(parameter.first, known, "~tzc/"));
 }
 
+/// Variables that libraries read by themselves.
+constexpr const char* kOtherVariables[] = {"TZC_GUARD", "TZC_GUARD_QUARANTINE", "TZC_STATISTICS",
+                                           "TZC_TRACE"};
+
+/// Others may have variables of their own that begin with TZC_: only what looks like a slip is told.
+void warn_of_slips(const std::vector<std::string>& variables, std::vector<std::string>& warnings) {
+  std::vector<std::string> known(std::begin(kOtherVariables), std::end(kOtherVariables));
+  for (const std::string& name : setting_names()) known.push_back(environment_name(name));
+  for (const std::string& variable : variables) {
+    const std::string hint = did_you_mean(variable, known);
+    if (!hint.empty() && std::find(known.begin(), known.end(), variable) == known.end())
+      warnings.push_back("the environment's " + variable + " is none of TZC's variables and is ignored" +
+                         hint);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> setting_names() {
@@ -190,6 +213,7 @@ Settings parse_settings(const SettingTexts& texts, std::vector<std::string>& war
   Settings settings;
   for (const Setting& setting : kSettings) read_setting(texts, setting, settings, warnings);
   warn_of_unknown(texts.parameters, warnings);
+  warn_of_slips(texts.other_variables, warnings);
   return settings;
 }
 

@@ -33,6 +33,7 @@ struct Settings {
 struct SettingTexts {
   std::map<std::string, std::string> parameters;
   std::map<std::string, std::string> environment;
+  std::vector<std::string> other_variables;  ///< further variables of the environment that begin with TZC_
 };
 
 /// The environment's variable of each setting, old names included: TZC_MEMORY_SIZE for "memory_size".
@@ -40,7 +41,7 @@ std::vector<std::string> setting_names();
 std::string environment_name(const std::string& setting);
 
 /// A parameter overrides the environment. A text that cannot be parsed is ignored; each such text, each
-/// unknown parameter, and each old name adds a line to `warnings`. Pure.
+/// unknown parameter, each variable whose name is almost a setting's, and each old name adds a line to `warnings`. Pure.
 Settings parse_settings(const SettingTexts& texts, std::vector<std::string>& warnings);
 
 /// The code's options, overridden by the settings. A policy other than the code's gets that policy's default

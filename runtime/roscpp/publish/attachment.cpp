@@ -45,8 +45,8 @@ std::shared_ptr<Attachment> Attachment::create(ros::NodeHandle& node, const ros:
     return nullptr;
   }
   std::shared_ptr<Attachment> attachment(new Attachment);
-  attachment->endpoint_ =
-      PublicationEndpoint::of(publication, configured(publisher_options), runtime().worker, runtime().peers);
+  attachment->endpoint_ = PublicationEndpoint::of(publication, configured(publisher_options, topic),
+                                                  runtime().worker, runtime().peers);
   if (!attachment->endpoint_) return nullptr;
   attachment->has_header_ = roscpp_access::has_header_(*publication);
   attachment->add_codec(codec);

@@ -31,7 +31,7 @@ class PlainAttachment {
     const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic_);
     if (!publication) return nullptr;
     const std::shared_ptr<PublicationEndpoint> endpoint = PublicationEndpoint::of(
-        publication, configured(PublisherOptions()), runtime().worker, runtime().peers);
+        publication, configured(PublisherOptions(), topic_), runtime().worker, runtime().peers);
     if (endpoint) endpoint->records().add_codec(codec_);
     return endpoint;
   }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "roscpp/publish/statistics_file.h"
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sstream>
+
+#include "roscpp/throttled_warning.h"
 
 namespace tzc {
 namespace detail {
@@ -17,7 +21,11 @@ void append_statistics(const std::string& topic, const PublisherStatistics& stat
        << ", \"copied_bytes\": " << statistics.copied_bytes
        << ", \"control_bytes\": " << statistics.control_bytes << ", \"exhausted\": " << statistics.exhausted
        << ", \"dropped\": " << statistics.dropped << ", \"revoked\": " << statistics.revoked << "}\n";
-  std::ofstream(path, std::ios::app) << line.str() << std::flush;
+  std::ofstream file(path, std::ios::app);
+  file << line.str() << std::flush;
+  if (!file)
+    TZC_WARN_THROTTLED(60, "TZC: the statistics of " << topic << " cannot be appended to TZC_STATISTICS="
+                                                     << path << ": " << std::strerror(errno));
 }
 
 }  // namespace detail

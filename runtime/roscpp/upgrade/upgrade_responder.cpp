@@ -103,7 +103,9 @@ std::string UpgradeResponder::reason_to_refuse(const Offer& offer) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (foreign_uids_.erase(offer.token) != 0) return "the publisher is a process of another user";
   const auto found = topics_.find(offer.topic);
-  if (found == topics_.end()) return "this node has not attached " + offer.topic;
+  if (found == topics_.end())
+    return is_left_out(offer.topic) ? "the subscriber's ~tzc/disable_topics names this topic"
+                                    : "this node has not attached " + offer.topic;
   const bool fits = std::any_of(found->second.begin(), found->second.end(),
                                 [&](const MessageCodec& codec) { return codec.md5sum == offer.md5sum; });
   return fits ? std::string() : "this node expects another message type on " + offer.topic;

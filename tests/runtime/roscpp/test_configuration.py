@@ -224,6 +224,19 @@ class Mistakes(Configuration):
                       ("~tzc/tries is now called ~tzc/upgrade_attempts",)):
             self.assertTrue(any(all(word in line for word in words) for line in warnings), words)
 
+    def test_sizes_and_places_that_cannot_be_meant_are_said(self):
+        self.ros.master.setParam("/tzc_test", self.name("talker/tzc"), "64M")
+        listener = self.listen()
+        talker = self.start_talker(count=20, memory=-1, env={"TZC_STATISTICS": "/nowhere/at_all", "TZC_MEMROY_SIZE": "64M"})
+        self.assertEqual(talker.wait(60), 0, talker.tail())
+        self.assert_got(listener, range(20), shared=True)
+        warnings = self.warnings(talker)
+        self.assertEqual(len(warnings), 4, talker.log())
+        for words in (("~tzc is '64M'", "~tzc/memory_size"), ("TZC_MEMROY_SIZE", "did you mean TZC_MEMORY_SIZE?"),
+                      (self.name("image"), "18446744073709551615 bytes cannot be meant"),
+                      ("TZC_STATISTICS=/nowhere/at_all", "No such file or directory")):
+            self.assertTrue(any(all(word in line for word in words) for line in warnings), (words, warnings))
+
     def test_a_size_with_a_suffix(self):
         listener = self.listen()
         counters = self.talk(count=20, bytes=100000, memory=50000, **{"tzc/memory_size": "4M"})

@@ -226,7 +226,16 @@ class Monitor(MonitorCase):
                             "the topic that is switched off")
         _, why, _ = self.monitor("--why", self.name("plain"), self.name("depth"))
         self.assertEqual(why, f"{self.name('talker')} sends {self.name('depth')} to {self.name('plain')} over TCPROS: "
-                              "the publisher's ~tzc/disable_topics names this topic.\n")
+                              "the publisher's ~tzc/disable_topics names this topic. "
+                              "Take the topic from that parameter, or from TZC_DISABLE_TOPICS, to share it.\n")
+        self.finish(talker)
+
+    def test_a_topic_that_the_subscriber_switched_off_says_so(self):
+        self.listen(name="viewer", **{"tzc/disable_topics": self.name("image")})
+        talker = self.start_talker(count=0, rate=50, shared=0)
+        self.ros.wait_until(
+            lambda: "the subscriber's ~tzc/disable_topics names" in self.monitor("--why", self.name("viewer"), self.name("image"))[1],
+            20, "the reason")
         self.finish(talker)
 
 

@@ -19,7 +19,7 @@ struct Parsed {
 Parsed parse(std::map<std::string, std::string> parameters,
              std::map<std::string, std::string> environment = {}) {
   Parsed parsed;
-  parsed.settings = parse_settings({std::move(parameters), std::move(environment)}, parsed.warnings);
+  parsed.settings = parse_settings({std::move(parameters), std::move(environment), {}}, parsed.warnings);
   return parsed;
 }
 
@@ -122,6 +122,25 @@ TEST(Settings, a_wrong_word_names_the_valid_ones) {
   EXPECT_TRUE(has(warning("upgrade_attempts", "ten"), "must be a whole number"));
   EXPECT_EQ(parse({{"upgrade_attempts", "-3"}}).settings.upgrade_attempts, 10);
   EXPECT_FALSE(parse({{"policy_attempts", "few"}}).settings.policy_attempts);
+}
+
+TEST(Settings, a_topic_that_is_no_resolved_name_is_said_and_ignored) {
+  const Parsed parsed = parse({{"disable_topics", "/a image"}});
+  EXPECT_EQ(parsed.settings.disable_topics, (std::set<std::string>{"/a"}));
+  ASSERT_EQ(parsed.warnings.size(), 1u);
+  EXPECT_TRUE(has(parsed.warnings.front(), "~tzc/disable_topics names the topic 'image'"));
+}
+
+TEST(Settings, a_variable_that_looks_like_a_slip_is_said) {
+  std::vector<std::string> warnings;
+  SettingTexts texts;
+  texts.other_variables = {"TZC_MEMROY_SIZE", "TZC_GARD",       "TZC_GUARD",
+                           "TZC_TRACE",       "TZC_ROBOT_NAME", "TZC_RUN"};
+  parse_settings(texts, warnings);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_TRUE(has(warnings[0], "TZC_MEMROY_SIZE")) << warnings[0];
+  EXPECT_TRUE(has(warnings[0], "did you mean TZC_MEMORY_SIZE?")) << warnings[0];
+  EXPECT_TRUE(has(warnings[1], "did you mean TZC_GUARD?")) << warnings[1];
 }
 
 TEST(Settings, a_variable_is_named_as_one) {
