@@ -6,6 +6,7 @@ import sys
 import tempfile
 import types
 import unittest
+import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../scripts/lib"))
 from port_packages.command import run  # noqa: E402
@@ -33,6 +34,20 @@ class Folder(unittest.TestCase):
 
     def package(self, folder, needs="", tool="catkin"):
         self.put(f"{folder}/package.xml", MANIFEST.format(os.path.basename(folder), tool, needs))
+
+
+class Inputs(unittest.TestCase):
+    def test_each_repository_has_a_launch_file_and_arguments_that_name_it(self):
+        folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "inputs")
+        names = sorted(name[:-len(".args")] for name in os.listdir(folder) if name.endswith(".args"))
+        self.assertGreaterEqual(len(names), 10)
+        self.assertEqual(names, sorted(name[:-len(".launch")] for name in os.listdir(folder) if name.endswith(".launch")))
+        for name in names:
+            with open(os.path.join(folder, f"{name}.args")) as file:
+                words = file.read().splitlines()
+            self.assertEqual(words[:4], ["--launch", f"{{inputs}}/{name}.launch", "--bag", "{inputs}/drive.bag"])
+            nodes = ElementTree.parse(os.path.join(folder, f"{name}.launch")).getroot().iter("node")
+            self.assertTrue(all({"name", "pkg", "type"} <= set(node.keys()) for node in nodes), name)
 
 
 class Packages(Folder):

@@ -67,6 +67,7 @@ class Array {
   T& operator[](std::size_t i) { return v_[i]; }
   const T& operator[](std::size_t i) const { return v_[i]; }
   T& at(std::size_t i) { return v_.at(i); }
+  const T& at(std::size_t i) const { return v_.at(i); }
   T& front() { return v_.front(); }
   const T& front() const { return v_.front(); }
   T& back() { return v_.back(); }
