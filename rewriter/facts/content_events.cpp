@@ -6,6 +6,7 @@
 #include <set>
 
 #include "facts/calls.h"
+#include "facts/decided_branches.h"
 #include "facts/message_parts.h"
 #include "facts/message_type.h"
 #include "facts/overwrites.h"
@@ -261,7 +262,7 @@ void EventReader::look_at(const clang::Stmt* stmt) {
 }
 
 /// Blocks in Clang's order, the entry first.
-ContentFlow flow_of(const clang::CFG& cfg, EventReader& reader) {
+ContentFlow flow_of(const clang::CFG& cfg, EventReader& reader, const DecidedValues& values) {
   ContentFlow flow;
   flow.blocks.resize(cfg.size());
   const auto index = [&](const clang::CFGBlock& block) { return cfg.size() - 1 - block.getBlockID(); };
@@ -270,8 +271,12 @@ ContentFlow flow_of(const clang::CFG& cfg, EventReader& reader) {
     for (const clang::CFGElement& element : *block)
       if (const auto stmt = element.getAs<clang::CFGStmt>())
         for (ContentEvent& event : reader.events_of(stmt->getStmt())) mine.events.push_back(std::move(event));
-    for (const clang::CFGBlock::AdjacentBlock& next : block->succs())
-      if (const clang::CFGBlock* reached = next.getReachableBlock()) mine.next.push_back(index(*reached));
+    unsigned successor = 0;
+    for (const clang::CFGBlock::AdjacentBlock& next : block->succs()) {
+      const clang::CFGBlock* const reached = next.getReachableBlock();
+      if (reached && may_go(*block, successor, values)) mine.next.push_back(index(*reached));
+      ++successor;
+    }
   }
   flow.exit = index(cfg.getExit());
   return flow;
@@ -288,7 +293,10 @@ std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& vi
       clang::CFG::buildCFG(function, function->getBody(), &unit.ast(), options);
   if (!cfg) return {};
   EventReader reader(unit, view);
-  ContentFlow flow = flow_of(*cfg, reader);
+  const std::vector<DecidedValues> ways = decided_ways(view, *cfg);
+  ContentFlow flow = flow_of(*cfg, reader, ways.front());
+  for (auto way = std::next(ways.begin()); way != ways.end(); ++way)
+    flow.add_alternative(flow_of(*cfg, reader, *way));
   const bool has_lambda = llvm::any_of(
       view.statements(), [](const clang::Stmt* stmt) { return llvm::isa<clang::LambdaExpr>(stmt); });
   flow.makes_object = llvm::isa<clang::CXXConstructorDecl>(function) && !has_lambda;

@@ -144,7 +144,8 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
     case ContentEvent::Kind::take:
       return state.take(event.part, event.where);
     case ContentEvent::Kind::publish:
-      new_[event.site] = state.is_new(event.part);  // states only lose what is new, so the last one tells
+      new_.emplace(event.site, true).first->second &=
+          state.is_new(event.part);  // states only lose what is new
       if (const std::optional<Location> where = state.publish(event.part, event.site))
         taken_.emplace(event.site, *where);
       return;

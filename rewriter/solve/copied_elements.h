@@ -47,7 +47,7 @@ class CopiedElements {
   std::set<std::string> called_;
   ContentState anytime_;  ///< of what outlives functions, when one is called from outside
   std::map<PublishPlace, Location> writes_, taken_;
-  std::map<PublishPlace, bool> new_;  ///< whether what is published there is new, in the latest state
+  std::map<PublishPlace, bool> new_;  ///< whether what is published there is new, on all paths so far
   bool changed_ = true;
 };
 

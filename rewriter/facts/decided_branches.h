@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clang/Analysis/CFG.h>
+
+#include <map>
+#include <vector>
+
+#include "facts/function_view.h"
+
+namespace tzc::rewriter {
+
+/// A local variable's value as a condition.
+using DecidedValues = std::map<const clang::VarDecl*, bool>;
+
+/// The ways in which a function may run, by the variables that decide several of its branches and never change; one, without
+/// variables, where there are none:
+///   const bool wanted = publisher.getNumSubscribers() > 0;
+///   if (wanted) image.data.clear();
+///   ...
+///   if (wanted) publisher.publish(image);  // never without the clear
+std::vector<DecidedValues> decided_ways(const FunctionView& view, const clang::CFG& cfg);
+
+/// Whether the values let control go from the block to this successor, the number of which is given.
+bool may_go(const clang::CFGBlock& block, unsigned successor, const DecidedValues& values);
+
+}  // namespace tzc::rewriter
