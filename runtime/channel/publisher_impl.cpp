@@ -110,10 +110,12 @@ void PublisherImpl::admit(posix::FileDescriptor socket, Peer peer) {
     return refuse(socket.get(), "the publisher did not authorize this subscriber");
   }
   Error failure;
+  const std::string hello = peer.hello;
   const auto connection = connect(socket, std::move(peer), failure);
   if (!connection) {
     ++accept_failures_;
     if (socket) refuse(socket.get(), failure.text());
+    if (options_.on_failure) options_.on_failure(hello, failure);
     return;
   }
   if (options_.on_connect) options_.on_connect(connection);
@@ -143,7 +145,9 @@ std::shared_ptr<ConnectionImpl> PublisherImpl::connect(posix::FileDescriptor& so
   auto connection = std::make_shared<ConnectionImpl>(std::move(socket), std::move(peer), std::move(*page),
                                                      options, weak_from_this());
   const Status started = connection->start(service_);
-  return started ? connection : nullptr;
+  if (started) return connection;
+  failure = started.error();
+  return nullptr;
 }
 
 void PublisherImpl::disconnected(const std::shared_ptr<ConnectionImpl>& connection) {

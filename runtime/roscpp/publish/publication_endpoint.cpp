@@ -136,6 +136,10 @@ bool PublicationEndpoint::listen(std::size_t queue_size) {
   options.on_disconnect = [migration](const channel::ConnectionPtr& connection) {
     if (const auto alive = migration.lock()) alive->disconnected_later(connection);
   };
+  options.on_failure = [weak](const std::string& hello, const Error& error) {
+    if (const std::shared_ptr<PublicationEndpoint> endpoint = weak.lock())
+      endpoint->could_not_connect(hello, error);
+  };
   Expected<std::shared_ptr<channel::Publisher>> channel = channel::Publisher::create(std::move(options));
   if (!channel) {
     TZC_WARN_THROTTLED_FOR(subject_of(channel.error().code, topic_), 60,
@@ -157,6 +161,12 @@ bool PublicationEndpoint::authorizes(const channel::Credentials& peer, const std
   if (is_ours && has_spare_descriptors()) return true;
   negotiator_->turn_away(token, is_ours ? descriptor_advice() : "it belongs to another user");
   return false;
+}
+
+void PublicationEndpoint::could_not_connect(const std::string& token, const Error& error) {
+  negotiator_->failed(token, "the publisher: " + error.text());
+  TZC_WARN_THROTTLED_FOR(topic_, 60,
+                         "TZC: subscribers of " << topic_ << " stay on TCPROS for now: " << error.text());
 }
 
 void PublicationEndpoint::on_connect(const ros::SingleSubscriberPublisher& subscriber) {

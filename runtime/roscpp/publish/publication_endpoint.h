@@ -72,6 +72,7 @@ class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpo
   bool is_listening();
   bool listen(std::size_t queue_size);
   bool authorizes(const channel::Credentials& peer, const std::string& token);
+  void could_not_connect(const std::string& token, const Error& error);
   void invite(const TcpLink& link);
 
   const ros::PublicationWPtr publication_;

@@ -122,6 +122,11 @@ UpgradeNegotiator::TcpLink UpgradeNegotiator::welcome(const std::string& token) 
   return invitation->link.lock();
 }
 
+void UpgradeNegotiator::failed(const std::string& token, const std::string& why) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (const InvitationPtr invitation = find(token)) invitation->trouble = why;
+}
+
 void UpgradeNegotiator::turn_away(const std::string& token, const std::string& why) {
   std::string subscriber = "a subscriber that is gone";
   {

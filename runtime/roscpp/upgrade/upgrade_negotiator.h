@@ -47,6 +47,8 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
   TcpLink welcome(const std::string& token);
   /// The subscriber with this token may not connect, and is not invited again.
   void turn_away(const std::string& token, const std::string& why);
+  /// The subscriber with this token has come and could not connect; it is invited again later.
+  void failed(const std::string& token, const std::string& why);
   /// The subscriber is not invited, for this reason.
   void leave(const TcpLink& link, const std::string& why);
   /// For people: why the subscriber behind a TCPROS link is not on shared memory, or not yet.

@@ -110,6 +110,16 @@ class Memory(Configuration):
                                never=("memory_size", "older messages", "by 0 blocks"))
         self.in_both_ways("memory_ceiling", "500000", check)
 
+    def test_a_ceiling_that_leaves_no_room_for_a_connection(self):
+        listener = self.listen()
+        talker = self.start_talker(count=20, shared=0, settle=2, **{"tzc/memory_ceiling": "1000"})
+        self.assertEqual(talker.wait(60), 0, talker.tail())
+        self.assert_got(listener, range(20), shared=False)
+        warnings = self.warnings(talker)
+        self.assertEqual(len(warnings), 1, talker.log())
+        for word in (self.name("image"), "stay on TCPROS for now", "may have 1000 in all", "~tzc/memory_ceiling"):
+            self.assertIn(word, warnings[0])
+
     def talk_to_one_that_stands_still(self, **how):
         """It keeps two messages, as one in a callback and one that waits for it; the queue fills. The talker's counters and
         warnings."""

@@ -113,6 +113,9 @@ struct PublisherOptions {
   std::function<void(const ConnectionPtr&)> on_connect{};
   /// Called once for each connection that on_connect saw, when the subscriber unsubscribed or died.
   std::function<void(const ConnectionPtr&)> on_disconnect{};
+  /// Called on the service thread for a subscriber that was authorized and cannot be connected, because this process lacks
+  /// descriptors or memory. It may try again.
+  std::function<void(const std::string& hello, const Error&)> on_failure{};
 };
 
 /// What a publisher has done since it was created: a snapshot.
