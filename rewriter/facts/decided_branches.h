@@ -10,11 +10,12 @@
 
 namespace tzc::rewriter {
 
-/// A local variable's value as a condition.
-using DecidedValues = std::map<const clang::VarDecl*, bool>;
+/// The value, as a condition, of a local variable or of a member of the function's own object.
+using DecidedValues = std::map<const clang::ValueDecl*, bool>;
 
-/// The ways in which a function may run, by the variables that decide several of its branches and never change; one, without
-/// variables, where there are none:
+/// The ways in which a function may run, by the variables that decide several of its branches and that it never changes; one,
+/// without variables, where there are none. Another function may change a member meanwhile: then this tells what happens as
+/// long as nobody does.
 ///   const bool wanted = publisher.getNumSubscribers() > 0;
 ///   if (wanted) image.data.clear();
 ///   ...
