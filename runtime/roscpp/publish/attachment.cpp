@@ -95,6 +95,9 @@ bool Attachment::publish_by_reference(const std::type_info& type,
   publish();
   return true;
 }
+void Attachment::send_queued() {
+  endpoint_->send_queued();
+}
 void Attachment::publish_numbered(const std::type_info& type, message::Encoded& encoded,
                                   const std::function<void()>& publish) {
   endpoint_->publish_numbered(type, encoded, publish);

@@ -232,6 +232,20 @@ bool PublicationEndpoint::has_local_writers(const std::type_info& type) const {
   return publication && codec && detail::has_local_writers(*publication, *codec);
 }
 
+void PublicationEndpoint::send_queued() {
+  // roscpp's own thread holds it while it sends the queue.
+  const boost::recursive_mutex::scoped_lock lock(
+      access::advertised_topics_mutex_(*ros::TopicManager::instance()));
+  const ros::PublicationPtr publication = publication_.lock();
+  if (!publication) return;
+  bool waits = false;
+  {
+    const PublicationLock publication_lock(*publication);
+    waits = stream_.waits(publication_lock.queued());
+  }
+  if (waits) publication->processPublishQueue();
+}
+
 void PublicationEndpoint::publish_numbered(const std::type_info& type, message::Encoded& encoded,
                                            const std::function<void()>& publish) {
   // No other thread publishes on the topic until this one has.
@@ -239,6 +253,7 @@ void PublicationEndpoint::publish_numbered(const std::type_info& type, message::
       access::advertised_topics_mutex_(*ros::TopicManager::instance()));
   const ros::PublicationPtr publication = publication_.lock();
   if (!publication || !publication->hasSubscribers()) return publish();
+  send_queued();
   {
     const PublicationLock publication_lock(*publication);
     stream_.records().number(type, encoded, stream_.foresee_number(publication_lock.queued()));

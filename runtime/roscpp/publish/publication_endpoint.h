@@ -52,7 +52,9 @@ class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpo
   /// waits in its queue.
   bool publish_directly(const std::type_info& type, message::Encoded& encoded);
 
-  /// Writes the number into an encoded message of a known type that roscpp gives what is published by reference, and calls
+  /// Sends what waits in roscpp's queue, which a message that is published by pointer would overtake on a SharedLink.
+  void send_queued();
+  /// After send_queued(), writes the number into an encoded message of a known type that roscpp gives what is published by reference, and calls
   /// `publish`, which publishes a view of it by pointer.
   void publish_numbered(const std::type_info& type, message::Encoded& encoded,
                         const std::function<void()>& publish);

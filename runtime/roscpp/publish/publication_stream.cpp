@@ -39,11 +39,11 @@ std::uint32_t PublicationStream::take_number(const ros::SerializedMessage& messa
   return taken.number;
 }
 
-std::uint32_t PublicationStream::foresee_number(std::size_t queued) {
+std::uint32_t PublicationStream::foresee_number(std::size_t queued) const {
   const ros::PublicationPtr publication = publication_.lock();
   if (!publication) return 0;
   const std::uint32_t count = publication->getSequence();
-  return links_ > 0 ? numbers_.next(count) : numbers_.foresee(count, queued);
+  return links_ > 0 ? numbers_.next(count) : static_cast<std::uint32_t>(count + queued);
 }
 
 void PublicationStream::saw_serialized(const ros::SerializedMessage& message) {

@@ -46,7 +46,9 @@ class PublicationStream {
   /// Returns the number that the message will get that is published next; the caller holds advertised_topics_mutex_ until
   /// then, and a PublicationLock now.
   /// @param queued number of messages in roscpp's queue
-  std::uint32_t foresee_number(std::size_t queued);
+  std::uint32_t foresee_number(std::size_t queued) const;
+  /// Whether a message in roscpp's queue, of so many, has not gone to the links by pointer; a PublicationLock is held.
+  bool waits(std::size_t queued) const { return queued > (links_ > 0 ? numbers_.queued() : 0); }
   /// roscpp has numbered a message and passes it to the links as bytes.
   void saw_serialized(const ros::SerializedMessage& message);
   /// Sets the number of links that take what is published. With the first one the stream begins to follow

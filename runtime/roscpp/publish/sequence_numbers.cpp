@@ -9,9 +9,6 @@ namespace {
 
 constexpr const void* kNumberedAlready = nullptr;
 
-/// More than roscpp can have taken from its queue and not numbered yet.
-constexpr std::uint32_t kMostInFlight = 1 << 20;
-
 bool is_queued(const void* message) {
   return message != kNumberedAlready;
 }
@@ -25,12 +22,8 @@ SequenceNumbers::Taken SequenceNumbers::take(const void* queued, std::uint32_t c
   return Taken{number, counts_now};
 }
 
-std::uint32_t SequenceNumbers::foresee(std::uint32_t count, std::size_t queued) {
-  const auto counted = static_cast<std::uint32_t>(count + queued);
-  const std::uint32_t following = foreseen_ ? *foreseen_ + 1 : counted;
-  const bool is_in_flight = following - counted <= kMostInFlight;
-  foreseen_ = is_in_flight ? following : counted;
-  return *foreseen_;
+std::size_t SequenceNumbers::queued() const {
+  return static_cast<std::size_t>(std::count_if(waiting_.begin(), waiting_.end(), is_queued));
 }
 
 std::size_t SequenceNumbers::numbered(const void* bytes) {
@@ -40,8 +33,7 @@ std::size_t SequenceNumbers::numbered(const void* bytes) {
 }
 
 void SequenceNumbers::follow(const std::vector<const void*>& queue) {
-  const auto known = static_cast<std::size_t>(std::count_if(waiting_.begin(), waiting_.end(), is_queued));
-  for (std::size_t i = known; i < queue.size(); ++i) waiting_.push_back(queue[i]);
+  for (std::size_t i = queued(); i < queue.size(); ++i) waiting_.push_back(queue[i]);
 }
 
 std::size_t SequenceNumbers::forget() {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <optional>
 #include <vector>
 
 namespace tzc {
@@ -34,10 +33,8 @@ class SequenceNumbers {
     return static_cast<std::uint32_t>(count + waiting_.size());
   }
 
-  /// The same for a topic whose queue nobody follows, so that roscpp's count tells less: roscpp may just be numbering
-  /// messages that it took from its queue.
-  /// @param queued number of messages in roscpp's queue
-  std::uint32_t foresee(std::uint32_t count, std::size_t queued);
+  /// Returns the number of known messages in roscpp's queue.
+  std::size_t queued() const;
 
   /// roscpp has taken these bytes from its queue and numbered them.
   /// @return by how much roscpp must advance its count
@@ -56,7 +53,6 @@ class SequenceNumbers {
   /// Messages in roscpp's queue, as bytes, oldest first, and between them a null for each message that was
   /// sent with a number.
   std::deque<const void*> waiting_;
-  std::optional<std::uint32_t> foreseen_;  ///< what foresee() returned last
 };
 
 }  // namespace detail

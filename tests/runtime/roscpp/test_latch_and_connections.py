@@ -100,6 +100,16 @@ class Numbering(TopicCase):
             self.assert_seq_as_tcpros(listener)
 
 
+class Order(TopicCase):
+    def test_what_roscpp_queues_is_not_overtaken(self):
+        """Every other message goes through shared memory."""
+        listeners = [self.listen(queue=1000), self.listen("plain", name="plain", queue=1000)]
+        self.talk("mixed", count=300, rate=2000, queue=1000, subscribers=2, shared=1)
+        for listener in listeners:
+            self.assert_got(listener, range(300))
+            self.assert_seq_as_tcpros(listener)
+
+
 class NumbersInOneProcess(TopicCase):
     """header.seq of images that a callback of the publisher's own process reads, and of those that go out beside them."""
     tries = 0

@@ -77,6 +77,7 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
   }
   template <class M>
   void publish_plainly(const boost::shared_ptr<M>& message) const {
+    if (attachment_) attachment_->send_queued();
     detail::publish_by_roscpp(publisher_, *message, [&] { publisher_.publish(message); });
   }
 
@@ -95,7 +96,9 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
     if (!publisher_) return publisher_.publish(message);  // logs the error
     if (!shared.encode(message, attachment_->memory())) return publish_exhausted(message);
     if (attachment_->publish_directly(typeid(Stock<M>), shared.encoded)) return;
-    const auto publish = [&](const boost::shared_ptr<const Stock<M>>& view) { publish_plainly(view); };
+    const auto publish = [&](const boost::shared_ptr<const Stock<M>>& view) {
+      detail::publish_by_roscpp(publisher_, *view, [&] { publisher_.publish(view); });
+    };
     if (!shared.publish_view(*attachment_, message, how, publish)) publish_exhausted(message);
   }
 

@@ -2,7 +2,7 @@
 /// Publishes images whose bytes follow from their number, in one of the ways a node may publish.
 ///
 /// Private parameters: mode (twin, twin_pointer, stock, stock_pointer, plain, handover: a twin's publisher
-/// and a plain one, the former ends after half of the images; attached: twins, to the topic that others
+/// and a plain one, the former ends after half of the images; mixed: every other image as a ShapeShifter; attached: twins, to the topic that others
 /// advertised; attached_wrong: stock images, attached for another type), fresh (every so many images lie in a
 /// segment of their own), topics (several, separated by blanks), first (number), count, rate (Hz), bytes,
 /// latch, rows, encoding (of an image: mono8, bgr8), subscribers (wait for so many), shared (and for so many
@@ -12,6 +12,7 @@
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <std_msgs/UInt8MultiArray.h>
+#include <topic_tools/shape_shifter.h>
 #include <tzc/ros.h>
 #include <tzc/sensor_msgs/Image.h>
 
@@ -51,6 +52,7 @@ class Talker {
     if (mode_ == "twin" || mode_ == "twin_pointer" || mode_ == "attached" ||
         (mode_ == "handover" && number < half_))
       return publish_twin(number);
+    if (mode_ == "mixed") return number % 2 == 0 ? publish_as_bytes(number) : publish_twin(number);
     if (mode_ == "handover" && number == half_) shared_.shutdown();
     const auto image = boost::make_shared<sensor_msgs::Image>();
     fill(*image, number);
@@ -93,6 +95,19 @@ class Talker {
     image.height = rows_;
     image.step = static_cast<std::uint32_t>(bytes_) / rows_;
     image.width = image.step / (encoding_ == "bgr8" ? 3 : 1);
+  }
+
+  /// In a type that has no twin: roscpp queues what it serializes.
+  void publish_as_bytes(std::uint32_t number) {
+    sensor_msgs::Image image;
+    fill(image, number);
+    ros::SerializedMessage bytes = ros::serialization::serializeMessage(image);
+    ros::serialization::IStream stream(bytes.message_start, static_cast<std::uint32_t>(bytes.num_bytes - 4));
+    topic_tools::ShapeShifter shifter;
+    shifter.morph(ros::message_traits::md5sum(image), ros::message_traits::datatype(image),
+                  ros::message_traits::definition(image), "0");
+    shifter.read(stream);
+    shared_.publish(shifter);
   }
 
   void publish_twin(std::uint32_t number) {

@@ -61,23 +61,6 @@ TEST(SequenceNumbers, counts_ahead_what_waits_in_the_queue) {
   EXPECT_EQ(topic.publish(false), 4u);
 }
 
-TEST(SequenceNumbers, foresees_what_roscpp_will_count) {
-  SequenceNumbers numbers;
-  EXPECT_EQ(numbers.foresee(0, 0), 0u);
-  EXPECT_EQ(numbers.foresee(1, 0), 1u);
-  EXPECT_EQ(numbers.foresee(1, 1), 2u) << "one waits in the queue";
-  EXPECT_EQ(numbers.foresee(1, 0), 3u) << "roscpp has taken two from its queue and is about to count them";
-  EXPECT_EQ(numbers.foresee(9, 0), 9u) << "others were published in between";
-}
-
-TEST(SequenceNumbers, foresees_across_the_wrap) {
-  SequenceNumbers numbers;
-  const std::uint32_t last = std::numeric_limits<std::uint32_t>::max();
-  EXPECT_EQ(numbers.foresee(last - 1, 1), last);
-  EXPECT_EQ(numbers.foresee(last, 0), 0u) << "the last one is being counted";
-  EXPECT_EQ(numbers.foresee(1, 0), 1u);
-}
-
 TEST(SequenceNumbers, follows_a_queue_that_was_there_before) {
   Publication topic;
   const void* first = topic.publish_bytes();

@@ -51,7 +51,9 @@ class Attachment {
   /// this type by pointer it does nothing and returns false. No subscriber begins to take pointers during the
   /// call, so the message keeps its place before later ones that go by pointer.
   bool publish_by_reference(const std::type_info& type, const std::function<void()>& publish) const;
-  /// Calls `publish`, which publishes a view of an encoded message by pointer, in place of the program's publish by
+  /// Call it before roscpp publishes by pointer: what waits in roscpp's queue goes first, as it does over TCPROS.
+  void send_queued();
+  /// After send_queued(), calls `publish`, which publishes a view of an encoded message by pointer, in place of the program's publish by
   /// reference: roscpp's next number stands in the message before, as in what subscribers would get from roscpp.
   void publish_numbered(const std::type_info& type, message::Encoded& encoded,
                         const std::function<void()>& publish);

@@ -39,10 +39,12 @@ struct SharedMessage {
       const EncodedScope scope(view.get(), encoded);
       publish(view);
     };
-    if (how == ByReference::no)
-      publish_it();
-    else
+    if (how == ByReference::yes) {
       attachment.publish_numbered(typeid(Stock), encoded, publish_it);
+    } else {
+      attachment.send_queued();
+      publish_it();
+    }
     return view != nullptr;
   }
 
