@@ -61,6 +61,7 @@ class Dispatcher : public AstVisitor {
   }
   bool VisitMemberExpr(clang::MemberExpr* member) override {
     if (is_data_array(member->getType()) && !member->isTypeDependent()) arrays_.push_back(member);
+    to_.flow().check_union(member);
     if (llvm::isa<clang::FieldDecl, clang::VarDecl>(member->getMemberDecl()))
       to_.name(member, member->getMemberDecl());
     return true;
@@ -83,6 +84,7 @@ class Dispatcher : public AstVisitor {
     return true;
   }
   bool VisitCallExpr(clang::CallExpr* call) override {
+    to_.flow().check_call(call);
     to_.call(call);
     return true;
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/flow_uses.h"
 
+#include <set>
+
 #include "facts/array_bounds.h"
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
@@ -126,7 +128,7 @@ bool UseFollower::into_expression(const clang::Expr* parent) {
     return false;
   }
   if (llvm::isa<clang::CXXStdInitializerListExpr>(parent)) return go_on(parent);
-  if (llvm::isa<clang::UnaryExprOrTypeTraitExpr, clang::CXXTypeidExpr>(parent)) return into_type_question();
+  if (llvm::isa<clang::UnaryExprOrTypeTraitExpr, clang::CXXTypeidExpr>(parent)) return into_value_question();
   if (llvm::isa<clang::LambdaExpr, clang::CXXDeleteExpr, clang::CXXDependentScopeMemberExpr,
                 clang::UnresolvedMemberExpr>(parent))
     return false;
@@ -138,6 +140,11 @@ bool UseFollower::into_type_question() {
   return entities_.is_message(id_) && refuse(codes::TZC1001, "the program asks for its type");
 }
 
+/// sizeof, typeid of a publisher: it has another class, too. Not decltype, which takes part in the port.
+bool UseFollower::into_value_question() {
+  return refuse(entities_.is_message(id_) ? codes::TZC1001 : codes::TZC1010, "the program asks for its type");
+}
+
 bool UseFollower::into_method(const clang::MemberExpr* member) {
   const auto* call = parent_as<clang::CXXMemberCallExpr>(unit_.ast(), *member);
   if (!call) return refuse(codes::TZC1001, "a member function of it is named but not called");
@@ -145,7 +152,8 @@ bool UseFollower::into_method(const clang::MemberExpr* member) {
   const std::string method = member->getMemberDecl()->getNameAsString();
   for (const clang::Expr* argument : call->arguments())
     if (carried_by(argument->getType(), unit_.rules)) check_source(argument);
-  if (entities_.is_message(id_) && (method == "use_count" || method == "unique"))
+  static const std::set<std::string> of_holders = {"use_count", "unique", "expired", "lock"};
+  if (entities_.is_message(id_) && of_holders.count(method) != 0)
     return refuse(codes::TZC1001, "the program asks who else holds it");
   if (method == "reset" && call->getNumArgs() > 0) check_source(call->getArg(0));
   return go_on(call);
@@ -205,6 +213,11 @@ void UseFollower::assign(const clang::Expr* target, const clang::Expr* value, co
   if (at_ == target) return check_source(value);
   end_.target = target;
   end_.statement = statement;
+  if (target->getType()->isRecordType() && !carried_by(target->getType(), unit_.rules)) {
+    refuse(entities_.is_message(id_) ? codes::TZC1001 : codes::TZC1010,
+           "it becomes part of '" + unit_.text(target) + "', whose type does not tell");
+    return;
+  }
   for (const EntityId& to : sources_.of(target).entities)
     entities_.add_flow(id_, to, at_->getBeginLoc(), "assigned to '" + unit_.text(target) + "'");
 }
@@ -212,6 +225,9 @@ void UseFollower::assign(const clang::Expr* target, const clang::Expr* value, co
 bool UseFollower::into_operator(const clang::CXXOperatorCallExpr* call) {
   const clang::OverloadedOperatorKind op = call->getOperator();
   if (op == clang::OO_Equal) {
+    const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(call->getDirectCallee());
+    if (method && at_ == call->getArg(1) && unit_.declares(method) && method->isUserProvided())
+      return into_call(call);
     assign(call->getArg(0), call->getArg(1), call);
     return at_ == call->getArg(0) ? go_on(call) : false;
   }

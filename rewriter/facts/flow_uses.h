@@ -38,6 +38,7 @@ class UseFollower {
   bool into_constructor(const clang::CXXConstructExpr* construct);
   bool into_cast(const clang::ExplicitCastExpr* cast);
   bool into_type_question();
+  bool into_value_question();
   bool into_return(const clang::ReturnStmt* statement);
   bool into_initializer(const clang::CXXConstructorDecl* constructor);
   bool go_on(const clang::Expr* next);

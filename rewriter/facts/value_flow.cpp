@@ -7,6 +7,26 @@
 #include "model/codes.h"
 
 namespace tzc::rewriter {
+namespace {
+
+bool is_writable(clang::QualType type) {
+  return !type.isNull() && !type.isConstQualified() && message_of(type);
+}
+
+/// An object, or what a pointer points to.
+bool is_writable_message(const clang::Expr* expr) {
+  const clang::QualType pointee = pointee_of(expr->getType());
+  return is_writable(pointee.isNull() ? expr->getType() : pointee);
+}
+
+/// &x -> x
+const clang::Expr* address_taken(const clang::Expr* expr) {
+  expr = expr->IgnoreParenImpCasts();
+  const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr);
+  return op && op->getOpcode() == clang::UO_AddrOf ? op->getSubExpr()->IgnoreParenImpCasts() : expr;
+}
+
+}  // namespace
 
 void ValueFlow::check_source_of(const clang::VarDecl* variable) {
   const EntityId id = entities_.declare(variable);
@@ -21,10 +41,60 @@ void ValueFlow::check_source_of(const clang::VarDecl* variable) {
 
 void ValueFlow::check_const_cast(const clang::ExplicitCastExpr* cast) {
   const clang::Expr* from = cast->getSubExpr();
+  note_writable(cast);
   if (!removes_const(cast) || !carried_by(from->getType(), unit_.rules)) return;
   if (serves_plain_field(unit_, cast)) return;
   for (const EntityId& id : sources_of(from).entities)
     entities_.add_obstacle(id, codes::TZC2002, "const is cast away from it", cast->getBeginLoc());
+}
+
+/// A message that code can write to from here on, or an array of one, where it was const, or of no type, before.
+void ValueFlow::note_writable(const clang::ExplicitCastExpr* cast) {
+  const clang::Expr* from = cast->getSubExprAsWritten();
+  if (removes_const(cast)) {
+    const auto* array = llvm::dyn_cast<clang::MemberExpr>(address_taken(from));
+    const clang::Expr* message = array && is_data_array(array->getType()) ? array->getBase() : from;
+    if (message == from && serves_plain_field(unit_, cast)) return;
+    const clang::Expr* of_type = carried_by(message->getType(), unit_.rules) ? message : cast;
+    return add_writable(of_type->getType(), sources_of(message).entities, cast->getBeginLoc());
+  }
+  note_as_bytes(cast);
+  if (is_writable_message(cast) && !carried_by(from->getType(), unit_.rules))
+    add_writable(cast->getType(), {}, cast->getBeginLoc());
+}
+
+void ValueFlow::check_call(const clang::CallExpr* call) {
+  for (const clang::Expr* argument : call->arguments()) note_as_bytes(argument);
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function || call->getNumArgs() != 1 || !is_writable_message(call)) return;
+  const clang::Expr* from = call->getArg(0);
+  const bool is_cast = qualified_name_of(function).find("_pointer_cast") != std::string::npos;
+  if (is_cast && !is_writable_message(from) && !serves_plain_field(unit_, call))
+    add_writable(call->getType(), sources_of(from).entities, call->getBeginLoc());
+}
+
+/// memcpy(&image, &other, sizeof(image)): a pointer to a message is written to as bytes.
+void ValueFlow::note_as_bytes(const clang::Expr* converted) {
+  const clang::QualType pointer = pointee_of(converted->IgnoreParenCasts()->getType());
+  const clang::QualType now = pointee_of(converted->getType());
+  const bool is_bytes = !now.isNull() && !now.isConstQualified() && !now->isAnyPointerType();
+  if (is_bytes && !pointer.isNull() && !pointer.isConstQualified() && pointer->isPointerType() &&
+      is_writable(pointer->getPointeeType()))
+    add_writable(pointer, {}, converted->getBeginLoc());
+}
+
+/// Of a union, which may have been given a pointer to a const one.
+void ValueFlow::check_union(const clang::MemberExpr* member) {
+  const auto* field = llvm::dyn_cast<clang::FieldDecl>(member->getMemberDecl());
+  if (field && field->getParent()->isUnion() && is_writable(pointee_of(field->getType())))
+    add_writable(field->getType(), {}, member->getMemberLoc());
+}
+
+void ValueFlow::add_writable(clang::QualType type, std::vector<EntityId> messages,
+                             clang::SourceLocation where) {
+  const std::optional<Carried> carried = carried_by(type, unit_.rules);
+  if (carried && carried->message)
+    entities_.add_const_cast(carried->message->name, std::move(messages), where);
 }
 
 void ValueFlow::loop_over(const clang::CXXForRangeStmt* loop) {

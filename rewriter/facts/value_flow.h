@@ -22,10 +22,19 @@ class ValueFlow {
   void check_source_of(const clang::VarDecl* variable);
   /// const_cast of a message: code that receives it may write to it.
   void check_const_cast(const clang::ExplicitCastExpr* cast);
+  /// \name Other ways in which code may get a message to write to that it was given as const
+  /// @{
+  void check_call(const clang::CallExpr* call);
+  void check_union(const clang::MemberExpr* member);
+  /// @}
   /// The elements of a container become the loop's variable.
   void loop_over(const clang::CXXForRangeStmt* loop);
 
  private:
+  void note_writable(const clang::ExplicitCastExpr* cast);
+  void note_as_bytes(const clang::Expr* converted);
+  void add_writable(clang::QualType type, std::vector<EntityId> messages, clang::SourceLocation where);
+
   const Unit& unit_;
   EntityTable& entities_;
   SourceFinder sources_;

@@ -224,6 +224,13 @@ struct FilterCallbackUse {
   std::set<EntityId> parameters;  ///< that receive it
 };
 
+/// Const is cast away from a message, or its type is given to something that has none.
+struct ConstCast {
+  std::string type;                ///< of the message
+  std::vector<EntityId> messages;  ///< that it may be; none: it is not known
+  Obstacle obstacle;
+};
+
 /// The entities, the flows between them, and their uses.
 struct EntityFacts {
   std::map<EntityId, Entity> entities;
@@ -231,6 +238,7 @@ struct EntityFacts {
   std::vector<Use> uses;
   std::map<EntityId, Cut> cuts;  ///< in front of a declarator
   std::vector<DataUse> data_uses;
+  std::vector<ConstCast> const_casts;
   std::set<EntityId> objects;                  ///< messages, and new ones: what flows into them is copied
   std::map<EntityId, std::string> parameters;  ///< USR of their function
   /// Of what is private in exported headers: friends of its class, by USR, "" for one that has none.

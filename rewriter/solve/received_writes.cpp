@@ -8,8 +8,14 @@
 namespace tzc::rewriter {
 
 ReceivedWrites::ReceivedWrites(const Facts& facts) : facts_(facts) {
-  for (const Flow& flow : facts.flows)
+  for (const Flow& flow : facts.flows) {
     if (facts.objects.count(flow.to) == 0) next_.emplace(flow.from, flow.to);
+    from_.emplace(flow.to, flow.from);
+  }
+  for (const auto& item : facts.subscribes)
+    callbacks_.insert(item.second.callbacks.begin(), item.second.callbacks.end());
+  for (const auto& item : facts.filter_callbacks)
+    filtered_.insert(item.second.parameters.begin(), item.second.parameters.end());
 }
 
 bool ReceivedWrites::derives(const std::string& record, const std::string& base) const {
@@ -67,7 +73,35 @@ std::optional<Obstacle> ReceivedWrites::to_message(const Subscribe& site) const 
     for (const Obstacle& obstacle : entity->second.obstacles)
       if (obstacle.code == codes::TZC2002) return obstacle;
   }
-  return write(site, true);
+  if (const std::optional<Obstacle> array = write(site, true)) return array;
+  return untraced_cast(site);
+}
+
+/// Of messages that are known by where they come from, the others tell. What comes from elsewhere may be any message of the type
+/// that this process holds: a received one that was kept in a library's object, bound, or handed to a thread.
+std::optional<Obstacle> ReceivedWrites::untraced_cast(const Subscribe& site) const {
+  for (const ConstCast& cast : facts_.const_casts) {
+    std::set<EntityId> seen;
+    const bool is_known = !cast.messages.empty() && std::all_of(cast.messages.begin(), cast.messages.end(),
+                                                                [&](const EntityId& message) {
+                                                                  return is_traced(message, site, seen);
+                                                                });
+    if (cast.type == site.type && !is_known) return cast.obstacle;
+  }
+  return {};
+}
+
+/// Whether all that the entity may name is known: callbacks' messages, and objects of the package.
+bool ReceivedWrites::is_traced(const EntityId& message, const Subscribe& site,
+                               std::set<EntityId>& seen) const {
+  if (!seen.insert(message).second || callbacks_.count(message) != 0 || facts_.objects.count(message) != 0)
+    return true;
+  if (!site.filter.empty() && filtered_.count(message) != 0) return true;
+  const auto function = facts_.parameters.find(message);
+  if (function != facts_.parameters.end() && facts_.addressed.count(function->second) != 0) return false;
+  const auto [begin, end] = from_.equal_range(message);
+  return begin != end &&
+         std::all_of(begin, end, [&](const auto& flow) { return is_traced(flow.second, site, seen); });
 }
 
 std::optional<Obstacle> ReceivedWrites::to_elements(const Subscribe& site) const {

@@ -26,9 +26,13 @@ class ReceivedWrites {
   std::vector<const FilterCallbackUse*> registered(const Subscribe& site) const;
   std::set<EntityId> received(const Subscribe& site) const;
   std::optional<Obstacle> write(const Subscribe& site, bool to_array) const;
+  std::optional<Obstacle> untraced_cast(const Subscribe& site) const;
+  bool is_traced(const EntityId& message, const Subscribe& site, std::set<EntityId>& seen) const;
 
   const Facts& facts_;
-  std::multimap<EntityId, EntityId> next_;  ///< where the same message is known by another name
+  std::multimap<EntityId, EntityId> next_;   ///< where the same message is known by another name
+  std::multimap<EntityId, EntityId> from_;   ///< where a message comes from
+  std::set<EntityId> callbacks_, filtered_;  ///< parameters of callbacks of subscriptions, of filters
 };
 
 }  // namespace tzc::rewriter
