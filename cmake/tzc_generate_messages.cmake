@@ -14,6 +14,16 @@
 # are known). Headers go to OUTPUT_DIRECTORY, by default a folder of this build.
 # A package that calls generate_messages() with tzc among its catkin components needs none of this.
 
+# What *-msg-paths.cmake files call. genmsg defines it too, for packages that name message_generation.
+if(NOT COMMAND _prepend_path)
+  macro(_prepend_path folder names result)  # ... UNIQUE, which a list of one or two folders does not need
+    set(${result} "")
+    foreach(_tzc_name ${names})
+      list(APPEND ${result} ${folder}/${_tzc_name})
+    endforeach()
+  endmacro()
+endif()
+
 # Adds the command that makes the headers of one definition file; their paths are stored in `result`.
 function(_tzc_header_command result package file include_flags output_directory dependencies)
   get_filename_component(name ${file} NAME_WE)
@@ -58,6 +68,9 @@ function(_tzc_include_flags package flags_result)
     if(NOT paths_file)
       message(FATAL_ERROR "tzc_generate_messages(): cannot find ${dependency}-msg-paths.cmake, which a package gets that "
         "calls generate_messages(). Is ${dependency} a message package, and among find_package(catkin COMPONENTS)?")
+    endif()
+    if(NOT ${dependency}_DIR)  # its -msg-paths.cmake begins there
+      get_filename_component(${dependency}_DIR ${paths_file} DIRECTORY)
     endif()
     include(${paths_file})
     unset(paths_file CACHE)

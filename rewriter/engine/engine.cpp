@@ -140,7 +140,8 @@ std::optional<Error> PortPlanner::collect() {
       options_.others.headers_in_use ? *options_.others.headers_in_use : exported_dirs(options_.packages),
       &rules_,
       include_dirs(),
-      trusted_};
+      trusted_,
+      options_.dual};
   std::vector<std::size_t> all(units_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   std::optional<Error> failure = read(all, options, "parsing");

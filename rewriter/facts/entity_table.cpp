@@ -138,7 +138,8 @@ void EntityTable::check_exported(Entity& entity, const clang::ValueDecl* decl) {
   const bool lasts = field || (variable->hasGlobalStorage() && !variable->isStaticLocal());
   if (lasts && decl->getAccess() == clang::AS_private)
     note_friends(facts_, entity.id, friends_of(unit_, decl));
-  if (!lasts || decl->getAccess() == clang::AS_private) return;
+  const bool is_inner = decl->getAccess() == clang::AS_private && !(field && unit_.layouts_stay);
+  if (!lasts || is_inner) return;
   for (const clang::Decl* declaration : decl->redecls())
     if (unit_.exports(declaration->getLocation()))
       add(entity,

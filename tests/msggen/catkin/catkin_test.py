@@ -69,6 +69,14 @@ def test_workspace(workspace, prefix):
         check(os.path.exists(f'{workspace}/install/include/tzc/{header}'), f'tzc/{header} is installed')
 
 
+def test_lone_user(build_folder, workspace, prefix):
+    variables = environment(f'{workspace}/devel:{prefix}')
+    run(['cmake', '-S', f'{here}/lone_user', '-B', build_folder, '-DPYTHON_EXECUTABLE=/usr/bin/python3',
+         '-DCATKIN_ENABLE_TESTING=OFF'], env=variables)
+    built = generated(run(['cmake', '--build', build_folder], env=variables))
+    check('lone_msgs/Scan.msg' in built, 'a package that is configured alone generates headers of another one\'s messages')
+
+
 def test_plain_project(build_folder, prefix):
     variables = environment(prefix)
     run(['cmake', '-S', f'{here}/plain_project', '-B', build_folder, '-DPYTHON_EXECUTABLE=/usr/bin/python3'], env=variables)
@@ -86,6 +94,7 @@ def main():
         os.mkdir(f'{scratch}/ws')
         test_plain_project(f'{scratch}/plain', prefix)
         test_workspace(f'{scratch}/ws', prefix)
+        test_lone_user(f'{scratch}/lone', f'{scratch}/ws', prefix)
 
 
 main()
