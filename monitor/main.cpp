@@ -39,9 +39,15 @@ const char* const nobody =
     "from its first publisher that offers shared memory, on, unless ~tzc/statistics_page or ~tzc/disable say "
     "otherwise.\n";
 
+/// A terminal that knows more than lines.
+bool is_screen() {
+  const char* const terminal = std::getenv("TERM");
+  return ::isatty(STDOUT_FILENO) == 1 && terminal && *terminal && std::strcmp(terminal, "dumb") != 0;
+}
+
 bool wants_colours() {
   const char* const refused = std::getenv("NO_COLOR");
-  return ::isatty(STDOUT_FILENO) == 1 && (!refused || !*refused);
+  return is_screen() && (!refused || !*refused);
 }
 
 void report(const Sample& sample) {
@@ -137,7 +143,7 @@ int refresh(const Options& options) {
 int run(const Options& options) {
   if (!options.traces.empty()) return join_traces(options);
   if (!options.why.empty()) return explain_why(options);
-  const bool is_live = !options.once && !options.json && ::isatty(STDOUT_FILENO) == 1;
+  const bool is_live = !options.once && !options.json && is_screen();
   return is_live ? refresh(options) : print_once(options);
 }
 
@@ -148,7 +154,10 @@ int main(int argc, char** argv) {
   int status = 0;
   try {
     const auto options = tzc::monitor::parse_options(argc, argv, status);
-    return options ? tzc::monitor::run(*options) : status;
+    if (options) status = tzc::monitor::run(*options);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    std::fprintf(stderr, "tzc-monitor: cannot write to standard output: %s\n", std::strerror(errno));
+    return tzc::monitor::wrong_usage;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "tzc-monitor: %s\n", error.what());
     return tzc::monitor::wrong_usage;

@@ -14,14 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path setup_file(const fs::path& path) {
-  if (fs::is_regular_file(path)) return fs::absolute(path);
-  for (const char* place : {"devel/setup.bash", "install/setup.bash", "setup.bash"})
-    if (fs::exists(path / place)) return fs::absolute(path / place);
-  throw Failure(path.string() + " has neither devel/setup.bash nor install/setup.bash",
-                "build the workspace, or name its setup.bash");
-}
-
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -30,8 +22,17 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
+std::string setup_file(const std::string& workspace) {
+  const fs::path path = workspace;
+  if (fs::is_regular_file(path)) return fs::absolute(path);
+  for (const char* place : {"devel/setup.bash", "install/setup.bash", "setup.bash"})
+    if (fs::exists(path / place)) return fs::absolute(path / place);
+  throw Failure(path.string() + " has neither devel/setup.bash nor install/setup.bash",
+                "build the workspace, or name its setup.bash");
+}
+
 Environment workspace_environment(const std::string& path) {
-  const std::string setup = setup_file(path).string();
+  const std::string setup = setup_file(path);
   const std::string command = "bash -c '. \"$0\" >&2 && env -0' " + quoted(setup) + " 2>/dev/null";
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
   if (!pipe) throw Failure("cannot run bash");

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -16,6 +18,7 @@
 #include "run/failure.h"
 #include "run/load_bag.h"
 #include "run/stop_request.h"
+#include "run/workspace.h"
 #include "tool/options.h"
 #include "tool/progress.h"
 
@@ -157,12 +160,26 @@ void write_json(const Result& result, const std::string& file) {
   if (!out) throw Failure(file + " cannot be written");
 }
 
+/// What would be found wrong only after the runs.
+void check_places(const Options& options) {
+  setup_file(options.original);
+  setup_file(options.port);
+  if (options.json.empty() || options.json == "-") return;
+  const fs::path file = fs::absolute(options.json);
+  const fs::path looked_at = fs::exists(file) ? file : file.parent_path();
+  if (::access(looked_at.c_str(), W_OK) != 0)
+    throw Failure(options.json + " cannot be written", std::strerror(errno));
+}
+
 int run(const Options& options) {
+  check_places(options);
   adopt_orphans();
   watch_for_stop_requests();
   const Result result = Tool(options).run();
   if (options.json != "-") std::fputs(text_report(result).c_str(), stdout);
   if (!options.json.empty()) write_json(result, options.json);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw Failure("cannot write to standard output", std::strerror(errno));
   return result.is_different() ? different : equal;
 }
 

@@ -20,7 +20,7 @@ const char* const footer =
     "  tzc-compare ws ws_tzc --launch 'my_robot perception.launch' --bag drive.bag\n"
     "  tzc-compare ws ws_tzc --launch 'my_robot sim.launch gui:=false' --duration 20 --topic '/camera/.*'\n"
     "  tzc-compare ws ws_tzc --command 'rosrun my_camera camera_node _count:=100' --json result.json\n"
-    "\nExit status: 0 equal, 1 different, 2 error (nothing could be compared).\n";
+    "\nExit status: 0 equal, 1 different, 2 error (nothing could be compared), 130 stopped by Ctrl-C.\n";
 
 // Topics of image_transport's plugins: lossy copies of a raw topic, published only because the recorder
 // subscribes.

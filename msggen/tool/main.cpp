@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
 #include <exception>
 #include <iostream>
 
@@ -71,7 +73,10 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    const int status = run(argc, argv);
+    if (std::cout.flush()) return status;
+    std::cerr << "tzc-msggen: cannot write to standard output: " << std::strerror(errno) << '\n';
+    return exit_usage;
   } catch (const std::exception& error) {
     std::cerr << "tzc-msggen: " << error.what() << '\n';
     return exit_usage;

@@ -25,7 +25,8 @@ struct Unit {
   const std::map<std::string, std::string>& trusted;
   const std::set<std::string>&
       hidden;  ///< code that libraries call, which other units have shown (HiddenFacts)
-  bool layouts_stay = false;  ///< other packages compile exported headers as they were, private members included
+  bool layouts_stay =
+      false;  ///< other packages compile exported headers as they were, private members included
 
   clang::ASTContext& ast() const { return source.ast(); }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <iostream>
+#include <system_error>
 
 #include "engine/digest.h"
 #include "engine/engine.h"
@@ -9,8 +13,15 @@
 
 int main(int argc, char** argv) {
   try {
-    return tzc::rewriter::tool_main(
+    const int status = tzc::rewriter::tool_main(
         argc, argv, {tzc::rewriter::plan_ports, tzc::rewriter::format_changes, tzc::rewriter::blake3_digest});
+    std::cout.flush();
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout) return status;
+    std::cerr << "tzc-rewrite: cannot write to standard output: " << std::strerror(errno) << '\n';
+    return 2;
+  } catch (const std::system_error& error) {
+    std::cerr << "tzc-rewrite: " << error.what() << '\n';
+    return 2;
   } catch (const std::exception& defect) {
     std::cerr << "tzc-rewrite: " << defect.what()
               << "\n  this is a defect of tzc-rewrite, please report it\n";

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tool/places.h"
+#include "tool/shell_word.h"
 
 namespace tzc::rewriter {
 namespace fs = std::filesystem;
@@ -72,7 +73,7 @@ std::string own_setup_file() {
 
 std::string next_steps(const std::string& package_dir) {
   const fs::path workspace = workspace_of(package_dir);
-  const std::string build = "(cd " + workspace.string() + " && " + builder(workspace) + ")\n";
+  const std::string build = "(cd " + shell_word(workspace.string()) + " && " + builder(workspace) + ")\n";
   const char* prefixes = std::getenv("CMAKE_PREFIX_PATH");
   if (environment_has_tzc(prefixes) || workspace_has_tzc(workspace) || system_has_tzc())
     return "ported; build the workspace again:\n  " + build;

@@ -172,7 +172,7 @@ class Run {
   }
 
   /// Packages that could not be analysed may have sites that match.
-  void warn_about_filters() const {
+  void warn_about_filters() {
     if (ports_.size() < packages_.size()) return;
     for (const std::string& filter : options_.only) {
       const bool matches = std::any_of(ports_.begin(), ports_.end(), [&](const PackagePort& port) {
@@ -180,7 +180,12 @@ class Run {
         const std::vector<Site>& sites = port.result.report.sites;
         return std::any_of(sites.begin(), sites.end(), wanted);
       });
-      if (!matches) fmt::print(stderr, "tzc-rewrite: warning: --only {} matches no site\n", filter);
+      if (matches) continue;
+      // A check that looks at nothing would pass.
+      const bool is_error = options_.action == Action::check;
+      fmt::print(stderr, "tzc-rewrite: {}: --only {} matches no site\n", is_error ? "error" : "warning",
+                 filter);
+      failed_ |= is_error;
     }
   }
 

@@ -134,6 +134,9 @@ TEST_F(Cli, a_filter_that_matches_nothing_is_warned_about) {
   EXPECT_THAT(ws.rewrite({"--only=topic=imgae"}).errors,
               HasSubstr("warning: --only topic=imgae matches no site"));
   EXPECT_THAT(ws.rewrite({"--only=topic=image"}).errors, Not(HasSubstr("matches no site")));
+  const auto check = ws.rewrite({"--check", "--only=topic=imgae"});
+  EXPECT_THAT(check.errors, HasSubstr("error: --only topic=imgae matches no site"));
+  EXPECT_EQ(check.status, 2) << "a check of nothing would pass";
   ws.plan()["error"] = "does not compile";
   EXPECT_THAT(ws.rewrite({"--only=topic=imgae"}).errors, Not(HasSubstr("matches no site")))
       << "not looked at";

@@ -53,6 +53,11 @@ TEST_F(NextSteps, tzc_may_be_a_member_of_the_workspace) {
   EXPECT_THAT(steps(), Not(HasSubstr("source")));
 }
 
+TEST_F(NextSteps, the_line_to_type_is_quoted_for_a_shell) {
+  folder.write("my ws/src/demo/package.xml", "");
+  EXPECT_THAT(next_steps(folder / "my ws/src/demo"), HasSubstr("(cd '" + (folder / "my ws") + "' && "));
+}
+
 TEST_F(NextSteps, the_builder_is_the_one_that_the_workspace_is_built_with) {
   folder.write("ws/build_isolated/demo/Makefile", "");
   EXPECT_THAT(steps(), HasSubstr(command("catkin_make_isolated")));
