@@ -244,19 +244,14 @@ std::set<std::string> section(const CmakeListFile& file, const CmakeCommand& com
   return all;
 }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 /// find_package(Eigen3), find_package(Qt5 COMPONENTS Widgets), pkg_check_modules(UVC libuvc): what they name variables by, in lower case.
 std::set<std::string> found_packages(const CmakeProject& project) {
   std::set<std::string> names;
   for (const char* finder : {"find_package", "pkg_check_modules", "pkg_search_module"})
     each_command(project, finder, [&](const CmakeListFile& file, const CmakeCommand& command) {
-      const std::string package = lower(command.arguments[0].text);
+      const std::string package = lower_case(command.arguments[0].text);
       for (const std::string& value : file.values.expand(command))
-        names.insert({lower(value), package + lower(value)});
+        names.insert({lower_case(value), package + lower_case(value)});
     });
   return names;
 }
@@ -268,7 +263,7 @@ bool is_elsewhere(const std::string& folder, const std::set<std::string>& packag
                                    R"(PROJECT_BINARY_DIR|(\w+)_INCLUDE_DIRS?)\})");
   std::smatch match;
   return std::regex_search(folder, match, variable) &&
-         (!match[2].matched || packages.count(lower(match[2])) != 0);
+         (!match[2].matched || packages.count(lower_case(match[2])) != 0);
 }
 
 /// A variable without a known value may be any folder of the package.

@@ -140,6 +140,11 @@ class Parser {
 
 }  // namespace
 
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
 Expected<std::vector<CmakeCommand>> parse_cmake(std::string_view content, const std::string& path) {
   return Parser(content, path).run();
 }

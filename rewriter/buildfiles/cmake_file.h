@@ -27,6 +27,9 @@ struct CmakeCommand {
   std::vector<CmakeArgument> arguments;
 };
 
+/// As CMake compares names of commands.
+std::string lower_case(std::string text);
+
 /// The commands of a file, in order. Control flow is not interpreted: if(), foreach(), function() are
 /// commands like others. An error where the file is no CMake: an unclosed parenthesis, quote or bracket.
 Expected<std::vector<CmakeCommand>> parse_cmake(std::string_view content, const std::string& path);

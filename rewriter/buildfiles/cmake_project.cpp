@@ -75,6 +75,33 @@ bool names_target(const CmakeListFile& file, const CmakeCommand& command, const 
   return !command.arguments.empty() && file.values.may_be(command.arguments[0].text, target);
 }
 
+bool is_definition(const CmakeCommand& command, const std::string& name) {
+  const bool defines = command.name == "macro" || command.name == "function";
+  return defines && !command.arguments.empty() && lower_case(command.arguments[0].text) == name;
+}
+
+/// Commands of that name in the body of a macro or function that is called with a target first: target_link_libraries(${NAME} ...)
+void add_of_body(const CmakeListFile& file, std::size_t definition, const std::string& name,
+                 std::vector<CmakeCommandRef>& found) {
+  const std::vector<CmakeArgument>& parameters = file.commands[definition].arguments;
+  const std::string first = parameters.size() > 1 ? "${" + parameters[1].text + "}" : "${ARGV0}";
+  for (std::size_t i = definition + 1; i < file.commands.size(); ++i) {
+    const CmakeCommand& command = file.commands[i];
+    if (command.name == "endmacro" || command.name == "endfunction") return;
+    const bool of_target = !command.arguments.empty() &&
+                           (command.arguments[0].text == first || command.arguments[0].text == "${ARGV0}");
+    if (command.name == name && of_target) found.push_back({&file, &command});
+  }
+}
+
+/// What the package's own macro or function of that name does.
+void add_of_macro(const CmakeProject& project, const std::string& macro, const std::string& name,
+                  std::vector<CmakeCommandRef>& found) {
+  for (const CmakeListFile& file : project.files)
+    for (std::size_t i = 0; i < file.commands.size(); ++i)
+      if (is_definition(file.commands[i], macro)) add_of_body(file, i, name, found);
+}
+
 }  // namespace
 
 Expected<CmakeProject> load_cmake_project(const std::string& package_dir) {
@@ -94,8 +121,13 @@ std::vector<CmakeCommandRef> commands_of_target(const CmakeProject& project, con
                                                 const std::string& target) {
   std::vector<CmakeCommandRef> found;
   for (const CmakeListFile& file : project.files)
-    for (const CmakeCommand& command : file.commands)
-      if (command.name == name && names_target(file, command, target)) found.push_back({&file, &command});
+    for (const CmakeCommand& command : file.commands) {
+      if (!names_target(file, command, target)) continue;
+      if (command.name == name)
+        found.push_back({&file, &command});
+      else if (target_users.count(command.name) == 0)
+        add_of_macro(project, command.name, name, found);
+    }
   return found;
 }
 

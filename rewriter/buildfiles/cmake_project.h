@@ -38,7 +38,8 @@ struct CmakeCommandRef {
 /// cs_add_library, ...) whose first argument may be the target's name.
 CmakeCommandRef find_target(const CmakeProject& project, const std::string& target);
 
-/// The commands of that name whose first argument may be the target's name.
+/// The commands of that name whose first argument may be the target's name, those in the body of the package's own macro or
+/// function that is called with it included.
 std::vector<CmakeCommandRef> commands_of_target(const CmakeProject& project, const std::string& command,
                                                 const std::string& target);
 
