@@ -252,6 +252,7 @@ Facts Collectors::finish() {
     facts_.allocations.push_back(connected(unit_, entities_.facts(), std::move(draft), publishers_));
   facts_.hidden = hidden_.found();
   static_cast<EntityFacts&>(facts_) = entities_.take();
+  facts_.const_casts = flow_.const_casts();
   return std::move(facts_);
 }
 

@@ -277,14 +277,6 @@ void EntityTable::add_use(const EntityId& id, Change change) {
   facts_.uses.push_back({id, std::move(change)});
 }
 
-void EntityTable::add_const_cast(const std::string& type, std::vector<EntityId> messages,
-                                 clang::SourceLocation where) {
-  facts_.const_casts.push_back(
-      {type,
-       std::move(messages),
-       {codes::TZC2002, "const is cast away from a message that may be this one", unit_.location(where)}});
-}
-
 void EntityTable::add_data_use(const EntityId& id, clang::SourceLocation where, const ArrayGrowth& growth) {
   facts_.data_uses.push_back({id, unit_.location(where), growth.most_bytes, growth.appends});
 }

@@ -39,7 +39,6 @@ class EntityTable {
   void add_obstacle(const EntityId& id, const char* code, const std::string& reason,
                     clang::SourceLocation where);
   void add_use(const EntityId& id, Change change);
-  void add_const_cast(const std::string& type, std::vector<EntityId> messages, clang::SourceLocation where);
   void add_data_use(const EntityId& id, clang::SourceLocation where, const ArrayGrowth& growth = {});
 
   /// Null: no entity has this id.

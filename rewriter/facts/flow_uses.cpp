@@ -44,7 +44,7 @@ bool UseFollower::step() {
   const auto around = written_parent(unit_.ast(), clang::DynTypedNode::create(*at_));
   if (!around) return false;
   if (const auto* decl = around->get<clang::Decl>()) return into_decl(decl);
-  if (around->get<clang::TypeLoc>()) return into_type_question();
+  if (around->get<clang::TypeLoc>()) return into_type_question(Question::declares);
   const auto* statement = around->get<clang::Stmt>();
   if (!statement) return false;
   if (const auto* returned = llvm::dyn_cast<clang::ReturnStmt>(statement)) return into_return(returned);
@@ -128,7 +128,8 @@ bool UseFollower::into_expression(const clang::Expr* parent) {
     return false;
   }
   if (llvm::isa<clang::CXXStdInitializerListExpr>(parent)) return go_on(parent);
-  if (llvm::isa<clang::UnaryExprOrTypeTraitExpr, clang::CXXTypeidExpr>(parent)) return into_value_question();
+  if (llvm::isa<clang::UnaryExprOrTypeTraitExpr, clang::CXXTypeidExpr>(parent))
+    return into_type_question(Question::of_value);
   if (llvm::isa<clang::LambdaExpr, clang::CXXDeleteExpr, clang::CXXDependentScopeMemberExpr,
                 clang::UnresolvedMemberExpr>(parent))
     return false;
@@ -136,13 +137,11 @@ bool UseFollower::into_expression(const clang::Expr* parent) {
 }
 
 /// sizeof, typeid, decltype: a ported message has another type.
-bool UseFollower::into_type_question() {
-  return entities_.is_message(id_) && refuse(codes::TZC1001, "the program asks for its type");
-}
-
-/// sizeof, typeid of a publisher: it has another class, too. Not decltype, which takes part in the port.
-bool UseFollower::into_value_question() {
-  return refuse(entities_.is_message(id_) ? codes::TZC1001 : codes::TZC1010, "the program asks for its type");
+bool UseFollower::into_type_question(Question question) {
+  const bool is_message = entities_.is_message(id_);
+  // A publisher that decltype declares takes part in the port.
+  if (!is_message && question == Question::declares) return false;
+  return refuse(is_message ? codes::TZC1001 : codes::TZC1010, "the program asks for its type");
 }
 
 bool UseFollower::into_method(const clang::MemberExpr* member) {

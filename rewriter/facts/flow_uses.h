@@ -26,6 +26,7 @@ class UseFollower {
   FlowEnd follow(const clang::Expr* leaf, const EntityId& id);
 
  private:
+  enum class Question { declares, of_value };  ///< decltype; sizeof, typeid
   bool step();
   bool into_decl(const clang::Decl* decl);
   bool into_expression(const clang::Expr* parent);
@@ -37,8 +38,7 @@ class UseFollower {
   bool into_call(const clang::CallExpr* call);
   bool into_constructor(const clang::CXXConstructExpr* construct);
   bool into_cast(const clang::ExplicitCastExpr* cast);
-  bool into_type_question();
-  bool into_value_question();
+  bool into_type_question(Question question);
   bool into_return(const clang::ReturnStmt* statement);
   bool into_initializer(const clang::CXXConstructorDecl* constructor);
   bool go_on(const clang::Expr* next);

@@ -94,7 +94,10 @@ void ValueFlow::add_writable(clang::QualType type, std::vector<EntityId> message
                              clang::SourceLocation where) {
   const std::optional<Carried> carried = carried_by(type, unit_.rules);
   if (carried && carried->message)
-    entities_.add_const_cast(carried->message->name, std::move(messages), where);
+    const_casts_.push_back(
+        {carried->message->name,
+         std::move(messages),
+         {codes::TZC2002, "const is cast away from a message that may be this one", unit_.location(where)}});
 }
 
 void ValueFlow::loop_over(const clang::CXXForRangeStmt* loop) {

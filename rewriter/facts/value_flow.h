@@ -27,6 +27,8 @@ class ValueFlow {
   void check_call(const clang::CallExpr* call);
   void check_union(const clang::MemberExpr* member);
   /// @}
+  /// What these found, const_cast included.
+  const std::vector<ConstCast>& const_casts() const { return const_casts_; }
   /// The elements of a container become the loop's variable.
   void loop_over(const clang::CXXForRangeStmt* loop);
 
@@ -38,6 +40,7 @@ class ValueFlow {
   const Unit& unit_;
   EntityTable& entities_;
   SourceFinder sources_;
+  std::vector<ConstCast> const_casts_;
   UseFollower uses_;
 };
 

@@ -69,10 +69,10 @@ Attachment::~Attachment() {
 
 void Attachment::add_codec(MessageCodec codec) {
   codec.has_header = has_header_;
-  endpoint_->records().add_codec(codec);
+  endpoint_->records().codecs().add(codec);
 }
 bool Attachment::knows(const std::type_info& type) const {
-  return endpoint_->records().knows(type);
+  return endpoint_->records().codecs().has(type);
 }
 
 void Attachment::shutdown() {

@@ -32,7 +32,7 @@ class PlainAttachment {
     if (!publication) return nullptr;
     const std::shared_ptr<PublicationEndpoint> endpoint = PublicationEndpoint::of(
         publication, configured(PublisherOptions(), topic_), runtime().worker, runtime().peers);
-    if (endpoint) endpoint->records().add_codec(codec_);
+    if (endpoint) endpoint->records().codecs().add(codec_);
     return endpoint;
   }
 

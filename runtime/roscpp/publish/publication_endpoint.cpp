@@ -219,7 +219,8 @@ EndpointStatistics PublicationEndpoint::look() const {
 }
 
 bool PublicationEndpoint::wants_pointer(const std::type_info& type) const {
-  if (stream_.links() > 0 && stream_.records().knows(type)) return true;  // spares the walk over all links
+  if (stream_.links() > 0 && stream_.records().codecs().has(type))
+    return true;  // spares the walk over all links
   const ros::PublicationPtr publication = publication_.lock();
   bool serialize = false, by_pointer = false;
   if (publication) publication->getPublishTypes(serialize, by_pointer, type);
@@ -228,7 +229,7 @@ bool PublicationEndpoint::wants_pointer(const std::type_info& type) const {
 
 bool PublicationEndpoint::has_local_writers(const std::type_info& type) const {
   const ros::PublicationPtr publication = publication_.lock();
-  const MessageCodec* const codec = stream_.records().find(type);
+  const MessageCodec* const codec = stream_.records().codecs().find(type);
   return publication && codec && detail::has_local_writers(*publication, *codec);
 }
 
@@ -256,7 +257,8 @@ void PublicationEndpoint::publish_numbered(const std::type_info& type, message::
   send_queued();
   {
     const PublicationLock publication_lock(*publication);
-    stream_.records().number(type, encoded, stream_.foresee_number(publication_lock.queued()));
+    const MessageCodec& codec = *stream_.records().codecs().find(type);
+    write_number(codec, encoded, stream_.foresee_number(publication_lock.queued()));
   }
   const bool is_counted = numbers_by_pointer(*publication, type);
   publish();

@@ -56,17 +56,8 @@ EncodedScope::~EncodedScope() {
   scoped_encoded = previous_encoded_;
 }
 
-void RecordEncoder::add_codec(const MessageCodec& codec) {
-  if (knows(*codec.type)) return;
-  const std::lock_guard<std::mutex> lock(codecs_mutex_);
-  codecs_.push_back(codec);
-}
-
-const MessageCodec* RecordEncoder::find(const std::type_info& type) const {
-  const std::lock_guard<std::mutex> lock(codecs_mutex_);
-  const auto found = std::find_if(codecs_.begin(), codecs_.end(),
-                                  [&](const MessageCodec& codec) { return *codec.type == type; });
-  return found == codecs_.end() ? nullptr : &*found;
+void write_number(const MessageCodec& codec, message::Encoded& encoded, std::uint32_t sequence) {
+  if (codec.has_header) write_sequence(encoded.control.data(), encoded.control.size(), sequence);
 }
 
 OutgoingMessage RecordEncoder::unless_out_of_memory(const std::function<OutgoingMessage()>& make) {
@@ -83,7 +74,7 @@ OutgoingMessage RecordEncoder::unless_out_of_memory(const std::function<Outgoing
 }
 
 OutgoingMessage RecordEncoder::encode(const ros::SerializedMessage& message, std::uint32_t sequence) {
-  const MessageCodec& codec = *find(*message.type_info);
+  const MessageCodec& codec = *codecs_.find(*message.type_info);
   const void* address = message.message.get();
   message::Encoded own;
   const bool is_encoded = scoped_encoded && scoped_message == address;
@@ -95,11 +86,6 @@ OutgoingMessage RecordEncoder::encode(const ros::SerializedMessage& message, std
 
 bool RecordEncoder::fits(const message::Encoded& encoded) {
   return encoded.buffers.size() <= kMostBlocks && encoded.control.size() <= kMostControlBytes;
-}
-
-void RecordEncoder::number(const std::type_info& type, message::Encoded& encoded,
-                           std::uint32_t sequence) const {
-  if (find(type)->has_header) write_sequence(encoded.control.data(), encoded.control.size(), sequence);
 }
 
 OutgoingMessage RecordEncoder::too_scattered(const MessageCodec& codec, const void* message,
@@ -115,8 +101,8 @@ OutgoingMessage RecordEncoder::too_scattered(const MessageCodec& codec, const vo
 
 OutgoingMessage RecordEncoder::control_record(const MessageCodec& codec, message::Encoded& encoded,
                                               std::uint32_t sequence) {
-  std::vector<std::uint8_t>& control = encoded.control;
-  if (codec.has_header) write_sequence(control.data(), control.size(), sequence);
+  const std::vector<std::uint8_t>& control = encoded.control;
+  write_number(codec, encoded, sequence);
   const guard::MessageNumber number(sequence);
   ++counters_.messages;
   counters_.copied_bytes += encoded.copied_bytes;
@@ -180,8 +166,8 @@ OutgoingMessage RecordEncoder::of_bytes(const ros::SerializedMessage& message, s
 }
 
 ros::SerializedMessage RecordEncoder::to_stock_bytes(const channel::RecordPtr& record) const {
-  const std::lock_guard<std::mutex> lock(codecs_mutex_);
-  return codecs_.empty() ? ros::SerializedMessage() : detail::to_stock_bytes(record, codecs_.front());
+  const MessageCodec* const codec = codecs_.first();
+  return codec ? detail::to_stock_bytes(record, *codec) : ros::SerializedMessage();
 }
 
 // A process without descriptors has none for any of its topics, so one warning speaks for all of them.

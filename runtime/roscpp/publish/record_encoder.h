@@ -7,12 +7,11 @@
 #include <tzc/options.h>
 
 #include <atomic>
-#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 
+#include "roscpp/publish/known_codecs.h"
 #include "roscpp/publish/outgoing_message.h"
 #include "roscpp/publish/publish_cache.h"
 #include "roscpp/publish/subscriber_names.h"
@@ -20,6 +19,9 @@
 
 namespace tzc {
 namespace detail {
+
+/// Writes a sequence number into an encoded message, if messages of its topic have one.
+void write_number(const MessageCodec& codec, message::Encoded& encoded, std::uint32_t sequence);
 
 /// Turns the messages of one topic into channel records, each message once, however many links send it. Calls
 /// happen under Publication::subscriber_links_mutex_, except where another rule is given.
@@ -29,12 +31,8 @@ class RecordEncoder {
       : topic_(std::move(topic)), memory_(std::move(memory)), on_exhausted_(on_exhausted) {}
 
   OnExhausted on_exhausted() const { return on_exhausted_; }
-  /// Any thread.
-  void add_codec(const MessageCodec& codec);
-  /// Any thread.
-  bool knows(const std::type_info& type) const { return find(type) != nullptr; }
-  /// Null when the type is not known; otherwise valid while this object lives. Any thread.
-  const MessageCodec* find(const std::type_info& type) const;
+  KnownCodecs& codecs() { return codecs_; }
+  const KnownCodecs& codecs() const { return codecs_; }
 
   /// The record of a message of a known type that is published by pointer; null when it was dropped because
   /// no memory was left. Each of `links` links calls this once for each message. The first call calls
@@ -51,13 +49,11 @@ class RecordEncoder {
   /// The record of a message of a known type that is encoded already, with its sequence number written into it. Empty
   /// when it fits no record (fits()).
   OutgoingMessage of_encoded(const std::type_info& type, message::Encoded& encoded, std::uint32_t sequence) {
-    return control_record(*find(type), encoded, sequence);
+    return control_record(*codecs_.find(type), encoded, sequence);
   }
   /// Whether a record can hold the message's block references and control part; otherwise the message must be
   /// serialized.
   static bool fits(const message::Encoded& encoded);
-  /// Writes a sequence number into an encoded message, if the topic's messages have one.
-  void number(const std::type_info& type, message::Encoded& encoded, std::uint32_t sequence) const;
   /// The record of a message that roscpp has serialized and numbered.
   OutgoingMessage of_bytes(const ros::SerializedMessage& message, std::size_t links);
 
@@ -100,8 +96,7 @@ class RecordEncoder {
   const OnExhausted on_exhausted_;
   SubscriberNames subscribers_;
   Throttle exhausted_warning_{std::chrono::seconds(10)};
-  mutable std::mutex codecs_mutex_;
-  std::deque<MessageCodec> codecs_;  ///< only ever grows, so addresses stay valid
+  KnownCodecs codecs_;
   PublishCache by_pointer_, by_bytes_;
   Counters counters_;
 };

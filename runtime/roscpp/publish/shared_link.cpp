@@ -51,7 +51,7 @@ std::string SharedLink::getTransportInfo() {
 
 void SharedLink::getPublishTypes(bool& ser, bool& nocopy, const std::type_info& type) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  nocopy = state_ != State::returned && stream_->records().knows(type);
+  nocopy = state_ != State::returned && stream_->records().codecs().has(type);
   ser = !nocopy;
 }
 
@@ -69,12 +69,12 @@ void SharedLink::publish_by_pointer(const ros::SerializedMessage& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (state_ == State::returned) return;  // it needs bytes, and roscpp will pass them
   }
-  if (stream_->records().knows(*message.type_info)) deliver(stream_->of_pointer(message));
+  if (stream_->records().codecs().has(*message.type_info)) deliver(stream_->of_pointer(message));
 }
 
 void SharedLink::publish_bytes(const ros::SerializedMessage& message) {
   stream_->saw_serialized(message);
-  const bool went_by_pointer = message.type_info && stream_->records().knows(*message.type_info);
+  const bool went_by_pointer = message.type_info && stream_->records().codecs().has(*message.type_info);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (goes_to_tcpros(went_by_pointer)) return parked_->enqueueMessage(message, true, false);

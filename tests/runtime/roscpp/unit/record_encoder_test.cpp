@@ -40,7 +40,7 @@ ros::SerializedMessage huge() {
 TEST(RecordEncoder, a_message_without_any_memory_is_dropped_and_counted) {
   for (const OnExhausted on_exhausted : {OnExhausted::deliver, OnExhausted::drop}) {
     RecordEncoder encoder("/image", *SegmentMemory::create(MemoryOptions()), on_exhausted);
-    encoder.add_codec(codec_of_huge());
+    encoder.codecs().add(codec_of_huge());
     for (std::uint32_t number = 0; number < 3; ++number) {
       const ros::SerializedMessage message = huge();
       for (int link = 0; link < 2; ++link)
