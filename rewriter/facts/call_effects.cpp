@@ -43,6 +43,16 @@ bool reads_any_message(const std::string& function, const clang::CallExpr* call)
   return stream && qualified_name_of(stream).rfind("ros::serialization::", 0) == 0;
 }
 
+/// shared_ptr<Image>(frame, &frame->image): the frame's destructor runs when the last subscriber lets go of the image.
+bool shows_its_end(const clang::CXXConstructExpr* construct) {
+  if (construct->getNumArgs() != 2 || pointee_of(construct->getType()).isNull()) return false;
+  const clang::QualType owner = pointee_of(construct->getArg(0)->getType());
+  const clang::CXXRecordDecl* record = owner.isNull() ? nullptr : owner->getAsCXXRecordDecl();
+  const bool is_known = record && record->hasDefinition();
+  const clang::CXXDestructorDecl* destructor = is_known ? record->getDestructor() : nullptr;
+  return destructor && destructor->isUserProvided();
+}
+
 }  // namespace
 
 bool serves_plain_field(const Unit& unit, const clang::Expr* cast) {
@@ -187,6 +197,9 @@ CallEffect CallEffects::of_constructor(const EntityId& id, const clang::CXXConst
                                        unsigned argument) {
   const clang::CXXConstructorDecl* constructor = construct->getConstructor();
   if (unit_.declares(constructor)) return into_package(id, {constructor, argument, construct->getBeginLoc()});
+  if (entities_.is_message(id) && shows_its_end(construct))
+    entities_.add_obstacle(id, codes::TZC1001, "the destructor of its owner shows when it is no longer held",
+                           construct->getBeginLoc());
   if (carried_by(construct->getType(), unit_.rules)) return CallEffect::result;
   if (const auto effect = into_bound(id, construct, argument)) return *effect;
   escape(id, qualified_name_of(constructor->getParent()), construct->getBeginLoc());

@@ -212,7 +212,8 @@ void UseFollower::assign(const clang::Expr* target, const clang::Expr* value, co
   if (at_ == target) return check_source(value);
   end_.target = target;
   end_.statement = statement;
-  if (target->getType()->isRecordType() && !carried_by(target->getType(), unit_.rules)) {
+  const bool is_filter = entities_[id_].role == EntityRole::filter;  // may be kept as one of its bases
+  if (!is_filter && target->getType()->isRecordType() && !carried_by(target->getType(), unit_.rules)) {
     refuse(entities_.is_message(id_) ? codes::TZC1001 : codes::TZC1010,
            "it becomes part of '" + unit_.text(target) + "', whose type does not tell");
     return;

@@ -121,7 +121,8 @@ class Traces(TopicCase):
         self.check(SHARED, 5, Trace(json.loads(joined.stdout)))
         nothing = subprocess.run([MONITOR, "--join-trace", "/no/such/file"], stdout=subprocess.PIPE,
                                  stderr=subprocess.PIPE, timeout=20, check=False)
-        self.assertEqual((nothing.returncode, nothing.stdout), (1, b""))
+        self.assertEqual((nothing.returncode, nothing.stdout), (2, b""))
+        self.assertIn("cannot read /no/such/file: No such file or directory", nothing.stderr.decode())
 
 
 if __name__ == "__main__":

@@ -19,6 +19,8 @@ class shared_ptr {
   shared_ptr(const shared_ptr<U>& other,
              typename std::enable_if<std::is_convertible<U*, T*>::value, int>::type = 0)
       : p_(other.p_) {}
+  template <class U>
+  shared_ptr(const shared_ptr<U>& owner, T* p) : p_(owner.p_, p) {}
   T* operator->() const { return p_.get(); }
   typename std::add_lvalue_reference<T>::type operator*() const { return *p_; }
   T* get() const { return p_.get(); }
