@@ -4,7 +4,7 @@
 
 Makes inputs for `scripts/port-packages --inputs DIR`: copies the launch files and arguments beside this script, and writes what
 they name: drive.bag, ten seconds of a robot that drives through a room with pillars (/scan, /points, /camera/... and /tf),
-and map.yaml, the room as a map. The same in every run.
+and map.yaml, the room as a map. The same in every run. Needs Debian's python3-rosbag, python3-sensor-msgs and python3-tf2-msgs.
 """
 import math
 import os
