@@ -2,6 +2,7 @@
 """100 upgrades under 2 kHz traffic: no message twice, none out of order, none lost that plain ROS would deliver."""
 import json
 import os
+import statistics
 
 from topic_case import TopicCase, main
 
@@ -26,7 +27,8 @@ class ManyUpgrades(TopicCase):
         self.assertEqual([hop["jumps"] for hop in hops if hop["jumps"]], [], "lost, doubled or out of order")
         self.assertEqual([hop["misnumbered"] for hop in hops if hop["misnumbered"]], [], "[number, header.seq]")
         self.assertTrue(all(hop["right"] for hop in hops))
-        rate = sum(hop["count"] - 1 for hop in hops) / sum(hop["seconds"] for hop in hops)
+        # Not the mean: a machine that stands still for a second shows in few hops, and its load tells nothing of it.
+        rate = statistics.median((hop["count"] - 1) / max(hop["seconds"], 1e-9) for hop in hops)
         self.assertGreater(rate, 2000 * self.SLOWEST / self.slowness(), "the traffic")
 
     def test_up(self):
