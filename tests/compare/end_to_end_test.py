@@ -176,7 +176,7 @@ class Camera(unittest.TestCase):
     def test_a_launch_file_that_runs_on(self):
         workspace = camera_workspace("original")
         status, text, result = compare(workspace, workspace, "--launch", "camera_pair camera_pair.launch rate:=5",
-                                       "--duration", "3")
+                                       "--duration", "6")
         self.assertEqual(status, 0, text)
         copies = {entry["topic"]: entry for entry in result["port_resources"]["copies"]}["/camera/image"]
         self.assertEqual(copies["connections"], 2, "the viewer and the recorder")

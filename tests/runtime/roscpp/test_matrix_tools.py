@@ -6,6 +6,7 @@ import os
 import re
 import signal
 import sys
+import time
 
 from topic_case import TZC_RUN, Listener, TopicCase, main
 
@@ -95,24 +96,25 @@ class ToolCase(TopicCase):
         return stamps
 
     def assert_hz(self, hz, stamps):
-        """It has counted every message, and its rate is theirs."""
+        """It has counted every message, and its rate is theirs as far as a machine that stands still now and then lets it see."""
         self.ros.wait_until(lambda: f"window: {len(stamps)}\n" in hz.log(), 20, "hz to count them all")
         rate, least, most, window = [float(figure) for figure in re.findall(
             r"average rate: (\S+)\n\tmin: (\S+)s max: (\S+)s .* window: (\d+)", hz.log())[-1]]
         self.assertEqual(window, len(stamps))
         published = (len(stamps) - 1) / (stamps[-1] - stamps[0])
-        self.assertTrue(0.85 * published < rate < 1.15 * published, f"{rate}, not {published}")
+        self.assertTrue(0.5 * published < rate < 2 * published, f"{rate}, not {published}")
         self.assertTrue(least <= 1 / rate <= most)
 
     def assert_bw(self, bandwidth, stamps, size):
-        """It has counted every message, each as long as it is on the wire; its bandwidth is theirs."""
+        """It has counted every message, each as long as it is on the wire; its bandwidth is theirs, over a time that ended
+        after the last message and before now."""
         wire = size + 42 + 3  # header, other fields, three digits of a number
         figures = f"mean: {wire / 1000:.2f}KB min: {wire / 1000:.2f}KB max: {wire / 1000:.2f}KB window: {len(stamps)}\n"
         self.ros.wait_until(lambda: figures in bandwidth.log(), 20, f"bw to say {figures}")
         average = float(re.findall(r"average: (\S+)KB/s\n\t" + figures, bandwidth.log())[0])
-        seconds, later = stamps[-1] - stamps[0], 1.2 * self.slowness()  # it looks once a second
         kilobytes = len(stamps) * wire / 1000
-        self.assertTrue(0.95 * kilobytes / (seconds + later) < average < 1.05 * kilobytes / seconds, bandwidth.log())
+        least, most = kilobytes / (time.time() - stamps[0]), kilobytes / (stamps[-1] - stamps[0])
+        self.assertTrue(0.99 * least < average < 2 * most, f"{least}, {most}: {bandwidth.log()}")
 
     def relay_and_throttle(self):
         """Both, and a listener behind each. topic_tools advertise when the first message comes, which is lost: a talker
