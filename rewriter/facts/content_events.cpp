@@ -50,6 +50,7 @@ class EventReader {
  private:
   void look_at(const clang::Stmt* stmt);
   void array(const clang::Expr* expr);
+  void array_of_messages(const clang::Expr* expr);
   void replaced(const clang::Expr* array, const clang::Expr* source);
   void array_method(const clang::Expr* array, const clang::CXXMemberCallExpr* call, const std::string& name);
   void declaration(const clang::DeclStmt* stmt);
@@ -127,6 +128,25 @@ void EventReader::array(const clang::Expr* expr) {
   if (llvm::isa_and_nonnull<clang::DeclStmt, clang::CXXConstructExpr>(use))
     return;  // another name, or a copy
   add(Kind::write, parts_.part_of(expr), expr->getExprLoc());
+}
+
+/// Elements that it gets have arrays of their own, which allocate has not seen: they lie outside shared memory.
+void EventReader::array_of_messages(const clang::Expr* expr) {
+  static const std::set<std::string> adds_none = {"reserve", "begin", "end",  "rbegin", "rend",    "front",
+                                                  "back",    "at",    "data", "erase",  "pop_back"};
+  if (is_only_read(view_, expr)) return;
+  const clang::Stmt* use = use_of(view_, expr);
+  if (llvm::isa_and_nonnull<clang::DeclStmt, clang::CXXConstructExpr>(use))
+    return;  // another name, or a copy
+  if (const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(use)) {
+    const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member->getMemberDecl());
+    const std::string name = member->getMemberDecl()->getNameAsString();
+    if (name == "clear") return add(Kind::reset, parts_.part_of(expr), expr->getExprLoc());
+    if (!method || method->isConst() || adds_none.count(name) != 0) return;
+  }
+  const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(use);
+  if (op && (!op->isAssignmentOp() || op->getArg(0)->IgnoreParenImpCasts() != expr)) return;
+  add(Kind::take, parts_.part_of(expr), expr->getExprLoc());
 }
 
 void EventReader::declaration(const clang::DeclStmt* stmt) {
@@ -259,6 +279,7 @@ void EventReader::look_at(const clang::Stmt* stmt) {
   const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
   if (!expr || !llvm::isa<clang::MemberExpr, clang::DeclRefExpr>(expr)) return;
   if (is_stock_or_twin_array(expr->getType())) array(expr);
+  if (is_array_of_data_parts(expr->getType())) array_of_messages(expr);
 }
 
 /// Blocks in Clang's order, the entry first.

@@ -46,6 +46,15 @@ bool is_stock_or_twin_array(clang::QualType type) {
   return record && qualified_name_of(record) == "tzc::Array";
 }
 
+bool is_array_of_data_parts(clang::QualType type) {
+  const auto* templated = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
+      type.getNonReferenceType()->getAsCXXRecordDecl());
+  if (!templated || qualified_name_of(templated) != "std::vector") return false;
+  const clang::QualType element = templated->getTemplateArgs().get(0).getAsType();
+  const std::optional<MessageType> stock = message_of(element);
+  return stock ? stock->has_data_part : twin_message_of(element).has_value();
+}
+
 bool is_only_read(const FunctionView& view, const clang::Expr* array) {
   if (array->getType().isConstQualified()) return true;
   const auto* cast = llvm::dyn_cast_or_null<clang::ImplicitCastExpr>(view.parent(array));

@@ -33,6 +33,8 @@ class MessageParts {
 bool is_stock_or_twin(clang::QualType type);
 /// A data array of a stock message or of a twin.
 bool is_stock_or_twin_array(clang::QualType type);
+/// An array of messages, or of twins, that have data arrays themselves.
+bool is_array_of_data_parts(clang::QualType type);
 /// Whether only const functions are called through a mention of an array.
 bool is_only_read(const FunctionView& view, const clang::Expr* array);
 

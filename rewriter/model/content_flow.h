@@ -29,7 +29,7 @@ struct ContentEvent {
   enum class Kind {
     make,     ///< a message comes into being as a member of an object
     reset,    ///< the part has no content any more, or content that nobody else has
-    take,     ///< the array is given the elements of a std::vector, which lie outside shared memory
+    take,     ///< the array is given elements that lie outside shared memory, those of a std::vector
     write,    ///< an element is written, or may be
     publish,  ///< the part's elements are shared from here on
     call      ///< of a function of the package

@@ -203,10 +203,10 @@ std::optional<ContentState> CopiedElements::after_call(const ContentEvent& event
 std::optional<Obstacle> CopiedElements::why_copied(const SiteId& site) const {
   const PublishPlace place{site.file, site.begin};
   if (const auto found = taken_.find(place); found != taken_.end())
-    return Obstacle{codes::TZC1022,
-                    "line " + std::to_string(found->second.line) +
-                        " gives it the elements of a std::vector, which lie outside shared memory",
-                    found->second};
+    return Obstacle{
+        codes::TZC1022,
+        "line " + std::to_string(found->second.line) + " gives it elements that lie outside shared memory",
+        found->second};
   if (const auto found = writes_.find(place); found != writes_.end())
     return Obstacle{codes::TZC1022,
                     "line " + std::to_string(found->second.line) +

@@ -11,7 +11,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:6 sensor_msgs/PointCloud2 one_copy 'image'
-// publish src/node.cpp:10 sensor_msgs/PointCloud2 one_copy 'image' TZC1022 line 9 gives it the elements of a std::vector, which lie outside shared memory
+// publish src/node.cpp:10 sensor_msgs/PointCloud2 one_copy 'image' TZC1022 line 9 gives it elements that lie outside shared memory
 //
 // +++ src/node.cpp
 // +#include <tzc/pcl.h>

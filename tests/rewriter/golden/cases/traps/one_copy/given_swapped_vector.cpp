@@ -22,7 +22,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:9 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1022 line 13 gives it the elements of a std::vector, which lie outside shared memory
+// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1022 line 13 gives it elements that lie outside shared memory
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <sensor_msgs/PointCloud.h>
+#include <tzc/array.h>
+namespace tzc {
+namespace sensor_msgs {
+struct ChannelFloat32 {
+  typedef ::sensor_msgs::ChannelFloat32 Stock;
+  typedef boost::shared_ptr<ChannelFloat32> Ptr;
+  typedef boost::shared_ptr<ChannelFloat32 const> ConstPtr;
+  std::string name;
+  ::tzc::Array<float> values;
+};
+struct PointCloud {
+  typedef ::sensor_msgs::PointCloud Stock;
+  typedef boost::shared_ptr<PointCloud> Ptr;
+  typedef boost::shared_ptr<PointCloud const> ConstPtr;
+  PointCloud() = default;
+  explicit PointCloud(const Stock&) {}
+  explicit operator Stock() const { return Stock(); }
+  ::std_msgs::Header header;
+  ::tzc::Array<::geometry_msgs::Point> points;
+  std::vector<ChannelFloat32> channels;
+};
+typedef boost::shared_ptr<PointCloud> PointCloudPtr;
+typedef boost::shared_ptr<PointCloud const> PointCloudConstPtr;
+inline std::ostream& operator<<(std::ostream& s, const PointCloud&) {
+  return s;
+}
+}  // namespace sensor_msgs
+}  // namespace tzc
