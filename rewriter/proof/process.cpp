@@ -9,6 +9,8 @@
 
 #include <cerrno>
 
+#include "interruption/interruption.h"
+
 extern char** environ;
 
 namespace tzc::rewriter {
@@ -58,10 +60,16 @@ pid_t spawn(const Command& command, int out, int err) {
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, out, 1);
   posix_spawn_file_actions_adddup2(&actions, err, 2);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  const sigset_t mask = mask_for_children();
+  posix_spawnattr_setsigmask(&attributes, &mask);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   pid_t child = -1;
-  if (posix_spawnp(&child, command.arguments[0].c_str(), &actions, nullptr,
+  if (posix_spawnp(&child, command.arguments[0].c_str(), &actions, &attributes,
                    pointers(command.arguments).data(), pointers(environment).data()) != 0)
     child = -1;
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return child;
 }
@@ -73,13 +81,13 @@ ProcessResult run_process(const Command& command) {
   int out[2], err[2];
   if (pipe2(out, O_CLOEXEC) != 0) return result;
   if (pipe2(err, O_CLOEXEC) != 0) return close(out[0]), close(out[1]), result;
-  const pid_t child = spawn(command, out[1], err[1]);
+  const EndedWhenInterrupted child([&] { return spawn(command, out[1], err[1]); });
   close(out[1]);
   close(err[1]);
-  if (child > 0) {
+  if (child.pid() > 0) {
     drain(out[0], err[0], result);
     int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+    while (waitpid(child.pid(), &status, 0) < 0 && errno == EINTR) continue;
     result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
   close(out[0]);

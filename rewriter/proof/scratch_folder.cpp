@@ -60,7 +60,7 @@ Expected<ScratchFolder> ScratchFolder::make() {
 
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
-  if (!path_.empty()) fs::remove_all(path_, ignored);
+  if (!path().empty()) fs::remove_all(path(), ignored);
   if (lock_ >= 0) ::close(lock_);
 }
 

@@ -3,31 +3,31 @@
 
 #include <string>
 
+#include "interruption/interruption.h"
 #include "model/expected.h"
 
 namespace tzc::rewriter {
 
-/// A folder of this run's own below the system's temporary folder, removed with the object. A lock that the
+/// A folder of this run's own below the system's temporary folder, removed with the object, or when the process is interrupted. A lock that the
 /// process holds on it tells folders in use from those that a killed run left; the latter are removed by the
 /// next run of the same user.
 class ScratchFolder {
  public:
   static Expected<ScratchFolder> make();
 
-  ScratchFolder(ScratchFolder&& other) noexcept : path_(std::move(other.path_)), lock_(other.lock_) {
-    other.path_.clear();
+  ScratchFolder(ScratchFolder&& other) noexcept : folder_(std::move(other.folder_)), lock_(other.lock_) {
     other.lock_ = -1;
   }
   ScratchFolder& operator=(ScratchFolder&&) = delete;
   ~ScratchFolder();
 
   /// Absolute, canonical.
-  const std::string& path() const { return path_; }
-  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+  const std::string& path() const { return folder_.folder(); }
+  std::string operator/(const std::string& name) const { return path() + "/" + name; }
 
  private:
-  ScratchFolder(std::string path, int lock) : path_(std::move(path)), lock_(lock) {}
-  std::string path_;
+  ScratchFolder(std::string path, int lock) : folder_(std::move(path)), lock_(lock) {}
+  RemovedWhenInterrupted folder_;
   int lock_;  ///< descriptor of the locked file
 };
 

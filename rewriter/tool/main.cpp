@@ -9,9 +9,12 @@
 #include "engine/digest.h"
 #include "engine/engine.h"
 #include "format/format.h"
+#include "interruption/interruption.h"
 #include "tool/run.h"
 
 int main(int argc, char** argv) {
+  tzc::rewriter::handle_interruptions(
+      "tzc-rewrite: interrupted; what it says to have written is written, everything else is as it was");
   try {
     const int status = tzc::rewriter::tool_main(
         argc, argv, {tzc::rewriter::plan_ports, tzc::rewriter::format_changes, tzc::rewriter::blake3_digest});

@@ -109,6 +109,7 @@ void add_inputs(CLI::App& app, Raw& raw) {
       ->group(group);
   app.add_option("-j,--jobs", options.jobs, "Files analysed at a time (default: one for each processor)")
       ->type_name("N")
+      ->check(CLI::Range(1, 1024))
       ->group(group);
 }
 

@@ -145,28 +145,27 @@ bool is_swap_unfinished(const WriteUnit& unit) {
 
 Expected<OutDir> OutDir::open(const std::string& folder, const std::vector<std::string>& packages,
                               const std::vector<std::string>& named) {
-  OutDir out;
-  out.folder_ = fs::weakly_canonical(folder);
+  const std::string place = fs::weakly_canonical(folder);
+  OutDir out(place + "/.tzc-rewrite-" + std::to_string(::getpid()));
+  out.folder_ = place;
   for (const std::string& package : packages) out.places_[package] = place_of(package, named);
   if (Expected<void> fits = check_places(out.folder_, out.places_); !fits) return fits.error();
   std::error_code failed;
   out.is_new_ = fs::create_directories(out.folder_, failed);
-  const std::string staging = out.folder_ + "/.tzc-rewrite-" + std::to_string(::getpid());
-  if (!failed) fs::create_directory(staging, failed);
+  if (!failed) fs::create_directory(out.staging_.folder(), failed);
   if (failed) return not_written(out.folder_, failed);
-  out.staging_ = staging;
   return out;
 }
 
 OutDir::~OutDir() {
   std::error_code ignored;
-  if (staging_.empty()) return;
-  fs::remove_all(staging_, ignored);
+  if (staging_.folder().empty()) return;
+  fs::remove_all(staging_.folder(), ignored);
   if (is_new_) fs::remove(folder_, ignored);  // fails where it holds something
 }
 
 Expected<void> OutDir::stage(const PackagePort& port) const {
-  const fs::path staged = fs::path(staging_) / places_.at(port.package_dir);
+  const fs::path staged = fs::path(staging_.folder()) / places_.at(port.package_dir);
   if (Expected<void> copied = copy_package(port.package_dir, staged, folder_); !copied) return copied;
   for (const auto& [file, content] : port.contents)
     if (Expected<void> done = write_file(staged / file.substr(port.package_dir.size() + 1), content); !done)
@@ -180,7 +179,7 @@ Expected<void> OutDir::move_in(const PackagePort& port) const {
   std::error_code failed;
   fs::create_directories(to.parent_path(), failed);
   if (failed) return not_written(to, failed);
-  return move_into(fs::path(staging_) / place, to);
+  return move_into(fs::path(staging_.folder()) / place, to);
 }
 
 }  // namespace tzc::rewriter

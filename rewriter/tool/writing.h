@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "interruption/interruption.h"
 #include "tool/git.h"
 #include "tool/package_port.h"
 
@@ -40,13 +41,7 @@ class OutDir {
   static Expected<OutDir> open(const std::string& folder, const std::vector<std::string>& packages,
                                const std::vector<std::string>& named);
 
-  OutDir(OutDir&& other) noexcept
-      : folder_(std::move(other.folder_)),
-        staging_(std::move(other.staging_)),
-        places_(std::move(other.places_)),
-        is_new_(other.is_new_) {
-    other.staging_.clear();
-  }
+  OutDir(OutDir&& other) noexcept = default;
   OutDir& operator=(OutDir&&) = delete;
   ~OutDir();
 
@@ -57,9 +52,10 @@ class OutDir {
   Expected<void> move_in(const PackagePort& port) const;
 
  private:
-  OutDir() = default;
+  explicit OutDir(std::string staging) : staging_(std::move(staging)) {}
+
   std::string folder_;                         ///< canonical
-  std::string staging_;                        ///< a folder in it, removed in the end
+  RemovedWhenInterrupted staging_;             ///< a folder in it, removed in the end
   std::map<std::string, std::string> places_;  ///< package -> its path in the folder
   bool is_new_ = false;                        ///< made by this run: removed in the end when it is empty
 };

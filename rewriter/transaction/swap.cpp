@@ -2,7 +2,6 @@
 #include "transaction/swap.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -15,6 +14,7 @@
 #include <set>
 #include <thread>
 
+#include "interruption/interruption.h"
 #include "transaction/journal.h"
 
 namespace tzc::rewriter {
@@ -71,23 +71,6 @@ class Lock {
 
   std::string path_;
   int descriptor_ = -1;
-};
-
-/// Delays Ctrl-C until the swap is over, which takes milliseconds.
-class SignalsBlocked {
- public:
-  SignalsBlocked() {
-    sigset_t set;
-    sigemptyset(&set);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, signal);
-    pthread_sigmask(SIG_BLOCK, &set, &before_);
-  }
-  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
- private:
-  sigset_t before_;
 };
 
 Expected<void> stage_file(const std::string& staged, const std::string& target, const std::string& content) {
@@ -224,7 +207,7 @@ Expected<void> swap_in(const std::vector<PackageSwap>& packages) {
   const Expected<Journal> journal = stage(folder, packages);
   if (!journal) return folders->remove(), journal.error();
 
-  const SignalsBlocked blocked;
+  const InterruptionDelay until_swapped;
   if (Expected<void> written = write_journal(folder, *journal); !written) return folders->remove(), written;
   observe("journal");
   if (Expected<std::vector<std::string>> done = finish(*journal); !done) return done.error();
@@ -259,7 +242,7 @@ Expected<std::vector<std::string>> recover(const std::string& place) {
     const Expected<Journal> journal = read_journal(folder);
     if (!journal) return journal.error();
     if (Expected<void> fit = check_targets(*journal, folder); !fit) return fit.error();
-    const SignalsBlocked blocked;
+    const InterruptionDelay until_swapped;
     Expected<std::vector<std::string>> done = finish(*journal);
     if (!done) return done;
     replaced = *done;

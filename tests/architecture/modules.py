@@ -20,13 +20,14 @@ USES = {
     "msggen/emit": ["msggen/model"],
     "msggen/tool": ["msggen/model", "msggen/parse", "msggen/emit"],
 
+    "rewriter/interruption": [],
     "rewriter/model": [],
     "rewriter/edits": ["rewriter/model"],
-    "rewriter/transaction": ["rewriter/model", "rewriter/edits"],
+    "rewriter/transaction": ["rewriter/interruption", "rewriter/model", "rewriter/edits"],
     "rewriter/report": ["rewriter/model", "rewriter/edits"],
     "rewriter/cache": ["rewriter/model", "rewriter/edits"],
     "rewriter/buildfiles": ["rewriter/model", "rewriter/edits"],
-    "rewriter/proof": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles"],
+    "rewriter/proof": ["rewriter/interruption", "rewriter/model", "rewriter/edits", "rewriter/buildfiles"],
     "rewriter/rules": [],
     "rewriter/solve": ["rewriter/model"],
     "rewriter/parse": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles"],
@@ -35,8 +36,8 @@ USES = {
     "rewriter/engine": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles", "rewriter/report",
                         "rewriter/parse", "rewriter/facts", "rewriter/solve", "rewriter/verify"],
     "rewriter/format": ["rewriter/edits"],
-    "rewriter/tool": ["rewriter/model", "rewriter/edits", "rewriter/transaction", "rewriter/report", "rewriter/cache", "rewriter/buildfiles",
-                      "rewriter/proof", "rewriter/engine", "rewriter/format"],
+    "rewriter/tool": ["rewriter/interruption", "rewriter/model", "rewriter/edits", "rewriter/transaction", "rewriter/report", "rewriter/cache",
+                      "rewriter/buildfiles", "rewriter/proof", "rewriter/engine", "rewriter/format"],
 
     # The benchmark measures the runtime, so it alone uses another product.
     "bench": [],
