@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace tzc::compare {
 namespace {
@@ -81,6 +82,18 @@ FieldFilter filter_for(const Field& definition, const LeftOut& left_out) {
     return std::find(fields.begin(), fields.end(), path) != fields.end() ||
            (left_out.header_stamps && is_header_stamp(definition, path));
   };
+}
+
+std::vector<std::string> unknown_fields(const Recording& recording, const LeftOut& left_out) {
+  std::vector<std::string> unknown = left_out.fields;
+  const std::function<void(const Field&)> look = [&](const Field& field) {
+    unknown.erase(std::remove(unknown.begin(), unknown.end(), field.path), unknown.end());
+    for (const Field& child : field.children) look(child);
+  };
+  for (const Stream& stream : recording)
+    if (const std::optional<Field> definition = parse_definition(stream.datatype, stream.definition))
+      look(*definition);
+  return unknown;
 }
 
 Comparison compare_recordings(const Recording& first, const Recording& second, const LeftOut& left_out) {

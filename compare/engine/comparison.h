@@ -48,6 +48,9 @@ struct LeftOut {
 /// The fields of a message type that are left out.
 FieldFilter filter_for(const Field& definition, const LeftOut& left_out);
 
+/// Those of the fields to leave out that no message type of the recording has.
+std::vector<std::string> unknown_fields(const Recording& recording, const LeftOut& left_out);
+
 /// Compares two runs stream by stream, sorted by topic and node. Reads both messages of each pair, one pair
 /// at a time.
 Comparison compare_recordings(const Recording& first, const Recording& second, const LeftOut& left_out);

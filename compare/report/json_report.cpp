@@ -96,8 +96,9 @@ json json_report(const Result& result) {
           {"judges_last_messages", result.judges_after},
           {"original_failures", result.own_failures},
           {"port_failures", result.port_failures},
-          {"late_topics", result.late_topics},
-          {"topics_left_out", result.left_out},
+          {"late_topics", result.omissions.late_topics},
+          {"topics_left_out", result.omissions.topics},
+          {"unknown_fields", result.omissions.unknown_fields},
           {"streams", streams},
           {"original_resources", resources(result.original_resources)},
           {"port_resources", resources(result.port_resources)}};

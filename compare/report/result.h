@@ -33,16 +33,22 @@ struct Resources {
   std::map<std::pair<std::string, std::string>, Latency> latency;  ///< by topic and node
 };
 
+/// What was not compared as asked.
+struct Omissions {
+  std::vector<std::string> topics;    ///< by the options
+  std::set<std::string> late_topics;  ///< the recorder came late, so nothing is known of their first messages
+  std::vector<std::string> unknown_fields;  ///< were to be left out, and no message type has them
+};
+
 /// The result of a comparison.
 struct Result {
   std::string original, port;  ///< workspaces
   int original_runs = 0;
   std::vector<StreamVerdict> verdicts;
   Resources original_resources, port_resources;
-  std::vector<std::string> left_out;    ///< topics
   std::set<std::string> own_failures;   ///< nodes that died in a run of the original
   std::set<std::string> port_failures;  ///< in the port's, and in none of the original's
-  std::set<std::string> late_topics;
+  Omissions omissions;
   bool judges_before = false, judges_after = false;
 
   bool is_different() const { return !port_failures.empty() || compare::is_different(verdicts); }

@@ -132,10 +132,10 @@ std::string ends(const Result& result) {
   if (after != 0 && !result.judges_after)
     text += fmt::format(
         "Not judged: {} messages from after the other recording ended (the run was cut off)\n", after);
-  if (!result.late_topics.empty() && result.judges_before)
+  if (!result.omissions.late_topics.empty() && result.judges_before)
     text +=
         fmt::format("Not judged: the first messages of topics that are advertised after the bag began: {}\n",
-                    fmt::join(result.late_topics, ", "));
+                    fmt::join(result.omissions.late_topics, ", "));
   return text.empty() ? "" : text + "\n";
 }
 
@@ -211,9 +211,14 @@ std::string conclusion(const Result& result) {
                        result.port_failures.empty() ? "" : ", and a node died");
   if (own != 0)
     text += fmt::format("{} of them but for what differs between the original's own runs, too\n", own);
-  if (!result.left_out.empty())
-    text += fmt::format("{} topics were left out: {}\n", result.left_out.size(),
-                        fmt::join(result.left_out, ", "));
+  if (!result.omissions.topics.empty())
+    text += fmt::format("{} topics were left out: {}\n", result.omissions.topics.size(),
+                        fmt::join(result.omissions.topics, ", "));
+  for (const std::string& field : result.omissions.unknown_fields)
+    text += fmt::format(
+        "--ignore '{}' left nothing out: no topic's messages have such a field (an array's name ends in "
+        "[])\n",
+        field);
   return text;
 }
 

@@ -130,13 +130,14 @@ class Tool {
     result.original_runs = options_.runs;
     result.original_resources = resources_of(original.run, original.recording);
     result.port_resources = resources_of(port.run, port.recording);
-    result.left_out = original.run.summary["left_out"].get<std::vector<std::string>>();
+    result.omissions.topics = original.run.summary["left_out"].get<std::vector<std::string>>();
+    result.omissions.unknown_fields = unknown_fields(original.recording, options_.left_out);
     result.own_failures = original.run.failures;
     for (const RecordedRun& other : again)
       result.own_failures.insert(other.run.failures.begin(), other.run.failures.end());
     for (const std::string& failure : port.run.failures)
       if (result.own_failures.count(failure) == 0) result.port_failures.insert(failure);
-    result.late_topics = rules.late_topics;
+    result.omissions.late_topics = rules.late_topics;
     result.judges_before = rules.judge_before;
     result.judges_after = rules.judge_after;
     return result;

@@ -5,8 +5,8 @@
 #include <ros/ros.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +64,16 @@ bool is_answered(int argc, char** argv) {
   return first == "--help" || first == "--version";
 }
 
+/// Seconds between two messages. None: it is no such number, which has been said.
+std::optional<double> period() {
+  const ros::NodeHandle options("~");
+  double seconds = 1;
+  const bool is_number = !options.hasParam("period") || options.getParam("period", seconds);
+  if (is_number && seconds >= 0.1) return seconds;
+  std::fputs("tzc-diagnostics: _period is a number of seconds, at least 0.1\n", stderr);
+  return {};
+}
+
 }  // namespace
 }  // namespace tzc::monitor
 
@@ -72,8 +82,9 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "tzc_diagnostics", ros::init_options::AnonymousName);
   ros::NodeHandle node;
   tzc::monitor::Diagnostics diagnostics(node);
-  const double period = std::max(0.1, ros::NodeHandle("~").param("period", 1.0));
+  const std::optional<double> period = tzc::monitor::period();
+  if (!period) return 2;
   const ros::WallTimer timer = node.createWallTimer(
-      ros::WallDuration(period), [&](const ros::WallTimerEvent&) { diagnostics.publish(); });
+      ros::WallDuration(*period), [&](const ros::WallTimerEvent&) { diagnostics.publish(); });
   ros::spin();
 }

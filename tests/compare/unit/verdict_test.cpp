@@ -66,6 +66,12 @@ TEST(verdict, the_ends_count_only_when_they_can_be_known) {
   EXPECT_EQ(verdict(original, stamped({1, 2, 3}), {{}, false, true, 0, false}).outcome, Outcome::different);
 }
 
+TEST(verdict, fields_that_no_message_has_are_told) {
+  const Recording recording{stream("/a", stamped({1}))};
+  EXPECT_THAT(unknown_fields(recording, {false, {"data", "header.stamp", "data[]", "pose"}}),
+              ::testing::ElementsAre("data", "pose"));
+}
+
 TEST(verdict, a_port_that_falls_silent_is_not_equal) {
   const auto arriving = [](const std::vector<int>& numbers, int end) {
     Stream arrived = stream("/a", stamped(numbers));

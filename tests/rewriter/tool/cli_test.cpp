@@ -47,6 +47,10 @@ TEST_F(Cli, options_reach_the_engine) {
       HasSubstr("level=one_copy on_exhausted=1 mem_size=67108864 dual=true jobs=3"));
 }
 
+TEST_F(Cli, nothing_works_with_no_jobs_or_a_million) {
+  for (const std::string jobs : {"0", "-1", "1000000"}) EXPECT_EQ(ws.rewrite({"-j", jobs}).status, 2) << jobs;
+}
+
 TEST_F(Cli, small_is_a_page_unless_said) {
   ws.plan()["echo"] = true;
   EXPECT_THAT(ws.rewrite({}).errors, HasSubstr("small=4096"));

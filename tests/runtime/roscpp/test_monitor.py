@@ -261,6 +261,12 @@ class Diagnostics(MonitorCase):
         self.finish(talker)
 
 
+    def test_a_period_that_is_none(self):
+        for period in ("abc", "-1", "0"):
+            status, output = self.ros.run([DIAGNOSTICS, f"__ns:={self.ns}", f"_period:={period}"], timeout=20)
+            self.assertEqual((status, "at least 0.1" in output), (2, True), output)
+
+
 class Observed(MonitorCase):
     def test_monitors_that_are_killed_change_nothing(self):
         """Ten of them in terminals, killed without a warning: the node keeps its threads, descriptors and messages."""
