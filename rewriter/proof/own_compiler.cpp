@@ -6,6 +6,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <mutex>
 #include <utility>
 
 #include "edits/files.h"
@@ -229,9 +230,13 @@ Expected<std::vector<CompilerError>> OwnCompiler::check(const FileContents& cont
   if (Expected<void> done = copy_->write(contents); !done) return done.error();
   std::vector<Task> tasks = tasks_for(units);
   record_reads(tasks);
+  std::mutex mutex;
+  unsigned read = 0;
   in_parallel(setup_.jobs, tasks.size(), [&](std::size_t i) {
     tasks[i].errors = ported_errors(tasks[i]);
     note_reads(tasks[i]);
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (setup_.progress) setup_.progress(++read, static_cast<unsigned>(tasks.size()), tasks[i].unit);
   });
   std::vector<CompilerError> errors;
   for (Task& task : tasks)

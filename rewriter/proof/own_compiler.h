@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -23,6 +24,8 @@ struct OwnCompilerSetup {
   std::vector<std::string> defines;       ///< "TZC_ENABLED"
   unsigned jobs = 0;                      ///< 0: one for each processor
   FileAccesses* accesses = nullptr;       ///< told what the compiler reads; may be null
+  /// Called for each unit that it has read, one at a time.
+  std::function<void(unsigned done, unsigned total, const std::string& unit)> progress = {};
 };
 
 /// The compiler of compile_commands.json on a scratch copy of the packages: -fsyntax-only, with every flag that

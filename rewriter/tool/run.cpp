@@ -40,7 +40,7 @@ class Run {
     for (const auto step : {&Run::read_inputs, &Run::open_outputs, &Run::recover_packages})
       if (Expected<void> done = (this->*step)(); !done) return report_error(done.error()), status();
     for (const std::vector<std::string>& packages : groups()) port_group(packages);
-    progress_.clear();
+    progress_.end();
     warn_about_filters();
     if (failed_ && ports_.empty()) return status();
     for (const std::string& warning : writer_->warnings())

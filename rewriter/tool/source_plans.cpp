@@ -91,6 +91,9 @@ class SourcePlanner {
     setup.defines = {dual_macro};
     setup.jobs = inputs_.options.jobs;
     setup.accesses = inputs_.accesses;
+    setup.progress = [this](unsigned done, unsigned total, const std::string& unit) {
+      if (inputs_.progress) inputs_.progress->step("compiling", done, total, unit);
+    };
     return setup;
   }
 

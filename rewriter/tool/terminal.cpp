@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -19,6 +20,15 @@ std::size_t columns() {
 bool is_dumb() {
   const char* terminal = std::getenv("TERM");
   return !terminal || std::string(terminal) == "dumb";
+}
+
+double processor_seconds(int whose) {
+  rusage usage{};
+  ::getrusage(whose, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 }  // namespace
@@ -54,6 +64,16 @@ void TerminalProgress::log(const std::string& stage, const std::string& line, bo
   std::fflush(stderr);
   stage_ = last ? "" : stage;
   logged_ = now;
+}
+
+void TerminalProgress::end() {
+  clear();
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun_;
+  if (enabled_)
+    fmt::print(
+        stderr,
+        "tzc-rewrite: {:.1f} s; processor time: {:.1f} s for tzc-rewrite, {:.1f} s for compilers and CMake\n",
+        taken.count(), processor_seconds(RUSAGE_SELF), processor_seconds(RUSAGE_CHILDREN));
 }
 
 void TerminalProgress::clear() {

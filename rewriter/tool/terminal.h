@@ -19,6 +19,9 @@ class TerminalProgress : public Progress {
   ~TerminalProgress() override;
   void step(const std::string& stage, unsigned done, unsigned total, const std::string& what) override;
   void clear();
+  /// Clears the line and says how long the work took: all of it, and of the processor's time what the programs took that
+  /// it has started.
+  void end();
 
  private:
   void log(const std::string& stage, const std::string& line, bool last);
@@ -26,7 +29,7 @@ class TerminalProgress : public Progress {
   bool enabled_, terminal_;
   bool shown_ = false;
   std::string stage_;  ///< of the last line in a log
-  std::chrono::steady_clock::time_point logged_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now(), logged_;
 };
 
 }  // namespace tzc::rewriter

@@ -5,7 +5,7 @@ import os
 import shutil
 import sys
 
-from rewriter_speed import units_of
+from rewriter_speed import processor_seconds, units_of
 
 from .command import run, tail
 from .packages import find_packages
@@ -78,7 +78,10 @@ class Repository:
         outcome = run(command, log, cwd=self.original.package_root, env=env, output=diff)
         self.result.update(rewrite_seconds=outcome.seconds, rewrite_wall=outcome.wall, rewrite_megabytes=outcome.megabytes)
         with open(log, errors="replace") as file:
-            errors = [line.strip() for line in file if "error:" in line and line.startswith("tzc-rewrite")]
+            said = file.read()
+            if "processor time" in said:
+                self.result["own_seconds"], _ = processor_seconds(said)
+            errors = [line.strip() for line in said.splitlines() if "error:" in line and line.startswith("tzc-rewrite")]
         for error in errors:
             self.problem(error)
         if outcome.status not in LENIENT_STATUS and not errors:

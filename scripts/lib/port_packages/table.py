@@ -6,7 +6,8 @@ HEAD = ["repository", "packages", "units", "publish z/1/p/n", "subscribe s/c/p/n
         "time/s", "x syntax", "MB", "problems"]
 LEGEND = """units: compiled before, after; publish: zero_copy/one_copy/plain/not_needed; subscribe: shared/copied/plain/not_needed;
 large: publish sites of types that are large in use; lines: median of the lines changed in a package; tests: passed of all before,
-after; time: processor seconds of tzc-rewrite; x syntax: these over those of clang++-19 -fsyntax-only on the same units"""
+after; time: processor seconds of tzc-rewrite, and of the compilers and CMake that it started; x syntax: the former over those of
+clang++-19 -fsyntax-only on the same units"""
 
 
 def levels(counts, kind, names):
@@ -21,7 +22,7 @@ def of_tests(result):
 
 def row(result):
     counts = result.get("sites", {}).get("counts", {})
-    seconds, syntax = result.get("rewrite_seconds"), result.get("syntax_seconds")
+    seconds, own, syntax = (result.get(f"{which}_seconds") for which in ("rewrite", "own", "syntax"))
     left_out = len(result.get("left_out", {}))
     return [result["name"], f"{len(result.get('packages', []))}" + (f" (-{left_out})" if left_out else ""),
             f"{result.get('compiled', '-')}, {result.get('compiled_after', '-')}",
@@ -29,8 +30,8 @@ def row(result):
             levels(counts, "subscribe", ("shared", "copied", "plain", "not_needed")),
             levels(counts, "large", ("zero_copy", "one_copy", "plain")),
             f"{result.get('sites', {}).get('median_lines', '-')}", of_tests(result), result.get("compare", "-"),
-            f"{seconds:.0f}" if seconds is not None else "-",
-            f"{seconds / syntax:.2f}" if seconds and syntax else "-",
+            f"{own:.0f}+{seconds - own:.0f}" if seconds and own is not None else "-",
+            f"{own / syntax:.2f}" if own and syntax else "-",
             f"{result['rewrite_megabytes']:.0f}" if "rewrite_megabytes" in result else "-", str(len(result["problems"]))]
 
 
