@@ -45,6 +45,7 @@ unsigned covered_line(const std::vector<std::string>& lines, std::size_t at) {
 
 std::vector<Suppression> find_all(const std::string& file) {
   static const std::regex comment(R"(//.*\btzc-ignore\[([^\]]*)\](?:\s*:(.*))?)");
+  static const std::regex without_codes(R"(//\s*tzc-ignore\b)");
   std::vector<Suppression> found;
   const Expected<std::string> content = read_file(file);
   if (!content || content->find("tzc-ignore") == std::string::npos) return found;
@@ -52,12 +53,15 @@ std::vector<Suppression> find_all(const std::string& file) {
   std::istringstream stream(*content);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
   std::smatch match;
-  for (std::size_t i = 0; i < lines.size(); ++i)
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    Suppression suppression;
     if (std::regex_search(lines[i], match, comment))
-      found.push_back({{file, static_cast<unsigned>(i) + 1, static_cast<unsigned>(match.position(0)) + 1},
-                       covered_line(lines, i),
-                       split_codes(match[1]),
-                       trimmed(match[2])});
+      suppression = {{}, covered_line(lines, i), split_codes(match[1]), trimmed(match[2])};
+    else if (!std::regex_search(lines[i], match, without_codes))
+      continue;
+    suppression.where = {file, static_cast<unsigned>(i) + 1, static_cast<unsigned>(match.position(0)) + 1};
+    found.push_back(std::move(suppression));
+  }
   return found;
 }
 
@@ -91,9 +95,9 @@ class Suppressor {
   }
 
   void check(Suppression suppression) {
-    if (suppression.reason.empty())
+    if (suppression.codes.empty() || suppression.reason.empty())
       return note(codes::TZC3005, suppression,
-                  "a suppression needs a reason: // tzc-ignore[TZCnnnn]: reason");
+                  "a suppression needs codes and a reason: // tzc-ignore[TZCnnnn]: reason");
     for (const std::string& code : suppression.codes)
       if (!find_code(code)) return note(codes::TZC3005, suppression, "there is no code '" + code + "'");
     all_.push_back(std::move(suppression));

@@ -54,6 +54,11 @@ TEST(Suppressions, need_a_reason) {
   EXPECT_EQ(outcome("SITE; // tzc-ignore[TZC1004]"), "open, TZC3005 at 1");
   EXPECT_EQ(outcome("SITE; // tzc-ignore[TZC1004]:  "), "open, TZC3005 at 1");
 }
+TEST(Suppressions, need_codes) {
+  EXPECT_EQ(outcome("SITE; // tzc-ignore: all of it"), "open, TZC3005 at 1");
+  EXPECT_EQ(outcome("//tzc-ignore\nSITE;"), "open, TZC3005 at 1");
+  EXPECT_EQ(outcome("SITE; // what tzc-ignore would hide"), "open");
+}
 TEST(Suppressions, need_a_known_code) {
   EXPECT_EQ(outcome("SITE; // tzc-ignore[TZC0815]: x"), "open, TZC3005 at 1");
   EXPECT_EQ(outcome("SITE; // tzc-ignore[]: x"), "open, TZC3005 at 1");
