@@ -18,10 +18,18 @@
 #include "facts/publish_sites.h"
 #include "facts/shared_mats.h"
 #include "facts/threads.h"
+#include "facts/window_callbacks.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
 namespace {
+
+PublishEvent call_of(const std::string& function) {
+  PublishEvent event;
+  event.kind = PublishEvent::Kind::call;
+  event.callee = function;
+  return event;
+}
 
 template <class Site>
 void add_site(std::map<SiteId, Site>& sites, std::optional<Site> site) {
@@ -133,6 +141,10 @@ void Collectors::call(const clang::CallExpr* call) {
   if (call->isTypeDependent() || !unit_.source.in_package(call->getBeginLoc())) return;
   add_site(facts_.subscribes, library_subscribe(unit_, call));
   add(factory_call(unit_, entities_, call));
+  for (const std::string& callback : callbacks_given_to_windows(call)) {
+    facts_.effects[window_callbacks].push_back(call_of(callback));
+    if (callback.empty()) facts_.locking.insert(window_callbacks);
+  }
   if (makes_object(call)) made_object(call);
   if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
   library_call(call);
@@ -214,10 +226,11 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
     facts_.bodies.insert(usr_of(pattern_of(function)));
     const ThreadCode code(context, view);
     for (const clang::Stmt* stmt : view.statements()) {
-      if (may_synchronize(stmt)) {
-        facts_.locking.insert(usr_of(pattern_of(function)));
+      const std::string usr = usr_of(pattern_of(function));
+      if (may_synchronize(stmt)) facts_.locking.insert(usr);
+      if (runs_window_callbacks(stmt)) facts_.effects[usr].push_back(call_of(window_callbacks));
+      if (may_synchronize(stmt) || runs_window_callbacks(stmt))
         facts_.synchronizing.insert(code.around(stmt));
-      }
       if (code.hands_over(stmt)) facts_.handing_over.insert(code.around(stmt));
     }
     for (ElementUse& use : element_uses(context, view)) facts_.element_uses.push_back(std::move(use));

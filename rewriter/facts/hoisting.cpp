@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/hoisting.h"
 
+#include "facts/ast_walk.h"
 #include "facts/lock_guarded.h"
 #include "parse/ast_visitor.h"
 
@@ -223,6 +224,13 @@ bool Hoisting::may_change_elsewhere(const NameParts& parts) const {
                       [&](const clang::ValueDecl* named) { return may_be_lock_guarded(unit_, named); });
 }
 
+/// Whether the offset is in the whole expression that mentions the publisher.
+bool Hoisting::is_in_expression_of(const PublisherMention& publisher, unsigned at) const {
+  const clang::Expr* whole = publisher.object;
+  while (const auto* around = parent_as<clang::Expr>(unit_.ast(), *whole)) whole = around;
+  return at >= unit_.offset(whole->getBeginLoc()) && at <= unit_.offset(whole->getEndLoc());
+}
+
 /// Other threads may change a publisher or a pointer while it is not locked, unless it is a variable of this function.
 Waits Hoisting::waits_between(const PublisherMention& publisher, const NameParts& parts, unsigned at) const {
   const clang::VarDecl* local = local_of(publisher.object);
@@ -230,8 +238,8 @@ Waits Hoisting::waits_between(const PublisherMention& publisher, const NameParts
   const clang::Stmt* body = body_around(publisher);
   if (!body) return {true, {}};
   const unsigned mentioned = unit_.offset(publisher.object->getBeginLoc());
-  // A lock before an earlier mention may be gone.
-  const unsigned from = mentioned < at ? 0 : at;
+  // A lock before an earlier mention may be gone, unless the mention is part of the same expression.
+  const unsigned from = mentioned >= at ? at : is_in_expression_of(publisher, at) ? mentioned : 0;
   return MustExecute(unit_, parts, body).waits_between(from, std::max(mentioned, at));
 }
 

@@ -50,6 +50,7 @@ class Hoisting {
   std::optional<EarlyName> looked_up_at(const PublisherMention& publisher, unsigned at) const;
   /// Whether every path through the offset follows the pointers and indices of the name.
   bool are_taken(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
+  bool is_in_expression_of(const PublisherMention& publisher, unsigned at) const;
   bool may_change_elsewhere(const NameParts& parts) const;
   /// What may run between the mention and the offset.
   Waits waits_between(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;

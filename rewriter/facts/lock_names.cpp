@@ -3,6 +3,7 @@
 
 #include <clang/AST/ExprCXX.h>
 
+#include "facts/window_callbacks.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -57,7 +58,8 @@ bool takes_lock(const clang::Stmt* stmt) {
   if (expr && !expr->getType().isNull() && expr->getType().isVolatileQualified()) return true;
   const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
   const clang::FunctionDecl* callee = call ? call->getDirectCallee() : nullptr;
-  return callee && (takes_over(callee) || (callee->getIdentifier() && names_lock(callee->getName())));
+  return callee && !runs_window_callbacks(call) &&
+         (takes_over(callee) || (callee->getIdentifier() && names_lock(callee->getName())));
 }
 
 bool may_synchronize(const clang::Stmt* stmt) {

@@ -5,6 +5,7 @@
 #include "facts/calls.h"
 #include "facts/library_calls.h"
 #include "facts/lock_names.h"
+#include "facts/window_callbacks.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -163,6 +164,7 @@ class Between : public AstVisitor {
     const clang::FunctionDecl* callee = call->getDirectCallee();
     reach_.call(callee, {call->getArgs(), call->getNumArgs()});
     note_callee(callee);
+    if (runs_window_callbacks(call)) callees.insert(window_callbacks);
   }
   void note_callee(const clang::FunctionDecl* callee) {
     const bool is_seen = unit_.declares_all_of(callee);

@@ -66,6 +66,12 @@ typedef const _OutputArray& OutputArray;
 typedef const _InputOutputArray& InputOutputArray;
 inline void flip(InputArray, OutputArray, int) {}
 inline void circle(InputOutputArray, int) {}
+inline int waitKey(int = 0) {
+  return 0;
+}
+inline int createTrackbar(const std::string&, const std::string&, int*, int, void (*)(int, void*) = nullptr) {
+  return 0;
+}
 }  // namespace cv
 namespace cv_bridge {
 class CvImage {
