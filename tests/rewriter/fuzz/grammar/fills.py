@@ -116,13 +116,13 @@ def loop_of_numbers(rng, array, element, n):
 
 
 def reference_to_array(rng, array, element, n):
-    return [f"auto& filled = {array};", f"filled.resize({n});",
-            f"for (std::size_t i = 0; i < filled.size(); ++i) {{ {element.put('filled[i]')} }}"]
+    return [f"auto& named = {array};", f"named.resize({n});",
+            f"for (std::size_t i = 0; i < named.size(); ++i) {{ {element.put('named[i]')} }}"]
 
 
 def vector_reference(rng, array, element, n):
-    return [f"std::vector<{element.cpp}>& filled = {array};", f"filled.resize({n});",
-            f"for (std::size_t i = 0; i < filled.size(); ++i) {{ {element.put('filled[i]')} }}"]
+    return [f"std::vector<{element.cpp}>& named = {array};", f"named.resize({n});",
+            f"for (std::size_t i = 0; i < named.size(); ++i) {{ {element.put('named[i]')} }}"]
 
 
 def library_takes_vector(rng, array, element, n):
