@@ -52,6 +52,10 @@ class Pipe {
 /// Runs something in a process of its own that handles interruptions.
 class Interruption : public ::testing::Test {
  protected:
+  /// A shell lets what it starts in the background ignore Ctrl-C.
+  void SetUp() override {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_DFL);
+  }
   void start(const std::function<void()>& work) {
     child_ = ::fork();
     ASSERT_GE(child_, 0);
