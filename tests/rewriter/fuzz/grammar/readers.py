@@ -110,10 +110,12 @@ WATCH = ["std::atomic<bool> done(false);", "std::atomic<int> wrong(0);", "std::a
 
 
 def again_and_again(look):
-    """A reader's body: the same until the publisher's thread has had enough. `look` are statements that make `sum`."""
-    compared = look + ["if (!first && sum != seen) ++wrong;", "seen = sum;", "first = false;"]
-    return (["bool first = true;"] +
-            within("do {", within("{", compared) + ["std::this_thread::yield();"], "} while (!done);"))
+    """A reader's body: the same until the publisher's thread has had enough. `look` are statements that make `sum`.
+    Each reader compares with what it saw itself: two readers' sums may well differ, and adding them has no order."""
+    compared = look + ["if (!first && sum != before) ++wrong;", "before = sum;", "first = false;"]
+    return (["bool first = true;", "std::uint64_t before = 0;"] +
+            within("do {", within("{", compared) + ["std::this_thread::yield();"], "} while (!done);") +
+            ["seen += before;"])
 
 
 def passes(use, array, guard=()):
