@@ -30,7 +30,7 @@ struct Connection {
   std::uint64_t revoked_for_queue = 0, revoked_for_memory = 0, revoked_at_end = 0;  ///< `revoked` by cause
   double oldest_held_s = 0;
   std::uint32_t pid = 0;                     ///< 0: not known
-  std::optional<double> messages_per_s;      ///< sent; none: there is only one sample
+  std::optional<double> messages_per_s;      ///< sent; none: there is only one sample, or nobody counts
   std::optional<double> shared_bytes_per_s;  ///< as above
   std::optional<std::uint64_t> lost_since;  ///< for queue and memory, since the sample before; none: as above
   bool is_stopped = false;                  ///< the subscriber's process

@@ -112,6 +112,19 @@ void judge_state(const std::string& proc, const std::string& process, Node& node
     subscription.is_stopped = is_other_stopped(subscription.pid);
 }
 
+/// The page has them in the order in which roscpp met them, which changes when a node starts anew.
+void sort_rows(Node& node) {
+  std::sort(node.topics.begin(), node.topics.end(),
+            [](const Topic& a, const Topic& b) { return a.name < b.name; });
+  for (Topic& topic : node.topics)
+    std::stable_sort(topic.connections.begin(), topic.connections.end(),
+                     [](const Connection& a, const Connection& b) { return a.subscriber < b.subscriber; });
+  std::stable_sort(node.subscriptions.begin(), node.subscriptions.end(),
+                   [](const Subscription& a, const Subscription& b) {
+                     return std::tie(a.topic, a.publisher) < std::tie(b.topic, b.publisher);
+                   });
+}
+
 void look_at(const std::string& proc, const std::string& number, Sample& sample) {
   const std::string process = proc + "/" + number;
   if (!may_be_watched(process)) return;
@@ -144,6 +157,7 @@ Sample take_sample(const std::string& proc) {
   for (const std::string& number : numbers_in(proc)) look_at(proc, number, sample);
   std::sort(sample.nodes.begin(), sample.nodes.end(),
             [](const Node& a, const Node& b) { return std::tie(a.name, a.pid) < std::tie(b.name, b.pid); });
+  for (Node& node : sample.nodes) sort_rows(node);
   return sample;
 }
 

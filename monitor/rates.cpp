@@ -59,8 +59,9 @@ void add_connection_rates(const Node& before, const Node& now, const Topic& earl
       return other.subscriber == connection.subscriber && other.transport == connection.transport;
     });
     if (!same) continue;
-    connection.messages_per_s =
-        rate_between(before, now, same->messages, connection.messages, same->messages_per_s);
+    if (connection.transport != Transport::intraprocess)  // roscpp does not count what it hands over there
+      connection.messages_per_s =
+          rate_between(before, now, same->messages, connection.messages, same->messages_per_s);
     connection.shared_bytes_per_s =
         rate_between(before, now, same->shared_bytes, connection.shared_bytes, same->shared_bytes_per_s);
     connection.lost_since = now.updated_ns > before.updated_ns

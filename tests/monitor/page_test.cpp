@@ -153,12 +153,13 @@ TEST_F(WrittenPage, shows_the_last_table_while_the_next_one_is_written) {
 
 TEST_F(WrittenPage, counts_what_has_no_room) {
   page_->begin();
-  for (std::uint32_t i = 0; i < layout::most_rows + 5; ++i) page_->add(topic("/t" + std::to_string(i)));
+  for (std::uint32_t i = 0; i < layout::most_rows + 5; ++i)
+    page_->add(topic("/t" + std::to_string(1000 + i)));
   page_->publish();
   const std::optional<Node> node = self();
   ASSERT_TRUE(node);
   EXPECT_EQ(node->topics.size(), layout::most_rows);
-  EXPECT_EQ(node->topics.back().name, "/t1023");
+  EXPECT_EQ(node->topics.back().name, "/t" + std::to_string(1000 + layout::most_rows - 1));
   EXPECT_EQ(node->left_out, 5u);
 }
 

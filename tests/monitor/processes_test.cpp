@@ -90,6 +90,39 @@ TEST(Sample, shows_a_stopped_process) {
   EXPECT_EQ(state(), State::stopped);
 }
 
+template <class Row>
+Row row(statistics::RowKind kind) {
+  Row made{};
+  made.kind = kind;
+  return made;
+}
+
+/// A node that starts anew meets its topics and peers in another order.
+TEST(Sample, has_topics_and_peers_by_name) {
+  const auto page = *statistics::PageWriter::create("/sorted");
+  page->begin();
+  for (const char* name : {"/b", "/a"}) {
+    auto topic = row<statistics::TopicRow>(statistics::RowKind::topic);
+    statistics::copy_text(topic.topic, name);
+    page->add(topic);
+    for (const char* subscriber : {"/viewer", "/recorder"}) {
+      auto connection = row<statistics::ConnectionRow>(statistics::RowKind::connection);
+      statistics::copy_text(connection.subscriber, subscriber);
+      page->add(connection);
+    }
+  }
+  page->publish();
+  for (const Node& node : take_sample().nodes) {
+    if (node.name != "/sorted") continue;
+    ASSERT_EQ(node.topics.size(), 2u);
+    EXPECT_EQ(node.topics[0].name, "/a");
+    EXPECT_EQ(node.topics[1].name, "/b");
+    EXPECT_EQ(node.topics[0].connections.at(0).subscriber, "/recorder");
+    return;
+  }
+  FAIL() << "the page was not found";
+}
+
 TEST(Sample, of_a_folder_without_processes_is_empty) {
   const Sample sample = take_sample("/proc/no/such/folder");
   EXPECT_TRUE(sample.nodes.empty());

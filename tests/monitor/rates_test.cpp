@@ -39,6 +39,15 @@ TEST(Rates, are_counted_over_the_time_between_two_updates) {
   EXPECT_EQ(now[0].topics[0].connections[0].messages_per_s, 30);
 }
 
+TEST(Rates, are_not_invented_for_what_roscpp_does_not_count) {
+  Node before = sample(10, 0), after = sample(12, 0);
+  for (Node* node : {&before, &after})
+    node->topics[0].connections[0].transport = Transport::intraprocess;
+  std::vector<Node> now{after};
+  rates({before}, now);
+  EXPECT_FALSE(now[0].topics[0].connections[0].messages_per_s);
+}
+
 TEST(Rates, need_an_earlier_sample_of_the_same_process) {
   std::vector<Node> now{sample(12, 160)};
   EXPECT_FALSE(rates({}, now));
