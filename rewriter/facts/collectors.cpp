@@ -12,6 +12,7 @@
 #include "facts/escape.h"
 #include "facts/exported_uses.h"
 #include "facts/factories.h"
+#include "facts/given_messages.h"
 #include "facts/library_sites.h"
 #include "facts/lock_guarded.h"
 #include "facts/lock_names.h"
@@ -236,6 +237,7 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
     for (ElementUse& use : element_uses(context, view)) facts_.element_uses.push_back(std::move(use));
     if (std::optional<ContentFlow> flow = content_flow(unit_, view))
       facts_.add_content(usr_of(pattern_of(function)), std::move(*flow));
+    note_given_messages(unit_, view, facts_);
     mats.analyse(view);
   }
   mats.finish();

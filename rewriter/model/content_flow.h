@@ -22,6 +22,11 @@ inline std::string parameter_root(const std::string& function, unsigned index) {
   return "parameter " + std::to_string(index) + " of " + function;
 }
 
+/// The root of what a function returns by value.
+inline std::string result_root(const std::string& function) {
+  return "result of " + function;
+}
+
 /// A publish call, without the type that instances of a template give it.
 using PublishPlace = std::pair<std::string, unsigned>;  // file, byte offset
 

@@ -150,6 +150,8 @@ void Facts::merge(Facts&& other) {
   lasting.merge(other.lasting);
   early.merge(other.early);
   for (auto& [usr, flow] : other.contents) add_content(usr, std::move(flow));
+  append(given_messages, other.given_messages);
+  unite(published_from, other.published_from);
   addressed.merge(other.addressed);
   hidden.shown.merge(other.hidden.shown);
   hidden.missed.merge(other.hidden.missed);

@@ -292,6 +292,14 @@ struct TrustedCall {
   std::string reason;  ///< as the workspace gives it
 };
 
+/// Another object gets the content of a message that outlives functions: a copy when it is made, or what is moved.
+struct GivenMessage {
+  MessagePart message;  ///< its root
+  std::string holder;   ///< the root of what has the content: a variable, a container, a function's result
+  std::string how;      ///< "stored by 'push_back'"
+  Location where;
+};
+
 /// Pointers into messages' data, and what they must not live across.
 struct EscapeFacts {
   std::vector<DataEscape> escapes;
@@ -303,7 +311,9 @@ struct EscapeFacts {
   std::set<EntityId> lasting;                                ///< static locals, and what closures hold
   std::set<std::string> early;  ///< functions that run before an object's members are all there, by USR
   std::map<std::string, ContentFlow> contents;  ///< of functions that touch messages' arrays, by USR
-  std::set<std::string> addressed;              ///< functions that something else than a call names, by USR
+  std::vector<GivenMessage> given_messages;
+  std::map<PublishPlace, std::set<std::string>> published_from;  ///< the roots of what holds the message
+  std::set<std::string> addressed;  ///< functions that something else than a call names, by USR
 };
 
 /// A function uses elements of a message.

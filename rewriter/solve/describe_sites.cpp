@@ -11,6 +11,7 @@
 #include "solve/memory_size.h"
 #include "solve/received_writes.h"
 #include "solve/site_of_fact.h"
+#include "solve/unbound_messages.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -50,7 +51,8 @@ class SiteDescriber {
         solution_(solution),
         flow_graph_(facts.flows),
         received_(facts),
-        copied_(facts) {}
+        copied_(facts),
+        unbound_(facts) {}
 
   std::vector<Site> run() {
     for (const auto& item : facts_.publishes) {
@@ -82,6 +84,7 @@ class SiteDescriber {
   FlowGraph flow_graph_;
   ReceivedWrites received_;
   CopiedElements copied_;
+  UnboundMessages unbound_;
   std::vector<Site> sites_;
   std::vector<const Publish*> published_without_copy_;
 };
@@ -112,6 +115,7 @@ void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
   if (site.level != Level::zero_copy) return;
   std::optional<Obstacle> why = copied_.why_copied(fact.id());
   if (!why && !fact.part_of) why = copied_.why_new(fact.id());
+  if (!why) why = unbound_.why_copied(fact.id());
   if (!why && fact.part_of && fact.part_of->is_given)
     why = Obstacle{
         codes::TZC1022,

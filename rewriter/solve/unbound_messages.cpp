@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solve/unbound_messages.h"
+
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+std::string root_of(const MessagePart& part) {
+  return part.substr(0, part.find_first_of("/["));
+}
+
+}  // namespace
+
+UnboundMessages::UnboundMessages(const Facts& facts) : facts_(facts) {
+  read_contents();
+  for (const auto& [site, holders] : facts.published_from) published_.insert(holders.begin(), holders.end());
+  add_what_is_passed();
+  for (const GivenMessage& given : facts.given_messages)
+    if (!is_bound(given.message))
+      unbound_.emplace(
+          given.holder,
+          Obstacle{codes::TZC1022,
+                   "its elements come from a message that is never published itself (" + given.how +
+                       " in line " + std::to_string(given.where.line) + "), and lie outside shared memory",
+                   given.where});
+}
+
+void UnboundMessages::read_contents() {
+  for (const auto& [usr, flow] : facts_.contents)
+    for (const ContentBlock& block : flow.blocks)
+      for (const ContentEvent& event : block.events) {
+        if (event.kind == ContentEvent::Kind::publish) published_.insert(root_of(event.part));
+        if (event.kind == ContentEvent::Kind::reset && root_of(event.part) == event.part)
+          replaced_.insert(event.part);
+        for (const auto& [parameter, part] : event.passed) given_[parameter].insert(root_of(part));
+      }
+}
+
+/// What is passed to a parameter that is published is published itself.
+void UnboundMessages::add_what_is_passed() {
+  std::set<std::string> open = published_;
+  while (!open.empty()) {
+    const std::string name = *open.begin();
+    open.erase(open.begin());
+    const auto found = given_.find(name);
+    if (found == given_.end()) continue;
+    for (const std::string& passed : found->second)
+      if (published_.insert(passed).second) open.insert(passed);
+  }
+}
+
+bool UnboundMessages::is_bound(const MessagePart& message) const {
+  return published_.count(message) != 0 || replaced_.count(message) != 0;
+}
+
+std::optional<Obstacle> UnboundMessages::why_copied(const SiteId& site) const {
+  const auto holders = facts_.published_from.find({site.file, site.begin});
+  if (holders == facts_.published_from.end()) return {};
+  for (const std::string& holder : holders->second) {
+    if (const auto found = unbound_.find(holder); found != unbound_.end()) return found->second;
+    const auto passed = given_.find(holder);
+    if (passed == given_.end()) continue;
+    for (const std::string& name : passed->second)
+      if (const auto found = unbound_.find(name); found != unbound_.end()) return found->second;
+  }
+  return {};
+}
+
+}  // namespace tzc::rewriter
