@@ -37,11 +37,12 @@ SendResult write_packet(int socket, const Packet& packet, Traffic& traffic, cons
 
 SendResult write_segment(int socket, const Outgoing& item, Traffic& traffic) {
   const segment::Segment& segment = *item.segment;
-  const SegmentPacket packet{
-      PacketKind::segment,
-      0,
-      {segment.id(), segment.file().size(), item.ack_file->file_size(), segment.file().slots()}};
-  const int descriptors[] = {segment.file().fd(), item.ack_file->fd()};
+  const segment::SegmentPages& pages = segment.file().pages();
+  const SegmentPacket packet{PacketKind::segment,
+                             0,
+                             {segment.id(), segment.file().size(), item.ack_file->file_size(),
+                              pages.file_size(), pages.offset(), segment.file().slots()}};
+  const int descriptors[] = {pages.fd(), item.ack_file->fd()};
   const SendResult result = write_packet(socket, packet, traffic, descriptors, 2);
   if (result == SendResult::sent) item.ack_file->close_descriptor();
   return result;

@@ -11,9 +11,11 @@ namespace tzc {
 namespace channel {
 namespace {
 
-Expected<std::shared_ptr<SegmentMemory>> default_memory(std::size_t queue_size) {
+/// Without `authorize` all publishers admit the same processes.
+Expected<std::shared_ptr<SegmentMemory>> default_memory(const PublisherOptions& publisher) {
   MemoryOptions options;
-  options.queue_size = queue_size;
+  options.queue_size = publisher.queue_size;
+  options.pooled = !publisher.authorize;
   return SegmentMemory::create(options);
 }
 
@@ -35,7 +37,7 @@ Expected<std::shared_ptr<PublisherImpl>> PublisherImpl::create(PublisherOptions 
   const auto service = Service::instance();
   if (!service) return service.error();
   if (!options.memory) {
-    const auto memory = default_memory(options.queue_size);
+    const auto memory = default_memory(options);
     if (!memory) return memory.error();
     options.memory = *memory;
   }

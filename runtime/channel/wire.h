@@ -22,7 +22,7 @@
 namespace tzc {
 namespace channel {
 
-constexpr std::uint32_t wire_version = 5;
+constexpr std::uint32_t wire_version = 6;
 constexpr std::uint32_t wire_magic = 0x315a4354;  // "TCZ1"
 constexpr std::size_t fragment_bytes = 64 << 10;  // most bytes of a body in one packet
 constexpr std::size_t max_hello_bytes = 32 << 10;

@@ -40,10 +40,10 @@ Mapping::~Mapping() {
   if (data_ != nullptr) ::munmap(data_, size_);
 }
 
-Expected<Mapping> Mapping::map(int fd, std::size_t size, Access access) {
+Expected<Mapping> Mapping::map(int fd, std::size_t size, Access access, std::uint64_t offset) {
   const int protection = access == Access::read_write ? PROT_READ | PROT_WRITE : PROT_READ;
   const int sharing = access == Access::read_private ? MAP_PRIVATE : MAP_SHARED;
-  void* address = ::mmap(nullptr, size, protection, sharing | MAP_NORESERVE, fd, 0);
+  void* address = ::mmap(nullptr, size, protection, sharing | MAP_NORESERVE, fd, static_cast<off_t>(offset));
   if (address == MAP_FAILED) return system_error("map " + std::to_string(size) + " bytes of shared memory");
   Mapping mapping;
   mapping.data_ = static_cast<std::uint8_t*>(address);
@@ -51,8 +51,9 @@ Expected<Mapping> Mapping::map(int fd, std::size_t size, Access access) {
   return mapping;
 }
 
-void Mapping::make_private(int fd) const noexcept {
-  ::mmap(data_, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE, fd, 0);
+void Mapping::make_private(int fd, std::uint64_t offset) const noexcept {
+  ::mmap(data_, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE, fd,
+         static_cast<off_t>(offset));
 }
 
 void Mapping::populate(std::size_t offset, std::size_t bytes) const noexcept {

@@ -16,7 +16,7 @@ enum class Access {
   read_private,  ///< read-only; a page that is made writable later is copied
 };
 
-/// A mapping of a whole memory file; unmapped with its owner. Commits no pages by itself.
+/// A mapping of a memory file, or of a part of one; unmapped with its owner. Commits no pages by itself.
 class Mapping {
  public:
   Mapping() noexcept = default;
@@ -29,11 +29,12 @@ class Mapping {
   }
   ~Mapping();
 
-  static Expected<Mapping> map(int fd, std::size_t size, Access access);
+  /// The part begins at `offset`, a multiple of the page size.
+  static Expected<Mapping> map(int fd, std::size_t size, Access access, std::uint64_t offset = 0);
 
   /// In a forked child: its writes stay its own from now on, and it sees what the parent writes until then, as
-  /// everywhere else. `fd` is the file's. Async-signal-safe.
-  void make_private(int fd) const noexcept;
+  /// everywhere else. `fd` and `offset` are those of map(). Async-signal-safe.
+  void make_private(int fd, std::uint64_t offset = 0) const noexcept;
 
   std::uint8_t* data() const noexcept { return data_; }
   std::size_t size() const noexcept { return size_; }

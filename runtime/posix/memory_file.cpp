@@ -88,12 +88,16 @@ FileDescriptor within_share(FileDescriptor descriptor) noexcept {
 }
 
 Status reserve(MemoryFile& file, std::size_t offset, std::size_t bytes) {
+  return reserve(file, file.reserved, offset, bytes);
+}
+
+Status reserve(const MemoryFile& file, ReservedBytes& reserved, std::size_t offset, std::size_t bytes) {
   const Status there = check_headroom(bytes);
   if (!there) return there;
-  if (!file.reserved.add(bytes)) return over_the_ceiling(bytes);
-  const Status reserved = reserve_in_steps(file, offset, bytes);
-  if (!reserved) file.reserved.remove(bytes);
-  return reserved;
+  if (!reserved.add(bytes)) return over_the_ceiling(bytes);
+  const Status done = reserve_in_steps(file, offset, bytes);
+  if (!done) reserved.remove(bytes);
+  return done;
 }
 
 Expected<FileIdentity> identify(int fd) {

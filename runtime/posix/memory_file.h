@@ -35,6 +35,15 @@ struct MemoryFile {
 /// the program, whose own sockets and files do not have another way to go, as a message has.
 Expected<MemoryFile> create_memory_file(const char* name, std::size_t size, Sharing sharing);
 
+/// Creates a file whose creator maps parts of it for writing at any time, so that no seal can forbid that: peers get a
+/// read-only descriptor of a file that may not be opened for writing (mode 0400). A process of the same user could change
+/// that; it may do with this process what it likes anyway. Its size is sealed; no page is committed. Error: the portable build, no /proc, or a limit on the
+/// size of files (ulimit -f); and as above.
+Expected<MemoryFile> create_sparse_memory_file(const char* name, std::size_t size);
+
+/// Gives the pages of [offset, offset + bytes) of a sparse file back to the system; they are zero when they are used again.
+void give_back(const MemoryFile& file, std::size_t offset, std::size_t bytes) noexcept;
+
 /// Keeps a descriptor of a new memory file only while it lies in TZC's share of the process's descriptors (see above);
 /// invalid with errno EMFILE otherwise.
 FileDescriptor within_share(FileDescriptor descriptor) noexcept;
@@ -46,6 +55,8 @@ Status seal(MemoryFile& file, Sharing sharing);
 /// file system, a limit of the process or of its control group, the ceiling (memory_budget.h). Nothing is lost when it
 /// fails.
 Status reserve(MemoryFile& file, std::size_t offset, std::size_t bytes);
+/// The same, counted in `reserved` in place of the file's own account.
+Status reserve(const MemoryFile& file, ReservedBytes& reserved, std::size_t offset, std::size_t bytes);
 
 /// What a receiver must know before it maps a peer's file of `size` bytes: that it is a memory file of that
 /// very size, and (on Linux) that the peer cannot truncate it any more.

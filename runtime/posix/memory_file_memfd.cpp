@@ -75,6 +75,22 @@ Status seal(MemoryFile& file, Sharing sharing) {
   return system_error("seal a memory file");
 }
 
+Expected<MemoryFile> create_sparse_memory_file(const char* name, std::size_t size) {
+  auto file = create_memory_file(name, size, Sharing::peers_read);
+  if (!file) return file.error();
+  const std::string itself = "/proc/self/fd/" + std::to_string(file->descriptor.get());
+  file->shared = within_share(FileDescriptor(::open(itself.c_str(), O_RDONLY | O_CLOEXEC)));
+  if (!file->shared || ::fchmod(file->descriptor.get(), S_IRUSR) != 0)
+    return system_error("open a memory file for reading", name);
+  if (::fcntl(file->descriptor.get(), F_ADD_SEALS, size_seals | F_SEAL_SEAL) == 0) return file;
+  return system_error("seal a memory file");
+}
+
+void give_back(const MemoryFile& file, std::size_t offset, std::size_t bytes) noexcept {
+  ::fallocate(file.descriptor.get(), FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, static_cast<off_t>(offset),
+              static_cast<off_t>(bytes));
+}
+
 Status check_received(int fd, std::size_t size, Sharing) {
   const int seals = ::fcntl(fd, F_GET_SEALS);
   if (seals < 0) return refused("it is not a memfd");

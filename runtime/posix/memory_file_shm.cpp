@@ -67,6 +67,16 @@ Expected<MemoryFile> create_memory_file(const char* name, std::size_t size, Shar
   return file;
 }
 
+Expected<MemoryFile> create_sparse_memory_file(const char* name, std::size_t) {
+  Error error;
+  error.what = "create a sparse memory file";
+  error.where = name;
+  error.hint = "there is no portable way to give pages back";
+  return error;
+}
+
+void give_back(const MemoryFile&, std::size_t, std::size_t) noexcept {}
+
 Status seal(MemoryFile&, Sharing) {
   return Success{};
 }

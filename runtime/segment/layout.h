@@ -10,8 +10,8 @@
 // What lies in shared files. Both sides must agree on it byte by byte: a change needs a new layout_version,
 // and tests/runtime/segment/layout_test.cpp says so when it is forgotten.
 //
-//   data file:   SegmentHeader | BlockHeader of slot 0 | of slot 1 | ... | page boundary | payloads
-//                written by the publisher alone
+//   segment:     SegmentHeader | BlockHeader of slot 0 | of slot 1 | ... | page boundary | payloads
+//                a memory file, or a part of one; written by the publisher alone
 //   ack file:    AckHeader | leaves of the release hints | word of slot 0 | word of slot 1 | ...
 //                one for each connection and segment, written by both sides
 
@@ -27,13 +27,13 @@ constexpr std::size_t cache_line = 64;
 // A payload of a page or more begins on a page and shares none. A subscriber's process may make those pages its own when
 // it writes there, so everything else is read through other pages.
 
-/// First bytes of a data file.
+/// First bytes of a segment.
 struct SegmentHeader {
   std::uint64_t magic;
   std::uint32_t version;
   std::uint32_t slots;  // most blocks at a time
   std::uint64_t id;     // unique among the segments of one publisher process
-  std::uint64_t size;   // of the whole file
+  std::uint64_t size;   // of the whole segment
   char name[32];        // for people; terminated
 };
 
@@ -43,7 +43,7 @@ struct BlockHeader {
   std::uint32_t generation;
   std::uint32_t slot;
   std::uint32_t reserved;
-  std::uint64_t offset;  // of the payload in the file
+  std::uint64_t offset;  // of the payload in the segment
   std::uint64_t size;    // usable payload bytes
 };
 

@@ -23,10 +23,9 @@ std::size_t pages_of(std::uint64_t bytes, std::size_t page) {
 
 }  // namespace
 
-Expected<std::unique_ptr<PrivateViews>> PrivateViews::map(int fd, std::size_t size, WriteListener* listener) {
-  auto mapping = posix::Mapping::map(fd, size, posix::Access::read_private);
-  if (!mapping) return mapping.error();
-  std::unique_ptr<PrivateViews> views(new PrivateViews(std::move(*mapping), listener));
+Expected<std::unique_ptr<PrivateViews>> PrivateViews::create(posix::Mapping mapping,
+                                                             WriteListener* listener) {
+  std::unique_ptr<PrivateViews> views(new PrivateViews(std::move(mapping), listener));
   if (views->runs_) return {std::move(views)};
   Error error;
   error.what = "keep account of the pages of a received segment: out of memory";
@@ -90,7 +89,9 @@ namespace {
 
 // Without a fault, at which a debugger would stop in every program: what a system may refuse are the other steps.
 bool write_and_drop(const posix::MemoryFile& file, const std::uint8_t* original) {
-  auto views = PrivateViews::map(file.shared_fd(), file.size, nullptr);
+  auto mapping = posix::Mapping::map(file.shared_fd(), file.size, posix::Access::read_private);
+  if (!mapping) return false;
+  auto views = PrivateViews::create(std::move(*mapping), nullptr);
   if (!views || !(*views)->begin(0, file.size)) return false;
   auto* view = const_cast<std::uint8_t*>((*views)->data());
   if (view[0] != 1 || !(*views)->make_writable(posix::WriteFault{view, nullptr})) return false;

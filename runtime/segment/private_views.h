@@ -33,8 +33,8 @@ class WriteListener {
 /// begin and end: any thread, for one payload not at the same time.
 class PrivateViews final : public posix::WriteFaultArea {
  public:
-  /// `listener` lives as long as any view; null: none.
-  static Expected<std::unique_ptr<PrivateViews>> map(int fd, std::size_t size, WriteListener* listener);
+  /// `mapping`: read-only and private. `listener` lives as long as any view; null: none. Error: no memory.
+  static Expected<std::unique_ptr<PrivateViews>> create(posix::Mapping mapping, WriteListener* listener);
   ~PrivateViews();
 
   const std::uint8_t* data() const { return mapping_.data(); }

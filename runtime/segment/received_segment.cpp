@@ -22,8 +22,9 @@ Error refused(const char* what) {
 }
 
 bool is_plausible(const SegmentOffer& offer) {
-  return offer.slots > 0 && offer.slots <= max_slots &&
-         offer.size >= payloads_offset(offer.slots, posix::page_size()) && offer.size <= SIZE_MAX / 2 &&
+  return offer.slots > 0 && offer.slots <= max_slots && offer.file_size <= SIZE_MAX / 2 &&
+         offer.size >= payloads_offset(offer.slots, posix::page_size()) && offer.size <= offer.file_size &&
+         offer.offset <= offer.file_size - offer.size && offer.offset % posix::page_size() == 0 &&
          offer.ack_size >= ack_file_bytes(offer.slots) && offer.ack_size <= SIZE_MAX / 2;
 }
 
@@ -46,12 +47,12 @@ Expected<std::shared_ptr<ReceivedSegment>> ReceivedSegment::open(const SegmentOf
                                                                  posix::FileDescriptor acknowledgements,
                                                                  ViewWrites writes, WriteListener* listener) {
   if (!is_plausible(offer)) return refused("its sizes don't agree");
-  const Status data_ok = posix::check_received(data.get(), offer.size, posix::Sharing::peers_read);
+  const Status data_ok = posix::check_received(data.get(), offer.file_size, posix::Sharing::peers_read);
   if (!data_ok) return data_ok.error();
   const Status acks_ok =
       posix::check_received(acknowledgements.get(), offer.ack_size, posix::Sharing::peers_write);
   if (!acks_ok) return acks_ok.error();
-  auto data_map = posix::Mapping::map(data.get(), offer.size, posix::Access::read_only);
+  auto data_map = posix::Mapping::map(data.get(), offer.size, posix::Access::read_only, offer.offset);
   if (!data_map) return data_map.error();
   auto ack_map = posix::Mapping::map(acknowledgements.get(), offer.ack_size, posix::Access::read_write);
   if (!ack_map) return ack_map.error();
@@ -62,7 +63,7 @@ Expected<std::shared_ptr<ReceivedSegment>> ReceivedSegment::open(const SegmentOf
 
   auto segment = std::make_shared<ReceivedSegment>();
   segment->writes_ = writes;
-  const Status mapped = segment->map_views(data.get(), offer.size, listener);
+  const Status mapped = segment->map_views(data.get(), offer, listener);
   if (!mapped) return mapped.error();
   segment->id_ = offer.id;
   segment->data_ = std::move(*data_map);
@@ -73,9 +74,11 @@ Expected<std::shared_ptr<ReceivedSegment>> ReceivedSegment::open(const SegmentOf
   return segment;
 }
 
-Status ReceivedSegment::map_views(int fd, std::size_t size, WriteListener* listener) {
+Status ReceivedSegment::map_views(int fd, const SegmentOffer& offer, WriteListener* listener) {
   if (writes_ != ViewWrites::private_pages) return Success{};
-  auto views = PrivateViews::map(fd, size, listener);
+  auto mapping = posix::Mapping::map(fd, offer.size, posix::Access::read_private, offer.offset);
+  if (!mapping) return mapping.error();
+  auto views = PrivateViews::create(std::move(*mapping), listener);
   if (!views) return views.error();
   views_ = std::move(*views);
   return Success{};

@@ -23,6 +23,8 @@ struct SegmentOffer {
   std::uint64_t id;
   std::uint64_t size;
   std::uint64_t ack_size;
+  std::uint64_t file_size;  // of the file that the segment is a part of
+  std::uint64_t offset;     // there
   std::uint32_t slots;
 };
 
@@ -72,7 +74,7 @@ class ReceivedSegment {
   TZC_HOT void release(const BlockRef& ref);
 
  private:
-  Status map_views(int fd, std::size_t size, WriteListener* listener);
+  Status map_views(int fd, const SegmentOffer& offer, WriteListener* listener);
   void add_range(const std::uint8_t* begin) const;
 
   std::uint64_t id_ = 0;

@@ -22,10 +22,10 @@ std::uint64_t next_segment_id() {
 
 }  // namespace
 
-Expected<SegmentPtr> Segment::create(std::size_t size, const std::string& name, Prefault prefault) {
-  auto file = SegmentFile::create(size, prefault);
+Expected<SegmentPtr> Segment::create(std::size_t size, const MemoryOptions& options) {
+  auto file = SegmentFile::create(size, options.prefault, options.pooled);
   if (!file) return file.error();
-  return SegmentPtr(new Segment(std::move(*file), name));
+  return SegmentPtr(new Segment(std::move(*file), options.name));
 }
 
 Segment::Segment(SegmentFile file, const std::string& name)

@@ -20,14 +20,14 @@
 namespace tzc {
 namespace segment {
 
-/// One memory file of this process and the blocks in it.
+/// A part of this process's shared memory and the blocks in it.
 ///
 /// allocate_block and free_if_unused are called by one allocator at a time (SegmentMemoryImpl's lock);
 /// everything else is thread-safe. Counted by SegmentPtr and by each block that has a handle: it stays mapped
 /// until the last one goes.
 class Segment final : public OwnSegment {
  public:
-  static Expected<SegmentPtr> create(std::size_t size, const std::string& name, Prefault prefault);
+  static Expected<SegmentPtr> create(std::size_t size, const MemoryOptions& options);
 
   enum class Where { touched_memory, anywhere };
   /// A block of exactly `bytes` with one handle, or null. Errors other than "no room" go to `failure`.
@@ -47,7 +47,7 @@ class Segment final : public OwnSegment {
   void note_release(std::uint32_t slot) noexcept { releases_.add(slot); }
 
   BufferPtr find(const std::uint8_t* address, std::size_t bytes) const override;
-  void make_private() const noexcept override { file_.make_private(); }
+  void make_private() const noexcept override { file_.pages().make_private(); }
   /// A new handle of the block, although it may have none left. Only for a caller that has the block in flight:
   /// that keeps it from being reclaimed. Null: not that block any more.
   BufferPtr revive(std::uint64_t data_offset, const BlockName& name) const;

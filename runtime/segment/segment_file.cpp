@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "posix/shared_memory.h"
 #include "segment/layout.h"
 
 namespace tzc {
@@ -22,15 +21,14 @@ std::uint32_t slots_for(std::size_t payload) {
 
 }  // namespace
 
-Expected<SegmentFile> SegmentFile::create(std::size_t payload_bytes, Prefault prefault) {
+Expected<SegmentFile> SegmentFile::create(std::size_t payload_bytes, Prefault prefault, bool pooled) {
   const std::uint32_t slots = slots_for(payload_bytes);
   const std::size_t begin = payloads_offset(slots, posix::page_size());
   const std::size_t size = begin + round_up(payload_bytes, posix::page_size());
-  auto memory = posix::create_shared_memory("tzc-segment", size, 0, posix::Sharing::peers_read);
-  if (!memory) return memory.error();
+  auto pages = SegmentPages::create(size, pooled);
+  if (!pages) return pages.error();
   SegmentFile segment;
-  segment.file_ = std::move(memory->file);
-  segment.mapping_ = std::move(memory->mapping);
+  segment.pages_ = std::move(*pages);
   segment.prefault_ = prefault;
   segment.slots_ = slots;
   segment.payloads_.end = begin;
@@ -48,9 +46,9 @@ Status SegmentFile::commit(std::uint32_t slot, std::uint64_t end) {
 Status SegmentFile::commit(Committed& part, std::size_t end) {
   if (end <= part.end) return Success{};
   const std::size_t target = std::min(round_up(end, posix::page_size()), size());
-  const Status reserved = posix::reserve(file_, part.end, target - part.end);
+  const Status reserved = pages_.reserve(part.end, target - part.end);
   if (!reserved) return reserved;
-  if (prefault_ != Prefault::none) mapping_.populate(part.end, target - part.end);
+  if (prefault_ != Prefault::none) pages_.mapping().populate(part.end, target - part.end);
   part.end = target;
   return Success{};
 }

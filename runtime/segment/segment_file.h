@@ -5,29 +5,28 @@
 #include <cstdint>
 
 #include "posix/mapping.h"
-#include "posix/memory_file.h"
 #include "segment/layout.h"
+#include "segment/segment_pages.h"
 #include "tzc/memory.h"
 
 namespace tzc {
 namespace segment {
 
-/// A segment's memory file and its mapping. Pages of headers and pages of payloads are each committed from the front, so
+/// What lies where in the pages of a segment. Pages of headers and pages of payloads are each committed from the front, so
 /// two marks tell which are. Not thread-safe.
 class SegmentFile {
  public:
   /// Holds so many bytes of payload, and the headers on top.
-  static Expected<SegmentFile> create(std::size_t payload_bytes, Prefault prefault);
+  static Expected<SegmentFile> create(std::size_t payload_bytes, Prefault prefault, bool pooled);
 
   /// Commits the header of that slot and all payload pages below `end`: no write there can fail or fault on a full
   /// system.
   Status commit(std::uint32_t slot, std::uint64_t end);
 
-  /// In a forked child, whose writes must not reach the parent's messages.
-  void make_private() const noexcept { mapping_.make_private(file_.descriptor.get()); }
-
-  std::uint8_t* data() const { return mapping_.data(); }
-  std::size_t size() const { return mapping_.size(); }
+  /// Which file they are in, and where.
+  const SegmentPages& pages() const { return pages_; }
+  std::uint8_t* data() const { return pages_.mapping().data(); }
+  std::size_t size() const { return pages_.mapping().size(); }
   /// Most blocks at a time.
   std::uint32_t slots() const { return slots_; }
   std::uint64_t payloads_begin() const { return payloads_offset(slots_, posix::page_size()); }
@@ -38,8 +37,6 @@ class SegmentFile {
   std::size_t committed_bytes() const {
     return headers_.end + (payloads_.end - static_cast<std::size_t>(payloads_begin()));
   }
-  /// What subscribers get.
-  int fd() const { return file_.shared_fd(); }
 
  private:
   struct Committed {
@@ -47,8 +44,7 @@ class SegmentFile {
   };
   Status commit(Committed& part, std::size_t end);
 
-  posix::MemoryFile file_;
-  posix::Mapping mapping_;
+  SegmentPages pages_;
   Prefault prefault_ = Prefault::none;
   std::uint32_t slots_ = 0;
   Committed headers_;

@@ -125,8 +125,8 @@ bool SegmentGuard::replace(Guarded& block, State was, const posix::WriteFault& f
   const auto kind = was == published ? guard::Stale::Kind::published : guard::Stale::Kind::free;
   guard::report({kind, topic_.c_str(), block.number, begin, block.bytes, &block.since}, fault);
   void* const mapped =
-      ::mmap(begin, block.bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE, file_.fd(),
-             static_cast<off_t>(block.offset));
+      ::mmap(begin, block.bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE,
+             file_.pages().fd(), static_cast<off_t>(file_.pages().offset() + block.offset));
   block.state.store(replaced, std::memory_order_release);
   return mapped != MAP_FAILED;
 }

@@ -202,7 +202,7 @@ void SegmentMemoryImpl::bring_back(Block& block) {
 }
 
 bool SegmentMemoryImpl::add_segment(std::size_t size) {
-  Expected<SegmentPtr> segment = Segment::create(size, options_.name, options_.prefault);
+  Expected<SegmentPtr> segment = Segment::create(size, options_);
   if (segment) {
     segments_.push_back(std::move(*segment));
   } else {

@@ -54,6 +54,7 @@ MemoryOptions memory_options(ros::Publication& publication, const PublisherOptio
   memory.policy = options.policy;
   memory.prefault = options.prefault;
   memory.name = publication.getName();
+  memory.pooled = true;  // every topic is for all processes of this user
   return memory;
 }
 

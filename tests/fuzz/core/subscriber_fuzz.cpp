@@ -97,7 +97,7 @@ class Hostile {
 };
 
 std::vector<std::uint8_t> valid_segment() {
-  const SegmentPacket packet{PacketKind::segment, 0, {1, file_bytes, file_bytes, slots}};
+  const SegmentPacket packet{PacketKind::segment, 0, {1, file_bytes, file_bytes, file_bytes, 0, slots}};
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(&packet);
   return {bytes, bytes + sizeof packet};
 }

@@ -94,7 +94,7 @@ TEST_F(HostilePublisher, an_unknown_block_ends_it) {
 
 TEST_F(HostilePublisher, a_segment_without_files_ends_it) {
   subscribe();
-  peer_->send(SegmentPacket{PacketKind::segment, 0, {1, 4096, 4096, 64}});
+  peer_->send(SegmentPacket{PacketKind::segment, 0, {1, 4096, 4096, 4096, 0, 64}});
   expect_broken("without its files");
 }
 
@@ -102,7 +102,7 @@ TEST_F(HostilePublisher, a_file_that_is_no_segment_ends_it) {
   subscribe();
   auto file = posix::create_memory_file("junk", 8192, posix::Sharing::peers_write);
   posix::seal(*file, posix::Sharing::peers_write);
-  peer_->send(SegmentPacket{PacketKind::segment, 0, {1, 8192, 8192, 64}},
+  peer_->send(SegmentPacket{PacketKind::segment, 0, {1, 8192, 8192, 8192, 0, 64}},
               {file->descriptor.get(), file->descriptor.get()});
   expect_broken("refuse a received segment");
 }
@@ -111,9 +111,27 @@ TEST_F(HostilePublisher, a_file_shorter_than_announced_ends_it) {
   subscribe();
   auto file = posix::create_memory_file("short", 4096, posix::Sharing::peers_write);
   posix::seal(*file, posix::Sharing::peers_write);
-  peer_->send(SegmentPacket{PacketKind::segment, 0, {1, mb, mb, 64}},
+  peer_->send(SegmentPacket{PacketKind::segment, 0, {1, mb, mb, mb, 0, 64}},
               {file->descriptor.get(), file->descriptor.get()});
   expect_broken("not the announced one");
+}
+
+TEST_F(HostilePublisher, a_part_that_lies_outside_its_file_ends_it) {
+  const std::uint64_t page = posix::page_size(), most = ~std::uint64_t{0};
+  const std::pair<std::uint64_t, std::uint64_t> parts[] = {// size, offset
+                                                           {2 * page, 3 * page},
+                                                           {2 * page, most - page + 1},
+                                                           {2 * page, 1},
+                                                           {5 * page, 0},
+                                                           {most - page + 1, 2 * page}};
+  for (const auto& [size, offset] : parts) {
+    subscribe();
+    auto file = posix::create_memory_file("part", 4 * page, posix::Sharing::peers_write);
+    posix::seal(*file, posix::Sharing::peers_write);
+    peer_->send(SegmentPacket{PacketKind::segment, 0, {1, size, 2 * page, 4 * page, offset, 64}},
+                {file->descriptor.get(), file->descriptor.get()});
+    expect_broken("its sizes don't agree");
+  }
 }
 
 #ifndef TZC_PORTABLE
@@ -134,7 +152,7 @@ TEST_F(HostilePublisher, a_slot_that_claims_more_than_it_holds_ends_it) {
 
 TEST_F(HostilePublisher, what_comes_through_the_ring_is_checked_as_a_packet) {
   subscribe(reads_ring);
-  const SegmentPacket offer{PacketKind::segment, 0, {1, 4096, 4096, 64}};
+  const SegmentPacket offer{PacketKind::segment, 0, {1, 4096, 4096, 4096, 0, 64}};
   RingWriter(&ring(), bell_).write(&offer, sizeof offer, "", 0);
   expect_broken("without its files");
 }
@@ -150,7 +168,7 @@ TEST_F(HostilePublisher, a_file_that_it_could_still_truncate_ends_it) {
   subscribe();
   const std::size_t size = 2 * posix::page_size();
   auto file = posix::create_memory_file("open", size, posix::Sharing::peers_write);
-  peer_->send(SegmentPacket{PacketKind::segment, 0, {1, size, size, 64}},
+  peer_->send(SegmentPacket{PacketKind::segment, 0, {1, size, size, size, 0, 64}},
               {file->descriptor.get(), file->descriptor.get()});
   expect_broken("not sealed");
 }

@@ -14,12 +14,12 @@ namespace {
 
 using Word = std::atomic<std::uint64_t>;
 
-TEST(Wire, version_five) {
-  EXPECT_EQ(wire_version, 5u);
+TEST(Wire, version_six) {
+  EXPECT_EQ(wire_version, 6u);
   EXPECT_EQ(sizeof(Hello), 40u);
   EXPECT_EQ(sizeof(Welcome), 20u);
   EXPECT_EQ(sizeof(Refusal), 8u);
-  EXPECT_EQ(sizeof(SegmentPacket), 40u);
+  EXPECT_EQ(sizeof(SegmentPacket), 56u);
   EXPECT_EQ(sizeof(RetireSegment), 16u);
   EXPECT_EQ(sizeof(RecordPrefix), 8u);
   EXPECT_EQ(sizeof(FragmentPrefix), 24u);

@@ -40,7 +40,7 @@ TEST(Layout, version_two) {
 }
 
 TEST(Layout, references) {
-  EXPECT_EQ(sizeof(SegmentOffer), 32u);
+  EXPECT_EQ(sizeof(SegmentOffer), 48u);
   EXPECT_EQ(sizeof(BlockRef), 32u);
   EXPECT_EQ(offsetof(BlockRef, slot), 24u);
   EXPECT_EQ(offsetof(BlockRef, generation), 28u);

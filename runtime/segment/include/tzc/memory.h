@@ -149,11 +149,15 @@ struct MemoryOptions {
   Policy policy{};                             ///< what allocate does when the memory is full
   Prefault prefault = Prefault::on_first_use;  ///< when pages are committed
   std::string name{};                          ///< shown by diagnostics, e.g. the topic
+  /// Its segments lie in one file with those of all memories of this process that say so: two descriptors for all of
+  /// them. Whoever is sent one can read all, so only where every publisher admits the same processes of this user alone.
+  /// Where the system has no such files, each segment has one of its own.
+  bool pooled = false;
 };
 
 /// A snapshot of one publisher's memory. Bytes and counts since creation.
 struct MemoryStats {
-  std::size_t segments = 0;        ///< memory files now
+  std::size_t segments = 0;        ///< now
   std::size_t size_bytes = 0;      ///< address space of all segments
   std::size_t reserved_bytes = 0;  ///< committed in tmpfs; never shrinks while a segment lives
   std::size_t used_bytes = 0;      ///< blocks allocated and not reclaimed yet
