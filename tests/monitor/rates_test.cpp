@@ -41,8 +41,7 @@ TEST(Rates, are_counted_over_the_time_between_two_updates) {
 
 TEST(Rates, are_not_invented_for_what_roscpp_does_not_count) {
   Node before = sample(10, 0), after = sample(12, 0);
-  for (Node* node : {&before, &after})
-    node->topics[0].connections[0].transport = Transport::intraprocess;
+  for (Node* node : {&before, &after}) node->topics[0].connections[0].transport = Transport::intraprocess;
   std::vector<Node> now{after};
   rates({before}, now);
   EXPECT_FALSE(now[0].topics[0].connections[0].messages_per_s);
