@@ -101,13 +101,14 @@ ReceiveResult receive_packet(int socket, const iovec* parts, std::size_t part_co
     received = ::recvmsg(socket, &message, flags);
   } while (received < 0 && (errno == EINTR || errno == ECONNRESET));
   if (received < 0 && (errno == EAGAIN || errno == ENOBUFS || errno == ENOMEM)) return ReceiveResult::nothing;
-  if (received <= 0) return ReceiveResult::closed;
+  if (received < 0) return ReceiveResult::closed;
   packet.size = static_cast<std::size_t>(received);
   packet.truncated = (message.msg_flags & MSG_TRUNC) != 0;
   packet.descriptors_lost = (message.msg_flags & MSG_CTRUNC) != 0;
   packet.descriptor_count = 0;
   if (with_descriptors && message.msg_controllen > 0) take_descriptors(message, packet);
-  return ReceiveResult::packet;
+  // An empty packet looks like the end, and is one: nobody sends it. It may have brought descriptors all the same.
+  return received > 0 ? ReceiveResult::packet : ReceiveResult::closed;
 }
 
 }  // namespace posix

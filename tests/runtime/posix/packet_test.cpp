@@ -136,6 +136,14 @@ TEST_F(PacketTest, more_descriptors_than_allowed_are_closed) {
   EXPECT_EQ(open_descriptors(), before);
 }
 
+TEST_F(PacketTest, descriptors_of_an_empty_packet_are_closed) {
+  const int before = open_descriptors();
+  send("", {0, 0});
+  EXPECT_EQ(receive(true), ReceiveResult::closed);
+  packet_ = ReceivedPacket();
+  EXPECT_EQ(open_descriptors(), before);
+}
+
 }  // namespace
 }  // namespace posix
 }  // namespace tzc
