@@ -25,6 +25,12 @@ bool ConcurrentReads::is_in(const EntityId& message, const Component& component)
   return of && of->id == component.id;
 }
 
+/// Of other threads: a lasting message, or a lasting pointer to one, or what a closure uses of the function around it.
+bool ConcurrentReads::is_within_reach(const Component& component) const {
+  return is_captured(component) || std::any_of(component.entities.begin(), component.entities.end(),
+                                               [](const Entity* entity) { return entity->lasts(); });
+}
+
 /// A closure that another thread may run uses a message of the function around it.
 bool ConcurrentReads::is_captured(const Component& component) const {
   const auto is_here = [&](const EntityId& message) { return is_in(message, component); };
@@ -129,7 +135,7 @@ bool ConcurrentReads::is_endangered(const Accesses& all, const Access& read) con
 }
 
 const ElementUse* ConcurrentReads::of(const Component& component) const {
-  if (!component.has_lasting_message() && !is_captured(component)) return nullptr;
+  if (!is_within_reach(component)) return nullptr;
   const Accesses all = accesses_of(component);
   const auto found = std::find_if(all.reads.begin(), all.reads.end(),
                                   [&](const Access& read) { return is_endangered(all, read); });

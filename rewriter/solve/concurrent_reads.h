@@ -33,6 +33,7 @@ class ConcurrentReads {
   };
 
   bool is_in(const EntityId& message, const Component& component) const;
+  bool is_within_reach(const Component& component) const;
   bool is_captured(const Component& component) const;
   bool guards(const std::string& lock, const Component& component) const;
   bool is_part_of(const std::string& field, const std::string& record) const;
