@@ -34,15 +34,18 @@ ConnectionImpl::ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPa
       epoch_(posix::fork_epoch()),
       page_(std::move(page)),
       window_(page_, segments_, options_.limit, options.keeps_undelivered),
-      sender_(std::move(socket), RingWriter(peer_.reads_ring ? &page_.ring() : nullptr, options.bell),
+      sender_(SendingSocket(std::move(socket), std::move(peer_.trunk.place)),
+              RingWriter(peer_.reads_ring ? &page_.ring() : nullptr, options.bell),
               options_.limit.most() + 2 * max_segments) {}
 
 Status ConnectionImpl::start(Service& service) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto key = service.add(sender_.socket(), true, false, shared_from_this());
-  if (!key) return key.error();
-  sender_.watched_by(service, *key);
-  return Success{};
+  return sender_.socket().start(service, shared_from_this(), weak_from_this());
+}
+
+std::uint32_t ConnectionImpl::granted_features() const {
+  return (peer_.reads_ring ? std::uint32_t{reads_ring} : 0) |
+         (sender_.socket().is_loan() ? std::uint32_t{has_trunk} : 0);
 }
 
 bool ConnectionImpl::alive() const {
@@ -102,13 +105,14 @@ void ConnectionImpl::uncork() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (state_ == ConnectionState::corked) state_ = ConnectionState::open;
   const Welcome welcome{PacketKind::welcome, wire_version, first_sequence,
-                        static_cast<std::uint32_t>(page_.size()),
-                        peer_.reads_ring ? std::uint32_t{reads_ring} : 0};
+                        static_cast<std::uint32_t>(page_.size()), granted_features()};
   const iovec whole{const_cast<Welcome*>(&welcome), sizeof welcome};
   const int page = page_.fd();
-  if (posix::send_packet(sender_.socket(), &whole, 1, &page, 1) != posix::SendResult::sent) return abort();
+  if (posix::send_packet(sender_.socket().get(), &whole, 1, &page, 1) != posix::SendResult::sent)
+    return abort();
   page_.close_descriptor();
   heed(sender_.uncork());
+  sender_.rest();
 }
 
 void ConnectionImpl::revoke(const segment::BlockName& block) {
@@ -132,7 +136,7 @@ void ConnectionImpl::close() {
 // The socket of an honest subscriber stays open: it may hold blocks until it hangs up.
 void ConnectionImpl::stop_deliveries() {
   state_ = ConnectionState::draining;
-  if (!window_.end()) posix::disconnect(sender_.socket());
+  if (!window_.end()) sender_.socket().break_off();
   sender_.drop_all();
 }
 
@@ -141,32 +145,57 @@ void ConnectionImpl::stop_deliveries() {
 void ConnectionImpl::abort() {
   state_ = ConnectionState::draining;
   sender_.drop_all();
-  posix::disconnect(sender_.socket());
+  sender_.socket().break_off();
 }
 
 void ConnectionImpl::on_event(const posix::Poller::Event& event) {
-  if (event.hung_up) return hung_up();
-  if (event.readable) return unsubscribed();  // the only packet that a subscriber sends
+  const bool loan = sender_.socket().is_loan();
+  if (event.hung_up) return loan ? loan_closed() : hung_up();
+  if (event.readable && !loan) return read_unsubscribe();  // the only packet that a subscriber sends
   on_deadline();
 }
 
-// The socket takes packets again, or it is time to try again.
+// The socket takes packets again, or it is time to try again, or to see whether a loan is still needed.
 void ConnectionImpl::on_deadline() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (state_ == ConnectionState::gone) return;
+    if (!sender_.socket().broken_off()) heed(sender_.flush());
+    sender_.rest();
+    if (!sender_.socket().is_loan() || !sender_.socket().broken_off()) return;
+  }
+  hung_up();  // what it held does not count
+}
+
+void ConnectionImpl::heard(TrunkWord word, posix::FileDescriptor) {
+  if (word == TrunkWord::gone) return hung_up();
+  if (word == TrunkWord::unsubscribe) unsubscribed();
+}
+
+// By a subscriber that is going; what becomes of it the trunk tells.
+void ConnectionImpl::loan_closed() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (state_ != ConnectionState::gone) heed(sender_.flush());
+  if (state_ == ConnectionState::gone) return;
+  stop_deliveries();
+  sender_.socket().give_up();
 }
 
 // Its Unsubscribe, the end of its stream, or an invalid packet: in each case nothing more is sent.
-void ConnectionImpl::unsubscribed() {
+void ConnectionImpl::read_unsubscribe() {
   std::uint8_t byte = 0;
   posix::ReceivedPacket packet;
-  const auto result = posix::receive_packet(sender_.socket(), &byte, sizeof byte,
+  const auto result = posix::receive_packet(sender_.socket().get(), &byte, sizeof byte,
                                             posix::Waiting::return_at_once, false, packet);
   if (result == posix::ReceiveResult::nothing) return;
+  if (result == posix::ReceiveResult::closed) sender_.socket().stop_reading();
+  unsubscribed();
+}
+
+void ConnectionImpl::unsubscribed() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (state_ == ConnectionState::gone) return;
     stop_deliveries();
-    if (result == posix::ReceiveResult::closed) sender_.stop_reading();
   }
   if (const auto owner = owner_.lock()) owner->disconnected(shared_from_this());
 }
@@ -178,7 +207,7 @@ void ConnectionImpl::hung_up() {
     stop_deliveries();
     state_ = ConnectionState::gone;
     segments_.clear();
-    sender_.close();
+    sender_.socket().close();
   }
   if (const auto owner = owner_.lock()) owner->disconnected(shared_from_this());
 }

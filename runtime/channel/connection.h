@@ -13,6 +13,7 @@
 #include "channel/peer.h"
 #include "channel/service.h"
 #include "channel/shared_page.h"
+#include "channel/trunk.h"
 #include "posix/file_descriptor.h"
 #include "posix/hot.h"
 #include "segment/segment.h"
@@ -40,9 +41,10 @@ class ConnectionOwner {
 ///   corked --uncork--> open --close, or the subscriber unsubscribes--> draining --hang-up--> gone
 ///
 /// Draining: nothing is sent any more, but the subscriber may still hold blocks; they are kept until its socket
-/// hangs up. Owned by the service while its socket is open.
+/// hangs up. Owned by the service until then.
 class ConnectionImpl final : public Connection,
                              public Watcher,
+                             public TrunkListener,
                              public segment::Revoker,
                              public std::enable_shared_from_this<ConnectionImpl> {
  public:
@@ -76,10 +78,13 @@ class ConnectionImpl final : public Connection,
 
   void on_event(const posix::Poller::Event& event) override;
   void on_deadline() override;
+  void heard(TrunkWord word, posix::FileDescriptor socket) override;
+  void trunk_lost() override { hung_up(); }
   void revoke(const segment::BlockName& block) override;
   void revoke_buffered() override;
 
  private:
+  std::uint32_t granted_features() const;
   std::vector<HeldBlock> held_blocks() const;
   bool send_traced(const RecordPtr& record);
   /// Under mutex_.
@@ -88,10 +93,12 @@ class ConnectionImpl final : public Connection,
   void heed_revocation(bool honest);
   void stop_deliveries();
   void abort();
+  void loan_closed();
   void unsubscribed();
+  void read_unsubscribe();
   void hung_up();
 
-  const Peer peer_;
+  Peer peer_;
   const Options options_;
   const std::weak_ptr<ConnectionOwner> owner_;
   const std::uint32_t epoch_;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "channel/accepted_trunks.h"
 #include "channel/pending_peer.h"
 #include "channel/service.h"
 #include "posix/file_descriptor.h"
@@ -20,6 +21,7 @@ namespace channel {
 ///
 ///   connect --> a user of whom a publisher may admit processes? --> Hello --> the publisher that it names decides
 ///
+/// A process whose Hello says so gets a trunk instead, which it names when it comes to a publisher here.
 /// All publishers of this process that listen at no address of their own share one. It listens until its last owner, a
 /// publisher, is gone. Thread-safe; calls publishers on the service thread and without a lock.
 class Entrance final : public PeerAdmission, public std::enable_shared_from_this<Entrance> {
@@ -66,6 +68,7 @@ class Entrance final : public PeerAdmission, public std::enable_shared_from_this
 
   mutable std::mutex mutex_;
   std::map<std::uint64_t, std::weak_ptr<PeerAdmission>> publishers_;
+  AcceptedTrunks trunks_;
 };
 
 }  // namespace channel

@@ -3,10 +3,9 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <cstring>
-
+#include "channel/answer.h"
 #include "channel/publisher_address.h"
+#include "channel/trunk_to.h"
 #include "channel/wire.h"
 #include "posix/fork_epoch.h"
 #include "posix/packet.h"
@@ -19,6 +18,11 @@ namespace {
 Error failed(const std::string& what, const std::string& address) {
   Error error;
   error.what = what;
+  error.where = address;
+  return error;
+}
+
+Error at(const std::string& address, Error error) {
   error.where = address;
   return error;
 }
@@ -52,6 +56,11 @@ Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options, 
   if (!peer) return peer.error();
   if (!trusted(options, *peer))
     return failed("trust the publisher, a process of another user", options.address);
+  if (place.service != nullptr && place.number) {
+    auto trunk = trunk_to(*place.service, {address->socket, *peer}, options.handshake_timeout);
+    if (!trunk) return at(options.address, trunk.error());
+    place.trunk = std::move(*trunk);
+  }
   auto link = std::make_shared<Link>(std::move(*socket), *peer, std::move(place));
   link->writes_ = view_writes(options);
   link->notice_ = WriteNotice::create(notice_service(options), options.on_write);
@@ -61,20 +70,25 @@ Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options, 
 }
 
 Link::Link(posix::FileDescriptor socket, const Credentials& peer, RingPlace place)
-    : socket_(std::move(socket)),
+    : sockets_(std::move(socket)),
       peer_(peer),
       epoch_(posix::fork_epoch()),
       place_(std::move(place)),
       notice_(WriteNotice::create(nullptr, nullptr)) {}
 
-// A forked child must not end the watch: its parent still uses it.
+// A forked child must not end what its parent still uses.
 Link::~Link() {
-  if (watch_ && !forked()) watch_->stop();
+  if (forked()) return;
+  if (watch_) watch_->stop();
+  if (place_.trunk) place_.trunk->tell(TrunkWord::gone);
 }
 
 Status Link::shake_hands(const SubscriberOptions& options, std::uint64_t publication) {
+  if (place_.trunk) place_.trunk->listen(weak_from_this());
   const Status greeted = say_hello(options, publication);
-  return greeted ? await_welcome(options) : greeted;
+  if (!greeted) return greeted;
+  const Status welcome = await_welcome(options.handshake_timeout);
+  return welcome ? welcome : at(options.address, welcome.error());
 }
 
 bool Link::forked() const {
@@ -95,72 +109,74 @@ Status Link::say_hello(const SubscriberOptions& options, std::uint64_t publicati
     hello.doorbell_bytes = static_cast<std::uint32_t>(place_.number->doorbell()->size());
     hello.doorbell_number = place_.number->value();
   }
+  if (place_.trunk) {
+    hello.features |= has_trunk;
+    hello.trunk = place_.trunk->trunk().id();
+    hello.trunk_number = place_.trunk->number();
+  }
   const iovec parts[] = {{&hello, sizeof hello},
                          {const_cast<char*>(options.hello.data()), options.hello.size()}};
   // When the publisher is gone, its Refusal says why.
-  if (posix::send_packet(fd(), parts, 2, &doorbell, doorbell < 0 ? 0 : 1) == posix::SendResult::exhausted)
+  if (posix::send_packet(sockets_.current(), parts, 2, &doorbell, doorbell < 0 ? 0 : 1) ==
+      posix::SendResult::exhausted)
     return failed("subscribe: the system has no memory, or too many descriptors are in flight",
                   options.address);
   return Success{};
 }
 
-Status Link::await_welcome(const SubscriberOptions& options) {
-  std::uint8_t memory[1024];
-  posix::ReceivedPacket packet;
-  if (!posix::wait_readable(fd(), options.handshake_timeout))
-    return failed("subscribe: the publisher did not answer in time", options.address);
-  const auto result =
-      posix::receive_packet(fd(), memory, sizeof memory, posix::Waiting::return_at_once, true, packet);
-  if (result != posix::ReceiveResult::packet)
-    return failed("subscribe: the publisher closed the connection", options.address);
-  if (packet.descriptors_lost && packet.descriptor_count == 0)
-    return failed("subscribe: too many open files in this process", options.address);
-  Status accepted = accept_welcome(memory, packet.size, std::move(packet.descriptors[0]));
-  if (accepted) return accepted;
-  Error error = accepted.error();
-  error.where = options.address;
-  return error;
-}
-
-Status Link::accept_welcome(const std::uint8_t* data, std::size_t size, posix::FileDescriptor page) {
+Status Link::await_welcome(std::chrono::milliseconds timeout) {
+  Answer answer;
+  const Status answered = answer.await(sockets_.current(), timeout);
+  if (!answered) return answered;
   Welcome welcome{};
-  if (size < sizeof(Refusal)) return failed("subscribe: not a TZC publisher", "");
-  std::memcpy(&welcome, data, std::min(size, sizeof welcome));
-  if (welcome.kind == PacketKind::refusal) {
-    const std::string reason(reinterpret_cast<const char*>(data) + sizeof(Refusal), size - sizeof(Refusal));
-    return failed("subscribe: refused by the publisher: " + reason, "");
-  }
-  if (size != sizeof welcome || welcome.kind != PacketKind::welcome || welcome.version != wire_version)
-    return failed("subscribe: not a TZC publisher of this version", "");
-  auto opened = SharedPage::open(std::move(page), welcome.page_bytes);
+  if (!answer.parse(PacketKind::welcome, welcome))
+    return subscribe_failed("not a TZC publisher of this version");
+  auto opened = SharedPage::open(answer.take_descriptor(), welcome.page_bytes);
   if (!opened) return opened.error();
   page_ = std::move(*opened);
   first_sequence_ = welcome.first_sequence;
-  return place_.service != nullptr && (welcome.features & reads_ring) != 0 ? use_ring() : Status(Success{});
+  return place_.service != nullptr && (welcome.features & reads_ring) != 0 ? use_ring(welcome.features)
+                                                                           : Status(Success{});
 }
 
-Status Link::use_ring() {
+// Who has a trunk hears there of the publisher's end.
+Status Link::use_ring(std::uint32_t features) {
   ring_ = &page_.ring();
-  auto watch = HangUpWatch::start(*place_.service, fd(), *this);
+  if (place_.trunk && (features & has_trunk) != 0) {
+    sockets_.are_lent();
+    return Success{};
+  }
+  auto watch = HangUpWatch::start(*place_.service, sockets_.current(), *this);
   if (!watch) return watch.error();
   watch_ = std::move(*watch);
   return Success{};
 }
 
+void Link::heard(TrunkWord word, posix::FileDescriptor socket) {
+  if (word == TrunkWord::lend && sockets_.lend(std::move(socket))) return look_again();
+  end();
+}
+
 void Link::end() {
   ended_ = true;
-  if (ring_ == nullptr) return;
+  if (place_.trunk) sockets_.stop_receiving();
+  look_again();
+}
+
+void Link::look_again() {
   if (place_.number)
     place_.number->doorbell()->ring(place_.number->value());
-  else
+  else if (ring_ != nullptr)
     wake_reader(*ring_);
 }
 
 void Link::unsubscribe() {
   const Unsubscribe unsubscribe{PacketKind::unsubscribe};
-  const iovec whole{const_cast<Unsubscribe*>(&unsubscribe), sizeof unsubscribe};
-  posix::send_packet(fd(), &whole, 1);
-  posix::stop_receiving(fd());
+  if (sockets_.lent())
+    place_.trunk->tell(TrunkWord::unsubscribe);
+  else
+    posix::send_packet(sockets_.current(), &unsubscribe, sizeof unsubscribe);
+  sockets_.stop_receiving();
   end();
 }
 

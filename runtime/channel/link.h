@@ -5,8 +5,10 @@
 #include <memory>
 
 #include "channel/hang_up_watch.h"
+#include "channel/lent_sockets.h"
 #include "channel/receiver.h"
 #include "channel/shared_page.h"
+#include "channel/trunk.h"
 #include "channel/write_notice.h"
 #include "posix/file_descriptor.h"
 #include "segment/received_segment.h"
@@ -20,11 +22,12 @@ namespace channel {
 struct RingPlace {
   Service* service = nullptr;
   std::shared_ptr<DoorbellNumber> number{};
+  std::shared_ptr<TrunkPlace> trunk{};  ///< null: the connection keeps its socket
 };
 
-/// A subscriber's open connection: the socket and the shared page. Every message keeps it open, because the
-/// publisher reclaims everything when the socket hangs up.
-class Link final : public HangUpListener {
+/// A subscriber's open connection: the socket, or the place on a trunk, and the shared page. Every message keeps it open,
+/// because the publisher reclaims everything when the socket hangs up, or the place is given up.
+class Link final : public HangUpListener, public TrunkListener, public std::enable_shared_from_this<Link> {
  public:
   /// Connects and shakes hands, within options.handshake_timeout.
   static Expected<std::shared_ptr<Link>> connect(const SubscriberOptions& options, RingPlace place);
@@ -33,7 +36,7 @@ class Link final : public HangUpListener {
   /// On a connected socket; with the publisher of that number behind it.
   Status shake_hands(const SubscriberOptions& options, std::uint64_t publication);
 
-  int fd() const { return socket_.get(); }
+  LentSockets& sockets() { return sockets_; }
   const Credentials& peer() const { return peer_; }
   std::uint32_t first_sequence() const { return first_sequence_; }
   const SharedPage& page() const { return page_; }
@@ -41,28 +44,28 @@ class Link final : public HangUpListener {
   Ring* ring() const { return ring_; }
   /// Only records that are already sent still arrive; wakes a reader that sleeps on the ring.
   void end() override;
+  void heard(TrunkWord word, posix::FileDescriptor socket) override;
+  void trunk_lost() override { end(); }
   const std::atomic<bool>& ended() const { return ended_; }
   segment::ViewWrites writes() const { return writes_; }
-  segment::WriteListener* write_listener() const { return notice_.get(); }
   WriteNotice& write_notice() const { return *notice_; }
-  /// Counts a destroyed message that this process had written to.
-  void count_written() const { written_.fetch_add(1, std::memory_order_relaxed); }
-  std::uint64_t written() const { return written_.load(std::memory_order_relaxed); }
+  /// Counts destroyed messages that this process had written to.
+  std::atomic<std::uint64_t>& written() const { return written_; }
   /// True in a forked child, which must not send for its parent.
   bool forked() const;
-  /// Unsubscribes; the socket stays open. A reader blocked on it returns.
+  /// Unsubscribes; the connection stays open. A reader blocked on it returns.
   void unsubscribe();
 
  private:
   Status say_hello(const SubscriberOptions& options, std::uint64_t publication) const;
-  Status await_welcome(const SubscriberOptions& options);
-  Status use_ring();
-  Status accept_welcome(const std::uint8_t* data, std::size_t size, posix::FileDescriptor page);
+  Status await_welcome(std::chrono::milliseconds timeout);
+  Status use_ring(std::uint32_t features);
+  void look_again();
 
-  posix::FileDescriptor socket_;
+  LentSockets sockets_;
   const Credentials peer_;
   const std::uint32_t epoch_;
-  const RingPlace place_;
+  RingPlace place_;
   SharedPage page_;
   Ring* ring_ = nullptr;
   std::atomic<bool> ended_{false};

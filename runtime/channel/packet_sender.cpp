@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/packet_sender.h"
 
+#include <algorithm>
 #include <utility>
 
-#include "posix/socket.h"
 #include "sync_point/sync_point.h"
 
 namespace tzc {
@@ -13,24 +13,23 @@ namespace {
 using posix::SendResult;
 
 constexpr std::chrono::milliseconds pause_before_sending_again{20};
+constexpr std::chrono::milliseconds longest_patience{500};
 
 }  // namespace
 
-PacketSender::PacketSender(posix::FileDescriptor socket, RingWriter ring, std::size_t most_waiting)
+PacketSender::PacketSender(SendingSocket socket, RingWriter ring, std::size_t most_waiting)
     : socket_(std::move(socket)), ring_(std::move(ring)), most_waiting_(most_waiting) {}
-
-void PacketSender::watched_by(Service& service, std::uint64_t key) {
-  service_ = &service;
-  key_ = key;
-}
 
 // The hot path: one packet, and the ring takes it, or the socket at once.
 PacketSender::Result PacketSender::send(const RecordPtr& record, std::uint32_t sequence) {
   const bool in_one_packet = record->size() <= fragment_bytes;
   Result result = Result::accepted;
   if (in_one_packet && !corked_ && outbox_.empty() &&
-      (write_into_ring(*record, sequence) ||
-       is_done(Outbox::write_record(socket(), *record, sequence, traffic_), result)))
+      (write_into_ring(*record, sequence) || is_done(through_socket([&](int socket) {
+                                                       return Outbox::write_record(socket, *record, sequence,
+                                                                                   traffic_);
+                                                     }),
+                                                     result)))
     return result;
   Outgoing item;
   item.record = record;
@@ -48,8 +47,15 @@ bool PacketSender::write_into_ring(const Record& record, std::uint32_t sequence)
 
 PacketSender::Result PacketSender::send(Outgoing item) {
   Result result = Result::accepted;
-  if (!corked_ && outbox_.empty() && is_done(Outbox::write(socket(), item, traffic_), result)) return result;
+  const auto write = [&](int socket) { return Outbox::write(socket, item, traffic_); };
+  if (!corked_ && outbox_.empty() && is_done(through_socket(write), result)) return result;
   return enqueue(std::move(item));
+}
+
+template <class Write>
+SendResult PacketSender::through_socket(Write write) {
+  const int socket = socket_.open();
+  return socket < 0 ? SendResult::exhausted : write(socket);
 }
 
 bool PacketSender::is_done(SendResult written, Result& result) {
@@ -74,7 +80,8 @@ PacketSender::Result PacketSender::uncork() {
 PacketSender::Result PacketSender::flush() {
   if (corked_) return Result::accepted;
   if (ending_ && Service::Clock::now() >= deadline_) outbox_.clear();
-  const SendResult result = outbox_.flush(socket(), traffic_);
+  SendResult result = SendResult::sent;
+  if (!outbox_.empty()) result = through_socket([&](int socket) { return outbox_.flush(socket, traffic_); });
   ring_.sent_packets(traffic_.packets);
   if (result == SendResult::gone) return Result::gone;
   try_again(result);
@@ -88,36 +95,36 @@ PacketSender::Result PacketSender::end_by(Service::Clock::time_point deadline) {
   return flush();
 }
 
-// The reader counts the end of the stream as one more packet.
 void PacketSender::end_stream() {
   ending_ = false;
-  posix::stop_sending(socket());
-  ring_.sent_packets(++traffic_.packets);
+  if (socket_.end()) ring_.sent_packets(++traffic_.packets);
 }
 
-// The socket reports when it takes packets again; the system does not report when it has resources again.
+// The socket reports when it takes packets again, and when there is one again; the system does not report when it has
+// resources again.
 void PacketSender::try_again(SendResult result) {
-  if (service_ == nullptr) return;
-  const bool full = result == SendResult::full;
-  if (full != writable_watched_) service_->change(socket(), key_, true, full);
-  writable_watched_ = full;
-  if (result == SendResult::exhausted)
-    service_->set_deadline(key_, Service::Clock::now() + pause_before_sending_again);
-  else if (full && ending_)
-    service_->set_deadline(key_, deadline_);
+  socket_.watch_writable(result == SendResult::full);
+  if (result == SendResult::exhausted && (socket_.get() >= 0 || ending_))
+    socket_.call_at(Service::Clock::now() + pause_before_sending_again);
+  else if (result == SendResult::full && ending_)
+    socket_.call_at(deadline_);
+}
+
+void PacketSender::rest() {
+  if (!socket_.is_loan() || socket_.get() < 0 || corked_ || ending_ || !outbox_.empty()) return;
+  const bool rests = packets_at_rest_ == traffic_.packets;
+  if (rests && ring_.all_packets_read()) {
+    socket_.give_up();
+    ring_.sent_packets(++traffic_.packets);
+    return;
+  }
+  packets_at_rest_ = traffic_.packets;
+  patience_ = rests ? std::min(2 * patience_, longest_patience) : socket_.patience();
+  socket_.call_at(Service::Clock::now() + patience_);
 }
 
 void PacketSender::drop_records_through(std::uint32_t sequence) {
   outbox_.drop_records_through(sequence);
-}
-
-void PacketSender::stop_reading() {
-  service_->change(socket(), key_, false, false);
-}
-
-void PacketSender::close() {
-  service_->remove(socket(), key_);
-  socket_.reset();
 }
 
 }  // namespace channel

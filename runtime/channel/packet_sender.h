@@ -6,8 +6,8 @@
 
 #include "channel/outbox.h"
 #include "channel/ring.h"
+#include "channel/sending_socket.h"
 #include "channel/service.h"
-#include "posix/file_descriptor.h"
 #include "posix/hot.h"
 #include "posix/packet.h"
 
@@ -26,10 +26,9 @@ class PacketSender {
   };
 
   /// Corked: until uncork() everything waits. `most_waiting`: packets in the outbox.
-  PacketSender(posix::FileDescriptor socket, RingWriter ring, std::size_t most_waiting);
-  /// The service watches the socket from now on, under that key.
-  void watched_by(Service& service, std::uint64_t key);
-  int socket() const { return socket_.get(); }
+  PacketSender(SendingSocket socket, RingWriter ring, std::size_t most_waiting);
+  SendingSocket& socket() { return socket_; }
+  const SendingSocket& socket() const { return socket_; }
 
   TZC_HOT Result send(const RecordPtr& record, std::uint32_t sequence);
   Result send(Outgoing item);
@@ -40,12 +39,10 @@ class PacketSender {
   /// Sends the outbox until the deadline at most, then ends the stream.
   Result end_by(Service::Clock::time_point deadline);
   void end_stream();
+  /// Gives a loan up that was not needed for some time, or looks again later: ever later while the subscriber reads nothing.
+  void rest();
   void drop_records_through(std::uint32_t sequence);
   void drop_all() { outbox_.clear(); }
-  /// The subscriber sends nothing more: watch only for its hang-up.
-  void stop_reading();
-  /// Stops watching and closes the socket.
-  void close();
 
   std::uint64_t bytes() const { return traffic_.bytes; }
   std::size_t waiting_records() const { return outbox_.records(); }
@@ -55,18 +52,19 @@ class PacketSender {
   TZC_HOT bool is_done(posix::SendResult written, Result& result);
   Result enqueue(Outgoing item);
   void try_again(posix::SendResult result);
+  template <class Write>
+  TZC_HOT posix::SendResult through_socket(Write write);
 
-  posix::FileDescriptor socket_;
+  SendingSocket socket_;
   RingWriter ring_;
   const std::size_t most_waiting_;
-  Service* service_ = nullptr;
-  std::uint64_t key_ = 0;
   bool corked_ = true;
-  bool writable_watched_ = false;
   bool ending_ = false;
   Service::Clock::time_point deadline_{};
   Outbox outbox_;
   Traffic traffic_;
+  std::uint32_t packets_at_rest_ = 0;
+  std::chrono::milliseconds patience_{1};
 };
 
 }  // namespace channel

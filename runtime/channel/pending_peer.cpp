@@ -75,6 +75,9 @@ bool parse_hello(const std::uint8_t* data, std::size_t size, Peer& peer, std::st
   peer.doorbell_bytes = packet.doorbell_bytes;
   peer.doorbell_number = packet.doorbell_number;
   peer.publication = packet.publication;
+  peer.is_trunk = (packet.features & is_trunk) != 0;
+  if (peer.has_doorbell && (packet.features & has_trunk) != 0) peer.trunk.id = packet.trunk;
+  peer.trunk.number = packet.trunk_number;
   peer.hello.assign(reinterpret_cast<const char*>(data) + sizeof packet, packet.hello_bytes);
   return true;
 }

@@ -27,9 +27,14 @@ std::uint8_t* overflow() {
   return memory.get();
 }
 
+// The end of a socket was read. After the last loan nothing more comes.
+bool is_end_of_loan(Link& link) {
+  return link.sockets().give_back() && (link.sockets().current() >= 0 || !link.ended());
+}
+
 }  // namespace
 
-Reader::Reader(std::shared_ptr<const Link> link, const SubscriberOptions& options)
+Reader::Reader(std::shared_ptr<Link> link, const SubscriberOptions& options)
     : link_(std::move(link)),
       ring_(link_->ring()),
       last_sequence_(link_->first_sequence()),
@@ -57,16 +62,36 @@ Reader::Result Reader::read(posix::Waiting waiting, MessagePtr& message) try {
 
 posix::ReceiveResult Reader::receive(posix::Waiting waiting, posix::ReceivedPacket& packet) {
   if (!next_) next_ = make_recycled<ReceivedMessage>(link_);
-  const Source source = ring_.await(link_->ended(), waiting == posix::Waiting::block);
-  if (source == Source::nothing) return posix::ReceiveResult::nothing;
-  if (source == Source::socket) return receive_from_socket(waiting, packet);
-  packet.size = ring_.read(next_->packet());
-  return posix::ReceiveResult::packet;
+  for (;;) {
+    const Source source = ring_.await(link_->ended(), waiting == posix::Waiting::block);
+    if (source == Source::nothing) return posix::ReceiveResult::nothing;
+    if (source == Source::ring) {
+      packet.size = ring_.read(next_->packet());
+      return posix::ReceiveResult::packet;
+    }
+    const posix::ReceiveResult result = receive_from_socket(waiting, packet);
+    if (result != posix::ReceiveResult::closed || !is_end_of_loan(*link_)) return result;
+    ring_.count_packet();
+  }
+}
+
+// The end of a loan is not worth reading for: whoever may not read yet would be asked again and again.
+bool Reader::has_something() {
+  for (;;) {
+    const Source source = ring_.await(link_->ended(), false);
+    if (source != Source::socket) return source == Source::ring;
+    const int socket = link_->sockets().current();
+    if (socket < 0) return link_->ended();
+    if (!posix::is_at_end(socket) || !is_end_of_loan(*link_)) return true;
+    ring_.count_packet();
+  }
 }
 
 posix::ReceiveResult Reader::receive_from_socket(posix::Waiting waiting, posix::ReceivedPacket& packet) {
+  const int socket = link_->sockets().current();
+  if (socket < 0) return link_->ended() ? posix::ReceiveResult::closed : posix::ReceiveResult::nothing;
   const iovec parts[] = {{next_->packet(), in_message}, {overflow(), overflow_bytes}};
-  const auto result = posix::receive_packet(link_->fd(), parts, 2, waiting, true, packet);
+  const auto result = posix::receive_packet(socket, parts, 2, waiting, true, packet);
   if (result == posix::ReceiveResult::packet) ring_.count_packet();
   return result;
 }
@@ -116,7 +141,7 @@ bool Reader::open_segment(posix::ReceivedPacket& packet) {
     return broken("too many segments");
   auto opened = segment::ReceivedSegment::open(offer.offer, std::move(packet.descriptors[0]),
                                                std::move(packet.descriptors[1]), link_->writes(),
-                                               link_->write_listener());
+                                               &link_->write_notice());
   if (!opened) return broken(opened.error().text());
   segments_.push_back(std::move(*opened));
   return true;

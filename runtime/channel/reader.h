@@ -34,12 +34,12 @@ class Reader {
  public:
   enum class Result { message, nothing, closed };
 
-  Reader(std::shared_ptr<const Link> link, const SubscriberOptions& options);
+  Reader(std::shared_ptr<Link> link, const SubscriberOptions& options);
 
   /// The next message. `nothing`: none there now (return_at_once only). `closed`: see reason().
   TZC_HOT Result read(posix::Waiting waiting, MessagePtr& message);
   /// Whether read() has something to look at now.
-  bool has_something() { return ring_.await(link_->ended(), false) != Source::nothing; }
+  bool has_something();
   const std::string& reason() const { return reason_; }
   /// There is no further message.
   void give_up(const char* reason) { reason_ = reason; }
@@ -70,7 +70,7 @@ class Reader {
   void append_packet(std::size_t from, std::size_t size, std::vector<std::uint8_t>& bytes) const;
   bool broken(const std::string& why);
 
-  const std::shared_ptr<const Link> link_;
+  const std::shared_ptr<Link> link_;
   RingReader ring_;
   std::shared_ptr<ReceivedMessage> next_;  // receives a packet's first bytes; overflow() the others
   std::vector<std::shared_ptr<segment::ReceivedSegment>> segments_;

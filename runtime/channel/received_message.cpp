@@ -58,7 +58,7 @@ void ReceivedMessage::hold(std::shared_ptr<segment::ReceivedSegment> segment, co
 
 void ReceivedMessage::release_blocks() {
   for (const Hold& hold : holds_) {
-    if (hold.view.data != nullptr && hold.segment->end_view(hold.ref)) link_->count_written();
+    if (hold.view.data != nullptr && hold.segment->end_view(hold.ref)) ++link_->written();
     sync_point("release: block");
     hold.segment->release(hold.ref);
     sync_point("release: released");

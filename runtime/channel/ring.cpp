@@ -40,6 +40,10 @@ void RingWriter::sent_packets(std::uint32_t count) {
   bell_.pull(*ring_);
 }
 
+bool RingWriter::all_packets_read() const {
+  return ring_ != nullptr && ring_->subscriber.packets_read.load(std::memory_order_acquire) == packets_;
+}
+
 Source RingReader::await(const std::atomic<bool>& ended, bool wait) {
   if (ring_ == nullptr) return Source::socket;
   auto words = words_of(*ring_);

@@ -19,6 +19,8 @@
 //   - the publisher writes into the ring only when the subscriber has read every packet of the socket, and
 //   - the subscriber reads a packet only when it has emptied the ring, as it is after it learned of the packet.
 //
+// The end of a socket that was lent (trunk.h) is a packet, too: what crosses the next one comes after it.
+//
 // The bell, a futex, changes with each record and packet that is written (bell.h); a thread that reads many rings has
 // one bell for all of them (doorbell.h). One side writes each word; only the bell is also rung by the subscriber
 // itself, when its connection ends. Neither side trusts what the other
@@ -128,6 +130,8 @@ class RingWriter {
   TZC_HOT bool write(const void* prefix, std::size_t prefix_size, const void* body, std::size_t body_size);
   /// So many packets went through the socket until now.
   void sent_packets(std::uint32_t count);
+  /// Whether the subscriber has read all of them. Without a ring nobody knows.
+  bool all_packets_read() const;
 
  private:
   Ring* ring_;

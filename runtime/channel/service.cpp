@@ -59,6 +59,14 @@ void Service::change(int fd, std::uint64_t key, bool readable, bool writable) {
   poller_->change(fd, key, readable, writable);
 }
 
+Status Service::watch(int fd, std::uint64_t key, bool readable, bool writable) {
+  return poller_->watch(fd, key, readable, writable);
+}
+
+void Service::unwatch(int fd) {
+  poller_->forget(fd);
+}
+
 void Service::set_deadline(std::uint64_t key, Clock::time_point when) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -44,6 +44,11 @@ class Service {
   /// Keeps the watcher alive and tells it about `fd` until remove().
   Expected<std::uint64_t> add(int fd, bool readable, bool writable, std::shared_ptr<Watcher> watcher);
   void change(int fd, std::uint64_t key, bool readable, bool writable);
+  /// \name Another descriptor of a watcher that was added
+  /// @{
+  Status watch(int fd, std::uint64_t key, bool readable, bool writable);
+  void unwatch(int fd);
+  /// @}
   /// on_deadline will be called once at that time.
   void set_deadline(std::uint64_t key, Clock::time_point when);
   /// Removes the watcher. A call to it may be running, and one more may follow.

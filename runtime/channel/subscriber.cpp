@@ -136,7 +136,7 @@ class SubscriberOwner final : public Subscriber {
     return Success{};
   }
 
-  int fd() const override { return impl_->options.own_thread ? -1 : impl_->link->fd(); }
+  int fd() const override { return impl_->options.own_thread ? -1 : impl_->link->sockets().current(); }
 
   MessagePtr read() override {
     MessagePtr message;

@@ -18,11 +18,20 @@
 //      | ---- Unsubscribe ----------------------> |   the socket stays open while messages are held
 //
 //   body:  BodyHeader | BlockRef ... | control part
+//
+// Where two processes have a trunk (trunk.h), the Hello names it. Then the connection's socket is a loan: the publisher closes
+// it when nothing crosses it, and lends another one over the trunk when something has to. Its end counts as a packet. What
+// the ends have to say besides goes over the trunk, WordPackets.
+//
+//      | ---- Hello (is_trunk) -----------------> |
+//      | <--- TrunkWelcome ---------------------- |   or Refusal, reason
+//      | <--- lend + socket, end ---------------- |   for one of the connections that named the trunk
+//      | ---- unsubscribe, gone ----------------> |
 
 namespace tzc {
 namespace channel {
 
-constexpr std::uint32_t wire_version = 6;
+constexpr std::uint32_t wire_version = 7;
 constexpr std::uint32_t wire_magic = 0x315a4354;  // "TCZ1"
 constexpr std::size_t fragment_bytes = 64 << 10;  // most bytes of a body in one packet
 constexpr std::size_t max_hello_bytes = 32 << 10;
@@ -39,7 +48,9 @@ enum class PacketKind : std::uint32_t {
   retire_segment,
   record,
   fragment,
-  unsubscribe
+  unsubscribe,
+  trunk_welcome,
+  word
 };
 
 /// What a subscriber asks for and a publisher agrees to.
@@ -49,6 +60,8 @@ enum Features : std::uint32_t {
       2,  // the ring's reader sleeps at a doorbell (channel/doorbell.h), whose file comes with the hello
   takes_promptly =
       4,  // nothing runs between two messages: PublisherOptions::buffered_bytes is for such subscribers
+  is_trunk = 8,   // no connection: the socket is to be a trunk
+  has_trunk = 16  // the connection's socket is a loan
 };
 
 struct Hello {
@@ -59,8 +72,9 @@ struct Hello {
   std::uint32_t features = 0;
   std::uint32_t doorbell_bytes = 0;   // of its file
   std::uint32_t doorbell_number = 0;  // of this connection's bit there
-  std::uint32_t reserved = 0;
-  std::uint64_t publication = 0;  // which publisher behind the socket; 0: the only one
+  std::uint32_t trunk_number = 0;     // of this connection there
+  std::uint64_t publication = 0;      // which publisher behind the socket; 0: the only one
+  std::uint64_t trunk = 0;            // TrunkWelcome::id
 };
 
 struct Welcome {
@@ -75,6 +89,26 @@ struct Welcome {
 struct Refusal {
   PacketKind kind;
   std::uint32_t version;
+};
+
+struct TrunkWelcome {
+  PacketKind kind;
+  std::uint32_t version;
+  std::uint64_t id;  // cannot be guessed
+};
+
+/// What is said over a trunk, of one of its connections.
+enum class TrunkWord : std::uint32_t {
+  lend = 1,     // publisher: its next packets come through this socket
+  end,          // publisher: nothing more comes
+  unsubscribe,  // subscriber: send nothing more
+  gone          // subscriber: it holds nothing any more
+};
+
+struct WordPacket {
+  PacketKind kind;
+  TrunkWord word;
+  std::uint32_t number;  // of the connection
 };
 
 struct SegmentPacket {

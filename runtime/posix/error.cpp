@@ -10,7 +10,7 @@ namespace {
 const char* hint_for(int code) {
   switch (code) {
     case EMFILE:
-      return "too many open files in this process (TZC leaves a quarter of them to it): raise its limit "
+      return "too many open files in this process (TZC leaves an eighth of them to it): raise its limit "
              "(ulimit -n)";
     case ENFILE:
       return "too many open files in the system: raise fs.file-max";

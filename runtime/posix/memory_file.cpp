@@ -2,13 +2,13 @@
 #include "posix/memory_file.h"
 
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <string>
 
+#include "posix/descriptor_use.h"
 #include "posix/error.h"
 #include "posix/memory_limit.h"
 #include "posix/size_signal.h"
@@ -77,11 +77,8 @@ Status reserve_in_steps(const MemoryFile& file, std::size_t offset, std::size_t 
 
 }  // namespace
 
-// The kernel gives the lowest number that is free, so the number tells how many are in use.
 FileDescriptor within_share(FileDescriptor descriptor) noexcept {
-  rlimit limit{};
-  if (!descriptor || ::getrlimit(RLIMIT_NOFILE, &limit) != 0) return descriptor;
-  if (static_cast<rlim_t>(descriptor.get()) < limit.rlim_cur - limit.rlim_cur / 4) return descriptor;
+  if (!descriptor || leaves_enough(descriptor.get())) return descriptor;
   descriptor.reset();
   errno = EMFILE;
   return descriptor;

@@ -31,8 +31,7 @@ struct MemoryFile {
 };
 
 /// Creates a file of `size` bytes, a multiple of the page size; no page is committed. Call seal() after
-/// mapping. Fails with EMFILE when three quarters of the process's descriptors are in use: the others are left to
-/// the program, whose own sockets and files do not have another way to go, as a message has.
+/// mapping. Fails with EMFILE when it would not leave enough descriptors to the program (leaves_enough).
 Expected<MemoryFile> create_memory_file(const char* name, std::size_t size, Sharing sharing);
 
 /// Creates a file whose creator maps parts of it for writing at any time, so that no seal can forbid that: peers get a

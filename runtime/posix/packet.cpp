@@ -81,6 +81,11 @@ SendResult send_packet(int socket, const void* data, std::size_t size) noexcept 
   return finish_send([&] { return ::send(socket, data, size, MSG_DONTWAIT | MSG_NOSIGNAL); });
 }
 
+bool is_at_end(int socket) noexcept {
+  char byte = 0;
+  return ::recv(socket, &byte, sizeof byte, MSG_PEEK | MSG_DONTWAIT) == 0;
+}
+
 ReceiveResult receive_packet(int socket, void* memory, std::size_t size, Waiting waiting,
                              bool with_descriptors, ReceivedPacket& packet) noexcept {
   const iovec whole{memory, size};

@@ -45,6 +45,9 @@ struct ReceivedPacket {
   std::size_t descriptor_count = 0;
 };
 
+/// Whether everything was read that came through the socket, and nothing more can come. Never blocks.
+bool is_at_end(int socket) noexcept;
+
 /// Receives one packet into [memory, memory + size). Descriptors beyond what `with_descriptors` allows are
 /// closed by the kernel and never reach this process.
 ReceiveResult receive_packet(int socket, void* memory, std::size_t size, Waiting waiting,

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "posix/address.h"
+#include "posix/descriptor_use.h"
 #include "posix/error.h"
 #include "posix/fork_epoch.h"
 
@@ -99,6 +100,16 @@ Expected<FileDescriptor> connect_to(const std::string& text, std::chrono::millis
   }
   ::fcntl(socket.get(), F_SETFL, 0);
   return {std::move(socket)};
+}
+
+SocketPair make_socket_pair() noexcept {
+  SocketPair pair;
+  int ends[2] = {-1, -1};
+  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, ends) != 0) return pair;
+  pair.ours = FileDescriptor(ends[0]);
+  pair.theirs = FileDescriptor(ends[1]);
+  if (leaves_enough(ends[1])) return pair;
+  return {};
 }
 
 bool wait_readable(int socket, std::chrono::milliseconds timeout) noexcept {

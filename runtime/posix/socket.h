@@ -40,6 +40,13 @@ AcceptResult accept_connection(int listener, FileDescriptor& connection) noexcep
 /// Connects within the time given, also when the listener's queue is full for a while. The result blocks.
 Expected<FileDescriptor> connect_to(const std::string& address, std::chrono::milliseconds timeout);
 
+/// Two sockets, connected to each other. Neither blocks. Empty: no descriptor is left, or so few that this process needs
+/// them for something else.
+struct SocketPair {
+  FileDescriptor ours, theirs;
+};
+SocketPair make_socket_pair() noexcept;
+
 /// Waits until the socket is readable; false when the time passed first.
 bool wait_readable(int socket, std::chrono::milliseconds timeout) noexcept;
 

@@ -6,6 +6,7 @@
 
 #include "channel/connection.h"
 #include "channel/pending_peer.h"
+#include "channel/trunk.h"
 #include "channel/wire.h"
 #include "input.h"
 #include "posix/mapping.h"
@@ -16,17 +17,22 @@ namespace {
 using namespace tzc;           // NOLINT: a fuzz target, not a header
 using namespace tzc::channel;  // NOLINT
 
-/// Keeps every file that the publisher shares, mapped for writing where it lets us.
+constexpr std::uint32_t number = 7;  // of the connection on its trunk
+
+/// Keeps every file that the publisher shares, mapped for writing where it lets us, and every socket that it lends.
 class Hostile {
  public:
-  explicit Hostile(posix::FileDescriptor socket) : socket_(std::move(socket)), memory_(max_packet_bytes) {}
+  Hostile(posix::FileDescriptor socket, posix::FileDescriptor trunk) : memory_(max_packet_bytes) {
+    sockets_.push_back(std::move(socket));
+    sockets_.push_back(std::move(trunk));
+  }
 
-  void read_one() {
+  void read_one(fuzz::Input& input) {
     posix::ReceivedPacket packet;
-    const auto result = posix::receive_packet(socket_.get(), memory_.data(), memory_.size(),
+    const auto result = posix::receive_packet(some_socket(input), memory_.data(), memory_.size(),
                                               posix::Waiting::return_at_once, true, packet);
     if (result != posix::ReceiveResult::packet) return;
-    for (std::size_t i = 0; i < packet.descriptor_count; ++i) map(packet.descriptors[i].get());
+    for (std::size_t i = 0; i < packet.descriptor_count; ++i) take(std::move(packet.descriptors[i]));
   }
 
   void scribble(fuzz::Input& input) {
@@ -38,17 +44,33 @@ class Hostile {
 
   void say(fuzz::Input& input) const {
     const auto packet = input.take_bytes(input.take<std::uint8_t>());
-    const iovec part{const_cast<std::uint8_t*>(packet.data()), packet.size()};
-    posix::send_packet(socket_.get(), &part, 1);
+    posix::send_packet(some_socket(input), packet.data(), packet.size());
+  }
+
+  void say_word(fuzz::Input& input) const {
+    const auto word = static_cast<TrunkWord>(input.take<std::uint8_t>() % 6);
+    const WordPacket packet{PacketKind::word, word, number + input.take<std::uint8_t>() % 2};
+    posix::send_packet(sockets_[1].get(), &packet, sizeof packet);
+  }
+
+  void close_one(fuzz::Input& input) {
+    if (sockets_.size() > 2)
+      sockets_.erase(sockets_.begin() + 2 + input.take<std::uint8_t>() % (sockets_.size() - 2));
   }
 
  private:
-  void map(int fd) {
-    auto mapping = posix::Mapping::map(fd, 4096, posix::Access::read_write);
-    if (mapping) writable_.push_back(std::move(*mapping));
+  int some_socket(fuzz::Input& input) const {
+    return sockets_[input.take<std::uint8_t>() % sockets_.size()].get();
+  }
+  void take(posix::FileDescriptor file) {
+    auto mapping = posix::Mapping::map(file.get(), 4096, posix::Access::read_write);
+    if (mapping)
+      writable_.push_back(std::move(*mapping));
+    else
+      sockets_.push_back(std::move(file));
   }
 
-  posix::FileDescriptor socket_;
+  std::vector<posix::FileDescriptor> sockets_;  // the connection's, the trunk's, and those that were lent
   std::vector<std::uint8_t> memory_;
   std::vector<posix::Mapping> writable_;
 };
@@ -96,24 +118,36 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto limits = input.take<std::uint8_t>();
   options.limit = {limits % 8u + 1, limits / 8u * 1024u};
   options.keeps_undelivered = (input.take<std::uint8_t>() & 1) != 0;
+  fuzz::SocketPair trunk_sockets;
+  const auto trunk = *Trunk::start(**Service::instance(), std::move(trunk_sockets.ours), {{}, 1, false});
+  if (input.take<std::uint8_t>() & 1) {
+    peer.reads_ring = true;  // as with every trunk
+    peer.trunk.place = trunk->take(number);
+  }
   auto connection = std::make_shared<ConnectionImpl>(
       std::move(sockets.ours), std::move(peer), std::move(*page), options, std::weak_ptr<ConnectionOwner>());
   connection->start(**Service::instance());
   connection->uncork();
   {
-    Hostile hostile(std::move(sockets.theirs));
+    Hostile hostile(std::move(sockets.theirs), std::move(trunk_sockets.theirs));
     while (!input.empty()) {
-      switch (input.take<std::uint8_t>() % 8) {
+      switch (input.take<std::uint8_t>() % 10) {
         case 0:
           hostile.say(input);
           break;
         case 1:
         case 2:
-          hostile.read_one();
+          hostile.read_one(input);
           break;
         case 3:
         case 4:
           hostile.scribble(input);
+          break;
+        case 5:
+          hostile.say_word(input);
+          break;
+        case 6:
+          hostile.close_one(input);
           break;
         default:
           publish(*connection, *memory, input);

@@ -9,7 +9,9 @@
 #include "channel/delivery_cursors.h"
 #include "channel/link.h"
 #include "channel/reader.h"
+#include "channel/receiver.h"
 #include "channel/service.h"
+#include "channel/trunk.h"
 #include "channel/wire.h"
 #include "input.h"
 #include "posix/mapping.h"
@@ -54,8 +56,8 @@ class Hostile {
     std::memcpy(acks_.mapping.data() + segment::ack_words_offset(slots), &in_flight, sizeof in_flight);
   }
 
-  void welcome(const fuzz::SocketPair& sockets) const {
-    const Welcome packet{PacketKind::welcome, wire_version, 0, 4096, reads_ring};
+  void welcome(const fuzz::SocketPair& sockets, std::uint32_t features) const {
+    const Welcome packet{PacketKind::welcome, wire_version, 0, 4096, features};
     sockets.send(&packet, sizeof packet, {page_.file.descriptor.get()});
   }
 
@@ -120,8 +122,38 @@ void damage(std::vector<std::uint8_t>& packet, fuzz::Input& input) {
     packet[input.take<std::uint16_t>() % packet.size()] = input.take<std::uint8_t>();
 }
 
-void send_something(const fuzz::SocketPair& sockets, Hostile& hostile, std::uint32_t& sequence,
-                    fuzz::Input& input) {
+/// The publisher's end of a trunk: lends sockets, some of which it closes soon, and says other things.
+class Lender {
+ public:
+  explicit Lender(posix::FileDescriptor trunk) : trunk_(std::move(trunk)) {}
+
+  /// Where the next packet goes: the connection's socket, or the one that was lent last.
+  int socket(const fuzz::SocketPair& first) const { return lent_ ? lent_.get() : first.ours.get(); }
+
+  void say(std::uint32_t number, fuzz::Input& input) {
+    const auto choice = input.take<std::uint8_t>();
+    if (choice % 16 == 0) return say_anything(input);
+    fuzz::SocketPair pair;
+    const WordPacket packet{PacketKind::word, choice % 8 == 0 ? TrunkWord::end : TrunkWord::lend,
+                            number + (choice % 32 == 1 ? 1 : 0)};
+    const iovec whole{const_cast<WordPacket*>(&packet), sizeof packet};
+    const int theirs = pair.theirs.get();
+    posix::send_packet(trunk_.get(), &whole, 1, &theirs, choice % 8 == 2 ? 0 : 1);
+    lent_ = std::move(pair.ours);
+  }
+  void give_up() { lent_.reset(); }
+
+ private:
+  void say_anything(fuzz::Input& input) const {
+    const auto packet = input.take_bytes(input.take<std::uint8_t>() % 32);
+    posix::send_packet(trunk_.get(), packet.data(), packet.size());
+  }
+
+  posix::FileDescriptor trunk_;
+  posix::FileDescriptor lent_;
+};
+
+void send_something(int socket, Hostile& hostile, std::uint32_t& sequence, fuzz::Input& input) {
   std::vector<std::uint8_t> packet;
   const auto choice = input.take<std::uint8_t>();
   switch (choice % 4) {
@@ -141,8 +173,9 @@ void send_something(const fuzz::SocketPair& sockets, Hostile& hostile, std::uint
     return;
   }
   if (choice & 0x40) ++hostile.ring().publisher.packets;
-  sockets.send(packet.data(), packet.size(),
-               hostile.descriptors(choice % 4 == 0 ? choice / 4 + 4 : choice / 4));
+  const std::vector<int> files = hostile.descriptors(choice % 4 == 0 ? choice / 4 + 4 : choice / 4);
+  const iovec whole{packet.data(), packet.size()};
+  posix::send_packet(socket, &whole, 1, files.data(), files.size());
 }
 
 std::uint64_t read_everything(const Message& message) {
@@ -167,10 +200,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto packet = input.take_bytes(64);
     sockets.send(packet.data(), packet.size(), hostile.descriptors(input.take<std::uint8_t>()));
   } else {
-    hostile.welcome(sockets);
+    hostile.welcome(sockets, greeting % 4 == 2 ? reads_ring | has_trunk : reads_ring);
   }
-  Service* service = greeting % 2 == 0 ? *Service::instance() : nullptr;
-  auto link = std::make_shared<Link>(std::move(sockets.theirs), Credentials(), RingPlace{service});
+  fuzz::SocketPair trunk_sockets;
+  Lender lender(std::move(trunk_sockets.ours));
+  RingPlace place;
+  if (greeting % 2 == 0) place.service = *Service::instance();
+  if (greeting % 4 == 2) {
+    const auto trunk = *Trunk::start(*place.service, std::move(trunk_sockets.theirs), {{}, 1, true});
+    place.number = (*Receiver::instance())->take_number();
+    place.trunk = trunk->take_any();
+  }
+  const std::uint32_t number = place.trunk ? place.trunk->number() : 0;
+  auto link = std::make_shared<Link>(std::move(sockets.theirs), Credentials(), std::move(place));
   if (!link->shake_hands(options, 0)) return 0;
   Reader reader(link, options);
   std::vector<MessagePtr> held;
@@ -178,7 +220,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::uint64_t sum = 0;
   while (!input.empty()) {
     if (input.take<std::uint8_t>() % 4 == 0) hostile.scribble(input);
-    send_something(sockets, hostile, sequence, input);
+    const auto about_sockets = input.take<std::uint8_t>();
+    if (about_sockets % 8 == 0) lender.say(number, input);
+    if (about_sockets % 8 == 1) lender.give_up();
+    send_something(lender.socket(sockets), hostile, sequence, input);
     MessagePtr message;
     if (reader.read(posix::Waiting::return_at_once, message) == Reader::Result::closed) break;
     if (!message) continue;

@@ -217,10 +217,8 @@ class HostileRinger : public ::testing::Test {
   }
 
   void welcome() {
-    posix::wait_readable(listener_.fd(), milliseconds(60000));
-    posix::FileDescriptor socket;
-    posix::accept_connection(listener_.fd(), socket);
-    peer_ = std::make_unique<RawPeer>(std::move(socket));
+    peer_ = std::make_unique<RawPeer>(accept_at(listener_));
+    trunk_ = std::make_unique<RawPeer>(accept_trunk_at(listener_));
     peer_->receive();
     const Hello hello = peer_->as<Hello>();
     bell_ = {*Doorbell::open(std::move(peer_->packet.descriptors[0]), hello.doorbell_bytes),
@@ -250,6 +248,7 @@ class HostileRinger : public ::testing::Test {
 
   posix::Listener listener_;
   std::unique_ptr<RawPeer> peer_;
+  std::unique_ptr<RawPeer> trunk_;
   BellPull bell_;
   posix::Mapping page_;
   std::unique_ptr<RingWriter> writer_;

@@ -4,6 +4,7 @@
 
 #include "channel/shared_page.h"
 #include "posix/address.h"
+#include "posix/futex.h"
 #include "posix/mapping.h"
 #include "posix/memory_file.h"
 #include "raw_peer.h"
@@ -19,10 +20,9 @@ class HostilePublisher : public ::testing::Test {
   void SetUp() override { listener_ = std::move(*posix::Listener::listen(posix::generate_address())); }
 
   void accept() {
-    posix::wait_readable(listener_.fd(), milliseconds(60000));
-    posix::FileDescriptor socket;
-    posix::accept_connection(listener_.fd(), socket);
-    peer_ = std::make_unique<RawPeer>(std::move(socket));
+    peer_ = std::make_unique<RawPeer>(accept_at(listener_));
+    if (on_shared_thread() && posix::has_shared_futex() && !trunk_)
+      trunk_ = std::make_unique<RawPeer>(accept_trunk_at(listener_));
     peer_->receive();
     const Hello hello = peer_->as<Hello>();
     if ((hello.features & has_doorbell) == 0) return;
@@ -59,6 +59,7 @@ class HostilePublisher : public ::testing::Test {
   Ring& ring() { return reinterpret_cast<ConnectionPage*>(page_.data())->ring; }
 
   std::unique_ptr<RawPeer> peer_;
+  std::unique_ptr<RawPeer> trunk_;  // null: the subscriber has a thread of its own
   BellPull bell_;
   posix::Mapping page_;
   std::unique_ptr<Inbox> in_;

@@ -20,7 +20,7 @@ inline Hello hello_to(const std::string& address, std::uint32_t features = 0) {
   return hello;
 }
 
-/// One end of a connection, whose packets the test writes and reads itself.
+/// One end of a connection or trunk, whose packets the test writes and reads itself.
 class RawPeer {
  public:
   explicit RawPeer(posix::FileDescriptor socket) : socket_(std::move(socket)), memory_(max_packet_bytes) {}
@@ -60,6 +60,21 @@ class RawPeer {
   posix::FileDescriptor socket_;
   std::vector<std::uint8_t> memory_;
 };
+
+inline RawPeer accept_at(const posix::Listener& listener) {
+  posix::wait_readable(listener.fd(), milliseconds(60000));
+  posix::FileDescriptor socket;
+  posix::accept_connection(listener.fd(), socket);
+  return RawPeer(std::move(socket));
+}
+
+/// What a subscriber on the shared thread asks for after it has connected, once.
+inline RawPeer accept_trunk_at(const posix::Listener& listener) {
+  RawPeer trunk = accept_at(listener);
+  trunk.receive();
+  trunk.send(TrunkWelcome{PacketKind::trunk_welcome, wire_version, 1});
+  return trunk;
+}
 
 }  // namespace test
 }  // namespace channel

@@ -14,9 +14,9 @@ namespace {
 
 using Word = std::atomic<std::uint64_t>;
 
-TEST(Wire, version_six) {
-  EXPECT_EQ(wire_version, 6u);
-  EXPECT_EQ(sizeof(Hello), 40u);
+TEST(Wire, version_seven) {
+  EXPECT_EQ(wire_version, 7u);
+  EXPECT_EQ(sizeof(Hello), 48u);
   EXPECT_EQ(sizeof(Welcome), 20u);
   EXPECT_EQ(sizeof(Refusal), 8u);
   EXPECT_EQ(sizeof(SegmentPacket), 56u);
@@ -24,6 +24,8 @@ TEST(Wire, version_six) {
   EXPECT_EQ(sizeof(RecordPrefix), 8u);
   EXPECT_EQ(sizeof(FragmentPrefix), 24u);
   EXPECT_EQ(sizeof(Unsubscribe), 4u);
+  EXPECT_EQ(sizeof(TrunkWelcome), 16u);
+  EXPECT_EQ(sizeof(WordPacket), 12u);
   EXPECT_EQ(sizeof(BodyHeader), 24u);
   EXPECT_EQ(offsetof(BodyHeader, made_at), 12u);
   EXPECT_EQ(sizeof(ConnectionPage), 4032u);

@@ -116,7 +116,7 @@ TEST(MemoryFile, a_reserve_is_not_kept_from_its_end_by_signals) {
 }
 
 // A publisher that finds no memory serializes its messages; a program that finds no descriptor for its socket is stuck.
-TEST(MemoryFile, a_quarter_of_the_descriptors_is_left_to_the_program_in_a_child) {
+TEST(MemoryFile, an_eighth_of_the_descriptors_is_left_to_the_program_in_a_child) {
   const pid_t child = ::fork();
   if (child == 0) {
     const rlimit limit{200, 200};
@@ -127,7 +127,7 @@ TEST(MemoryFile, a_quarter_of_the_descriptors_is_left_to_the_program_in_a_child)
       files.push_back(std::move(*file));
     int left = 0;
     while (::open("/dev/null", O_RDONLY) >= 0) ++left;
-    ::_exit(file.error().code == EMFILE && !files.empty() && left >= 50 && left <= 51 ? 0 : 1);
+    ::_exit(file.error().code == EMFILE && !files.empty() && left >= 25 && left <= 26 ? 0 : 1);
   }
   int status = -1;
   ::waitpid(child, &status, 0);

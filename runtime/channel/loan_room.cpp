@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "channel/loan_room.h"
+
+#include <algorithm>
+
+#include "posix/descriptor_use.h"
+
+namespace tzc {
+namespace channel {
+namespace {
+
+constexpr std::size_t share = 128;
+constexpr std::size_t least = 8;
+
+std::size_t most() {
+  return std::max(posix::descriptor_limit() / share, least);
+}
+
+}  // namespace
+
+std::unique_ptr<LoanRoom::Taken> LoanRoom::take(std::uint64_t key) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (open_ < most()) {
+    ++open_;
+    return std::make_unique<Taken>(*this);
+  }
+  if (std::find(waiting_.begin(), waiting_.end(), key) == waiting_.end()) waiting_.push_back(key);
+  return nullptr;
+}
+
+bool LoanRoom::is_scarce() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return open_ * 2 >= most();
+}
+
+// All who wait look again: one of them alone might be gone, or have nothing to send any more.
+void LoanRoom::give_back() {
+  std::vector<std::uint64_t> waiting;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    --open_;
+    waiting.swap(waiting_);
+  }
+  for (const std::uint64_t key : waiting) service_.set_deadline(key, Service::Clock::now());
+}
+
+}  // namespace channel
+}  // namespace tzc
