@@ -20,11 +20,11 @@ bool has_spare_descriptors() {
   const int lowest_free = open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (lowest_free < 0) return false;
   close(lowest_free);
-  return static_cast<rlim_t>(lowest_free) < most_descriptors() / 2;
+  return static_cast<rlim_t>(lowest_free) < most_descriptors() / 8 * 7;
 }
 
 std::string descriptor_advice() {
-  return "more than half of the " + std::to_string(most_descriptors()) +
+  return "more than seven eighths of the " + std::to_string(most_descriptors()) +
          " file descriptors that this process may have are in use, and the others are left to roscpp; raise "
          "the limit (ulimit -n)";
 }

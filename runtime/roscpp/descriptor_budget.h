@@ -6,7 +6,7 @@
 namespace tzc {
 namespace detail {
 
-/// True while TZC may open further descriptors: it stops at half of the process's limit, so that descriptors
+/// True while TZC may open further descriptors: it stops at seven eighths of the process's limit, so that descriptors
 /// remain for roscpp's own sockets, which every topic needs. Thread-safe, two system calls.
 bool has_spare_descriptors();
 

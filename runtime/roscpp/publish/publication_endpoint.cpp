@@ -158,9 +158,12 @@ bool PublicationEndpoint::listen(std::size_t queue_size) {
 
 bool PublicationEndpoint::authorizes(const channel::Credentials& peer, const std::string& token) {
   if (!negotiator_->expects(token)) return false;
-  const bool is_ours = peer.uid == geteuid();
-  if (is_ours && has_spare_descriptors()) return true;
-  negotiator_->turn_away(token, is_ours ? descriptor_advice() : "it belongs to another user");
+  if (peer.uid != geteuid()) {
+    negotiator_->turn_away(token, "it belongs to another user");
+    return false;
+  }
+  if (has_spare_descriptors()) return true;
+  negotiator_->failed(token, "the publisher: " + descriptor_advice());
   return false;
 }
 
@@ -176,12 +179,12 @@ void PublicationEndpoint::on_connect(const ros::SingleSubscriberPublisher& subsc
 }
 
 void PublicationEndpoint::invite(const TcpLink& link) {
-  if (has_spare_descriptors() && is_listening()) return negotiator_->invite(link);
-  if (has_spare_descriptors())
-    return negotiator_->leave(link, "the publisher could not open a channel; its warning says why");
-  negotiator_->leave(link, "the publisher: " + descriptor_advice());
-  TZC_WARN_THROTTLED(60, "TZC: further subscribers of "
-                             << topic_ << " and other topics stay on TCPROS: " << descriptor_advice());
+  if (!has_spare_descriptors())
+    TZC_WARN_THROTTLED(60, "TZC: further subscribers of "
+                               << topic_
+                               << " and other topics stay on TCPROS for now: " << descriptor_advice());
+  if (is_listening()) return negotiator_->invite(link);
+  negotiator_->leave(link, "the publisher could not open a channel; its warning says why");
 }
 
 void PublicationEndpoint::offer_again(const std::string& caller_id) {

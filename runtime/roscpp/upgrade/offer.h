@@ -49,6 +49,8 @@ XmlRpc::XmlRpcValue to_xmlrpc(const Offer& offer);
 /// False when the parameters are not an offer of this version.
 bool from_xmlrpc(XmlRpc::XmlRpcValue& params, Offer& offer);
 
+/// The answer to an offer that the subscriber takes. Another text with the same code: it does not come this time, and why.
+constexpr const char kComingStatus[] = "coming";
 /// The status with which a node refuses an offer of another version. Every release uses these words: the publisher knows
 /// the reason by them.
 constexpr const char kOtherVersionStatus[] = "not an offer of this version of TZC";

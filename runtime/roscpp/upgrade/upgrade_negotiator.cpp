@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "roscpp/configuration.h"
+#include "roscpp/descriptor_budget.h"
 #include "roscpp/throttled_warning.h"
 #include "roscpp/upgrade/connection_name.h"
 #include "roscpp/upgrade/host_identity.h"
@@ -205,12 +206,14 @@ Offer UpgradeNegotiator::next_offer(Invitation& invitation, const TcpLink& link)
 }
 
 UpgradeNegotiator::Answer UpgradeNegotiator::ask(const std::string& subscriber, const Offer& offer) {
+  if (!has_spare_descriptors()) return {false, "the publisher: " + descriptor_advice()};
   if (offer.connection.empty()) return {false, "its TCPROS connection has no endpoints"};
   std::string trouble;
   const std::string uri = node_uri(subscriber, trouble);
   if (uri.empty()) return {false, trouble};
   sync_point("offer: calls");
   const XmlRpcReply reply = call_node(uri, kOfferMethod, to_xmlrpc(offer), kCallTimeout);
+  if (reply.succeeded() && reply.status != kComingStatus) return {false, reply.status};
   if (reply.succeeded())
     return {false, "it took the offer and did not come; its log says why, at debug level"};
   if (reply.unknown || reply.answered) return {true, reply.status};

@@ -98,7 +98,6 @@ void UpgradeResponder::attach(const std::string& topic, const MessageCodec& code
 }
 
 std::string UpgradeResponder::reason_to_refuse(const Offer& offer) {
-  if (!has_spare_descriptors()) return "the subscriber: " + descriptor_advice();
   if (offer.identity != host_identity()) return "this node is on another machine or network namespace";
   const std::lock_guard<std::mutex> lock(mutex_);
   if (foreign_uids_.erase(offer.token) != 0) return "the publisher is a process of another user";
@@ -121,8 +120,12 @@ void UpgradeResponder::answer(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& 
     result = response(0, refusal);
     return;
   }
+  if (!has_spare_descriptors()) {
+    result = response(1, "the subscriber: " + descriptor_advice());
+    return;
+  }
   clerk_.post([this, offer] { accept(offer, kLooks); });
-  result = response(1, "coming");
+  result = response(1, kComingStatus);
 }
 
 // When the search ends without a link, the publisher tries again.
