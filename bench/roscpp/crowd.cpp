@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::size_t message_bytes = 4096;
 constexpr useconds_t between_looks_us = 20'000;  // looking at each topic costs the time of those that connect
+constexpr useconds_t until_at_rest_us = 3'000'000;  // sockets are lent for a second or two
 
 /// Memory that the processes of one crowd share.
 struct CrowdBoard {
@@ -105,6 +106,7 @@ void publish_all(const Crowd& crowd, Transport transport, CrowdBoard& board) {
   topics->publish(message_bytes);
   Progress received([&] { return board.received.load(); }, board.connected);
   wait_for_all({&received}, crowd.patience_s);
+  ::usleep(until_at_rest_us);
   board.done = true;
   for (;;) ::pause();
 }

@@ -21,7 +21,7 @@ struct Crowd {
   std::size_t connections() const { return topics * subscribers; }
 };
 
-/// What one message on each topic came to, after all connections were made.
+/// What one message on each topic came to, after all connections were made. What processes need is looked at some seconds later.
 struct CrowdResult {
   double connected_s = 0;     ///< until TCPROS had connected the last; of the processes' start
   double upgraded_s = 0;      ///< from then until the last connection was on shared memory
