@@ -85,6 +85,30 @@ void publish(ConnectionImpl& connection, SegmentMemory& memory, fuzz::Input& inp
   connection.send(make_record(1, control.data(), control.size(), buffers));
 }
 
+void act(Hostile& hostile, ConnectionImpl& connection, SegmentMemory& memory, fuzz::Input& input) {
+  switch (input.take<std::uint8_t>() % 10) {
+    case 0:
+      hostile.say(input);
+      break;
+    case 1:
+    case 2:
+      hostile.read_one(input);
+      break;
+    case 3:
+    case 4:
+      hostile.scribble(input);
+      break;
+    case 5:
+      hostile.say_word(input);
+      break;
+    case 6:
+      hostile.close_one(input);
+      break;
+    default:
+      publish(connection, memory, input);
+  }
+}
+
 // What comes back says what was sent, whatever the peer wrote meanwhile.
 void read(const Record& record) {
   const RecordParts parts = parts_of(record);
@@ -131,27 +155,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     Hostile hostile(std::move(sockets.theirs), std::move(trunk_sockets.theirs));
     while (!input.empty()) {
-      switch (input.take<std::uint8_t>() % 10) {
-        case 0:
-          hostile.say(input);
-          break;
-        case 1:
-        case 2:
-          hostile.read_one(input);
-          break;
-        case 3:
-        case 4:
-          hostile.scribble(input);
-          break;
-        case 5:
-          hostile.say_word(input);
-          break;
-        case 6:
-          hostile.close_one(input);
-          break;
-        default:
-          publish(*connection, *memory, input);
-      }
+      act(hostile, *connection, *memory, input);
     }
   }
   // Whatever it did: once it is gone, everything is free again.
