@@ -78,14 +78,13 @@ def conditions(bench, scratch):
 
 
 def check_fill(bench, scratch):
-    """Filling 4 MB takes some hundred microseconds that are inside the span only with --fill. Of many messages, some meet
-    no other process."""
-    options = ["--sizes", "4m", "--subscribers", "1", "--count", "60", *TINY, "--only", "tzc", "--no-plots"]
+    """Filling 64 MB takes milliseconds that are inside the span only with --fill, whatever the caches and other processes do."""
+    options = ["--sizes", "64m", "--subscribers", "1", "--count", "60", *TINY, "--only", "tzc", "--no-plots"]
     for more in ([], ["--fill"]):
         assert run(bench, scratch, *options, *more, output="filled" if more else "published").returncode == 0
     least = [float(next(csv.DictReader(open(os.path.join(scratch, name, "latency.csv"))))["min_us"])
              for name in ("published", "filled")]
-    assert least[1] > least[0] + 50, least
+    assert least[1] > least[0] + 200, least
     mixed = run(bench, scratch, *options, output="filled")
     assert mixed.returncode == 1 and "allocate, fill, publish" in mixed.stderr, mixed
 
