@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/accepted_trunks.h"
 
-#include <iterator>
 #include <utility>
 
 #include "channel/pending_peer.h"
@@ -15,20 +14,14 @@ void AcceptedTrunks::accept(Service& service, posix::FileDescriptor socket, cons
   const TrunkWelcome welcome{PacketKind::trunk_welcome, wire_version, posix::random_number()};
   posix::send_packet(socket.get(), &welcome, sizeof welcome);  // before the service thread hears anything
   const auto trunk = Trunk::start(service, std::move(socket), {peer, welcome.id, false});
-  if (trunk) keep(*trunk);
-}
-
-void AcceptedTrunks::keep(const std::shared_ptr<Trunk>& trunk) {
+  if (!trunk) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (auto one = trunks_.begin(); one != trunks_.end();)
-    one = one->second.expired() ? trunks_.erase(one) : std::next(one);
-  trunks_[trunk->id()] = trunk;
+  trunks_.keep(welcome.id, *trunk);
 }
 
 std::shared_ptr<Trunk> AcceptedTrunks::find(std::uint64_t id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = trunks_.find(id);
-  return found == trunks_.end() ? nullptr : found->second.lock();
+  return trunks_.find(id);
 }
 
 bool AcceptedTrunks::place(Peer& peer) {

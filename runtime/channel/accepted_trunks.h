@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <mutex>
 
 #include "channel/peer.h"
 #include "channel/trunk.h"
+#include "channel/weak_map.h"
 
 namespace tzc {
 namespace channel {
@@ -21,11 +21,10 @@ class AcceptedTrunks {
   bool place(Peer& peer);
 
  private:
-  void keep(const std::shared_ptr<Trunk>& trunk);
   std::shared_ptr<Trunk> find(std::uint64_t id);
 
   std::mutex mutex_;
-  std::map<std::uint64_t, std::weak_ptr<Trunk>> trunks_;
+  WeakMap<std::uint64_t, Trunk> trunks_;
 };
 
 }  // namespace channel

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/doorbell.h"
 
-#include <map>
 #include <mutex>
 #include <new>
 #include <utility>
 
+#include "channel/weak_map.h"
 #include "posix/futex.h"
 #include "posix/shared_memory.h"
 
@@ -18,23 +18,17 @@ class OpenDoorbells {
  public:
   Expected<std::shared_ptr<Doorbell>> find_or_map(const posix::FileIdentity& file, int fd, std::size_t size) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (auto known = open_[file].lock()) return {std::move(known)};
-    forget_closed();
+    if (auto known = open_.find(file)) return {std::move(known)};
     auto mapping = posix::Mapping::map(fd, size, posix::Access::read_write);
     if (!mapping) return mapping.error();
     auto doorbell = std::make_shared<Doorbell>(std::move(*mapping));
-    open_[file] = doorbell;
+    open_.keep(file, doorbell);
     return {std::move(doorbell)};
   }
 
  private:
-  void forget_closed() {
-    for (auto each = open_.begin(); each != open_.end();)
-      each = each->second.expired() ? open_.erase(each) : std::next(each);
-  }
-
   std::mutex mutex_;
-  std::map<posix::FileIdentity, std::weak_ptr<Doorbell>> open_;
+  WeakMap<posix::FileIdentity, Doorbell> open_;
 };
 
 OpenDoorbells& open_doorbells() {

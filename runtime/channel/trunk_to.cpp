@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/trunk_to.h"
 
-#include <map>
 #include <mutex>
 #include <utility>
 
 #include "channel/answer.h"
+#include "channel/weak_map.h"
 #include "posix/packet.h"
 #include "posix/socket.h"
 
@@ -18,20 +18,17 @@ class Opened {
  public:
   std::shared_ptr<Trunk> find(const TrunkTarget& target) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = trunks_.find(target.socket);
-    const auto trunk = found == trunks_.end() ? nullptr : found->second.lock();
+    auto trunk = trunks_.find(target.socket);
     return trunk && is_same_process(trunk->peer(), target.process) ? trunk : nullptr;
   }
   void keep(const TrunkTarget& target, const std::shared_ptr<Trunk>& trunk) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (auto one = trunks_.begin(); one != trunks_.end();)
-      one = one->second.expired() ? trunks_.erase(one) : std::next(one);
-    trunks_[target.socket] = trunk;
+    trunks_.keep(target.socket, trunk);
   }
 
  private:
   std::mutex mutex_;
-  std::map<std::string, std::weak_ptr<Trunk>> trunks_;  // by the socket that they lead to
+  WeakMap<std::string, Trunk> trunks_;  // by the socket that they lead to
 };
 
 Opened& opened() {

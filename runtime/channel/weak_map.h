@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <iterator>
+#include <map>
+#include <memory>
+
+namespace tzc {
+namespace channel {
+
+/// Objects that others own, by key. Not thread-safe.
+template <class Key, class Object>
+class WeakMap {
+ public:
+  /// Null: there is none, or it is gone.
+  std::shared_ptr<Object> find(const Key& key) const {
+    const auto found = objects_.find(key);
+    return found == objects_.end() ? nullptr : found->second.lock();
+  }
+  /// Also forgets those that are gone.
+  void keep(const Key& key, const std::shared_ptr<Object>& object) {
+    for (auto each = objects_.begin(); each != objects_.end();)
+      each = each->second.expired() ? objects_.erase(each) : std::next(each);
+    objects_[key] = object;
+  }
+
+ private:
+  std::map<Key, std::weak_ptr<Object>> objects_;
+};
+
+}  // namespace channel
+}  // namespace tzc
