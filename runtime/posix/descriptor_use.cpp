@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "posix/descriptor_use.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 
 #include <climits>
+
+#include "posix/file_descriptor.h"
 
 namespace tzc {
 namespace posix {
@@ -16,6 +19,11 @@ std::size_t descriptor_limit() noexcept {
 bool leaves_enough(int newest) noexcept {
   const std::size_t limit = descriptor_limit();
   return static_cast<std::size_t>(newest) < limit - limit / 8;
+}
+
+bool has_spare_descriptors() noexcept {
+  const FileDescriptor lowest_free(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  return lowest_free && leaves_enough(lowest_free.get());
 }
 
 }  // namespace posix

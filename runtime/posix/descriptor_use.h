@@ -6,13 +6,15 @@
 namespace tzc {
 namespace posix {
 
-/// How many descriptors this process may have (RLIMIT_NOFILE).
+/// How many descriptors this process may have (RLIMIT_NOFILE). Thread-safe, as all of this.
 std::size_t descriptor_limit() noexcept;
 
 /// Whether TZC may keep a descriptor that it opened just now. Seven eighths of a process's descriptors may be in use then: the others
 /// are left to the program, whose own sockets and files do not have another way to go, as a message has. The number of
 /// a new descriptor tells, which is the lowest that was free.
 bool leaves_enough(int newest) noexcept;
+/// Whether it might keep one that it opened now. Three system calls.
+bool has_spare_descriptors() noexcept;
 
 }  // namespace posix
 }  // namespace tzc

@@ -3,12 +3,13 @@
 
 #include <string>
 
+#include "channel/spare_descriptors.h"
+
 namespace tzc {
 namespace detail {
 
-/// True while TZC may open further descriptors: it stops at seven eighths of the process's limit, so that descriptors
-/// remain for roscpp's own sockets, which every topic needs. Thread-safe, two system calls.
-bool has_spare_descriptors();
+/// False: the others are left to roscpp's own sockets, which every topic needs.
+using channel::has_spare_descriptors;
 
 /// A text for users: why has_spare_descriptors() is false, and what to do about it.
 std::string descriptor_advice();
