@@ -2,8 +2,6 @@
 // One thread that reads for many subscribers, the doorbell at which it sleeps, and peers that lie about it.
 #include "channel/doorbell.h"
 
-#include <dirent.h>
-
 #include <atomic>
 #include <fstream>
 #include <set>
@@ -22,13 +20,11 @@ namespace {
 
 int reading_threads() {
   int count = 0;
-  DIR* folder = ::opendir("/proc/self/task");
-  while (const dirent* entry = ::readdir(folder)) {
+  for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task")) {
     std::string name;
-    std::getline(std::ifstream("/proc/self/task/" + std::string(entry->d_name) + "/comm"), name);
+    std::getline(std::ifstream(thread.path() / "comm"), name);
     count += name == "tzc-reader" ? 1 : 0;
   }
-  ::closedir(folder);
   return count;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Publishers that lie: the subscriber ends the connection, says why, and touches nothing that is not there.
-#include <dirent.h>
 
 #include "channel/shared_page.h"
 #include "posix/address.h"
@@ -205,14 +204,7 @@ TEST_F(HostilePublisher, repeated_sequence_numbers_end_it) {
 
 TEST_F(HostilePublisher, descriptors_that_belong_to_nothing_are_closed) {
   subscribe();
-  const auto count = [] {
-    int open = 0;
-    DIR* folder = ::opendir("/proc/self/fd");
-    while (::readdir(folder) != nullptr) ++open;
-    ::closedir(folder);
-    return open;
-  };
-  const int before = count();
+  const int before = open_descriptors();
   struct {
     RecordPrefix prefix;
     BodyHeader header;
@@ -222,7 +214,7 @@ TEST_F(HostilePublisher, descriptors_that_belong_to_nothing_are_closed) {
     peer_->send(packet, {0, 1});
   }
   ASSERT_TRUE(in_->wait_for(100));
-  EXPECT_EQ(count(), before);
+  EXPECT_EQ(open_descriptors(), before);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which end may leave when: unsubscribing, closing, dying and forking, with messages still held.
-#include <dirent.h>
 #include <signal.h>
 
 #include <atomic>
@@ -12,14 +11,6 @@ namespace tzc {
 namespace channel {
 namespace test {
 namespace {
-
-int open_descriptors() {
-  int count = 0;
-  DIR* folder = ::opendir("/proc/self/fd");
-  while (::readdir(folder) != nullptr) ++count;
-  ::closedir(folder);
-  return count;
-}
 
 bool has_room(Publisher& out, std::size_t bytes) {
   return static_cast<bool>(out.memory()->allocate(bytes));

@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -32,6 +33,12 @@ inline bool eventually(const std::function<bool()>& condition, int milliseconds 
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return condition();
+}
+
+/// How many descriptors this process has open.
+inline int open_descriptors() {
+  const std::filesystem::directory_iterator all("/proc/self/fd");
+  return static_cast<int>(std::distance(begin(all), end(all)));
 }
 
 inline std::shared_ptr<SegmentMemory> memory_of(std::size_t size, Policy policy = Policy()) {
@@ -150,6 +157,15 @@ inline std::shared_ptr<Subscriber> idle_subscriber(const std::string& address) {
 }
 
 /// Runs `body` in a forked process; its result is the exit status.
+inline std::unique_ptr<Inbox> inbox(const std::string& address) {
+  return std::make_unique<Inbox>(address);
+}
+
+/// Larger than a slot of the ring, so it crosses a socket.
+inline std::string large_text(int number) {
+  return std::to_string(number) + std::string(1000, '.');
+}
+
 inline pid_t in_child(const std::function<int()>& body) {
   const pid_t child = ::fork();
   if (child == 0) ::_exit(body());
