@@ -2,23 +2,22 @@
 #include "posix/thread.h"
 
 #include <pthread.h>
-#include <signal.h>
 
 #include <system_error>
 
 #include "posix/error.h"
+#include "posix/fault_signals.h"
 
 namespace tzc {
 namespace posix {
 namespace {
 
-// A new thread inherits the mask of its creator, so all signals are blocked around the creation.
+// A new thread inherits the mask of its creator, so the signals are blocked around the creation.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
-    sigset_t all;
-    sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+    const sigset_t others = all_but_faults();
+    ::pthread_sigmask(SIG_SETMASK, &others, &before_);
   }
   ~SignalsBlocked() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 

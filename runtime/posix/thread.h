@@ -9,7 +9,8 @@
 namespace tzc {
 namespace posix {
 
-/// Starts a thread that handles no signals (they stay with the application's own threads). `name` is what ps
+/// Starts a thread that handles no signals but those of its own faults (the others stay with the application's own threads; a
+/// fault whose signal is blocked would end the process without asking a handler). `name` is what ps
 /// and debuggers show, at most 15 characters. Error: the system has no thread left.
 Expected<std::thread> start_thread(const char* name, std::function<void()> body);
 

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "posix/fault_handlers.h"
+#include "posix/fault_signals.h"
 
 namespace tzc {
 namespace posix {
@@ -76,6 +77,7 @@ void forget_write_faults(const std::uint8_t* begin) {
 
 void keep_watching_write_faults() {
   stay_first(resolve);
+  unblock_faults();
 }
 
 }  // namespace posix

@@ -3,22 +3,21 @@
 
 #include <pthread.h>
 #include <ros/init.h>
-#include <signal.h>
 
 #include <exception>
 #include <system_error>
 #include <utility>
 
+#include "channel/fault_signals.h"
 #include "roscpp/throttled_warning.h"
 
 namespace tzc {
 namespace detail {
 namespace {
 
-void block_signals() {
-  sigset_t all;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+void block_other_signals() {
+  const sigset_t others = channel::all_but_faults();
+  pthread_sigmask(SIG_BLOCK, &others, nullptr);
 }
 
 }  // namespace
@@ -26,7 +25,7 @@ void block_signals() {
 bool start_transport_thread(std::thread& thread, std::function<void()> body) {
   try {
     thread = std::thread([body = std::move(body)] {
-      block_signals();
+      block_other_signals();
       body();
     });
     return true;

@@ -7,8 +7,8 @@
 namespace tzc {
 namespace detail {
 
-/// Starts a thread of the transport. It blocks all signals: they belong to the user's threads, as with
-/// roscpp's own threads. False, with a throttled warning, when the system gives no thread.
+/// Starts a thread of the transport. It blocks all signals but those of its own faults: they belong to the user's threads, as
+/// with roscpp's own threads. False, with a throttled warning, when the system gives no thread.
 bool start_transport_thread(std::thread& thread, std::function<void()> body);
 
 /// Runs one job of such a thread. An exception (no memory, no descriptor) ends the job, with a throttled warning, and

@@ -6,8 +6,8 @@
 #include <cstring>
 
 #include "channel/inspection.h"
-#include "roscpp/roscpp_access.h"
 #include "roscpp/subscribe/direct_queue.h"
+#include "roscpp/subscribe/fault_ready_queue.h"
 #include "roscpp/throttled_warning.h"
 #include "roscpp/upgrade/offer.h"
 #include "trace/trace.h"
@@ -15,8 +15,6 @@
 namespace tzc {
 namespace detail {
 namespace {
-
-namespace access = roscpp_access;
 
 /// The bytes of a received message as roscpp passes buffers around; they stay where they are.
 ros::SerializedMessage borrow(const channel::MessagePtr& message, const std::uint8_t* bytes,
@@ -28,11 +26,6 @@ ros::SerializedMessage borrow(const channel::MessagePtr& message, const std::uin
   borrowed.message_start = buffer.get();
   if (trace::active) trace::recent().remember(bytes, channel::trace_id(*message));
   return borrowed;
-}
-
-bool has_writers(ros::Subscription& subscription) {
-  const boost::mutex::scoped_lock lock(access::callbacks_mutex_(subscription));
-  return access::nonconst_callbacks_(subscription) != 0;
 }
 
 // roscpp's counters are plain words. One thread at a time adds to them; the statistics are read by another.
@@ -119,7 +112,7 @@ bool SubscriptionEndpoint::take_directly(ros::Subscription& subscription,
 
 void SubscriptionEndpoint::take_control_part(ros::Subscription& subscription,
                                              const channel::MessagePtr& message) {
-  const boost::shared_ptr<void> decoded = decode(message, has_writers(subscription));
+  const boost::shared_ptr<void> decoded = decode(message, make_ready_for_faults(subscription));
   if (!decoded) return;
   bool ser = false, nocopy = false;
   subscription.getPublishTypes(ser, nocopy, *codec_.type);

@@ -101,6 +101,19 @@ TEST(Guard, says_nothing_about_a_program_that_writes_in_time_in_a_child) {
   EXPECT_EQ(outcome.errors, "");
 }
 
+TEST(Guard, a_late_write_on_a_thread_that_blocks_all_signals_is_reported_in_a_child) {
+  const Outcome outcome = run([] {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+    const Exchange exchange;
+    write_late(exchange.publish(5000, 1)->data(), 7);
+    return 0;
+  });
+  EXPECT_TRUE(ended_with(outcome, 0)) << outcome.status;
+  EXPECT_EQ(outcome.reports(), 1U) << outcome.errors;
+}
+
 TEST(Guard, a_late_write_is_reported_and_reaches_nobody_in_a_child) {
   for (const std::size_t size : {10, 4096, 300'000}) {
     const Outcome outcome = run([size] {

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
+#include <future>
 
 #ifdef __linux__
 #include <linux/filter.h>
@@ -94,6 +95,41 @@ TEST(PrivateWrites, of_several_threads_at_once) {
     for (int i = 0; i < 4; ++i)
       ASSERT_TRUE(all_bytes_are(ConstBlock{writable(message) + i * (mb / 4), mb / 4}, 10 + i));
   }
+}
+
+void draw_on_a_thread_of_the_library(bool shared_thread) {
+  const auto out = publisher();
+  std::promise<bool> drawn;
+  SubscriberOptions options;
+  options.address = out->address();
+  options.shared_thread = shared_thread;
+  options.on_message = [&drawn](const MessagePtr& message) {
+    std::memset(writable(message), 2, mb);
+    drawn.set_value(all_bytes_are(message->blocks()[0], 2));
+  };
+  const auto in = Subscriber::create(std::move(options));
+  ASSERT_TRUE(in) << in.error().text();
+  const BufferPtr sent = publish_block(*out, 1);
+  EXPECT_TRUE(drawn.get_future().get());
+  EXPECT_TRUE(all_bytes_are(ConstBlock{sent->data(), sent->size()}, 1));
+}
+
+TEST(PrivateWrites, by_on_message_on_the_shared_thread) {
+  draw_on_a_thread_of_the_library(true);
+}
+
+TEST(PrivateWrites, by_on_message_on_a_thread_of_its_own) {
+  draw_on_a_thread_of_the_library(false);
+}
+
+TEST(PrivateWrites, on_a_thread_that_blocked_all_signals_before_it_read_in_a_child) {
+  const pid_t child = in_child([] {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+    return draw_and_look();
+  });
+  EXPECT_EQ(exit_status(child), 0);
 }
 
 TEST(PrivateWrites, work_with_locked_memory_in_a_child) {

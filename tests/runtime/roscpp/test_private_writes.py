@@ -39,6 +39,22 @@ class PrivateWrites(TopicCase):
     def test_to_payloads_below_a_page_under_tzc_run(self):
         self.assert_draws(1000, self.draw("plain_draw", runner=TZC_RUN), warns=0)
 
+    def test_on_threads_that_block_all_signals(self):
+        """As roscpp's spinners do on the threads that they make."""
+        self.assert_draws(100000, self.draw(spinner="async"))
+
+    def test_on_threads_of_a_spinner_that_waits(self):
+        self.assert_draws(100000, self.draw(spinner="multi"))
+
+    def test_on_threads_that_serve_a_queue_of_the_programs_own(self):
+        self.assert_draws(100000, self.draw(spinner="own_async"))
+
+    def test_on_threads_that_block_all_signals_under_tzc_run(self):
+        self.assert_draws(100000, self.draw("plain_draw", runner=TZC_RUN, spinner="async"))
+
+    def test_of_a_direct_callback(self):
+        self.assert_draws(100000, self.draw("direct_draw"))
+
     def test_after_a_handler_was_installed(self):
         self.assert_draws(100000, self.draw(handler=30))
 

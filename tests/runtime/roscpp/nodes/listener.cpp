@@ -84,6 +84,7 @@ class Draws {
 ros::Subscriber draw(ros::NodeHandle& node, const std::string& mode, const std::string& topic, int queue) {
   const int handler_after = ros::NodeHandle("~").param("handler", -1);
   const boost::function<void(const sensor_msgs::ImageConstPtr&)> draws = Draws(node, handler_after);
+  if (mode == "direct_draw") return tzc::subscribe_direct<sensor_msgs::Image>(node, topic, queue, draws);
   return mode == "draw" ? tzc::subscribe<sensor_msgs::Image>(node, topic, queue, draws)
                         : node.subscribe<sensor_msgs::Image>(topic, queue, draws);
 }
@@ -99,7 +100,7 @@ ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& mode, const 
   if (mode == "direct") return tzc::subscribe_direct(node, topic, queue, on_pointer);
   if (mode == "unreliable")
     return tzc::subscribe(node, topic, queue, on_pointer, ros::TransportHints().unreliable());
-  if (mode == "draw" || mode == "plain_draw") return draw(node, mode, topic, queue);
+  if (mode == "draw" || mode == "plain_draw" || mode == "direct_draw") return draw(node, mode, topic, queue);
   const ros::Subscriber subscriber = node.subscribe(topic, queue, on_pointer);
   if (mode == "late_attach") tzc::attach<sensor_msgs::Image>(node, topic);
   return subscriber;
@@ -126,6 +127,10 @@ void spin(const std::string& spinner, ros::CallbackQueue& own) {
     tzc::spin();
   } else if (spinner == "own") {
     while (ros::ok()) own.callAvailable(ros::WallDuration(0.05));
+  } else if (spinner == "own_async") {
+    ros::AsyncSpinner threads(2, &own);
+    threads.start();
+    ros::waitForShutdown();
   } else if (spinner == "multi") {
     ros::MultiThreadedSpinner(3).spin();
   } else if (spinner == "async") {
@@ -147,7 +152,7 @@ int main(int argc, char** argv) {
   const std::string topics = options.param<std::string>("topics", "");
   const int queue = options.param("queue", 100);
   ros::CallbackQueue own;
-  if (spinner == "own") node.setCallbackQueue(&own);
+  if (spinner == "own" || spinner == "own_async") node.setCallbackQueue(&own);
   std::unique_ptr<tzc::message_filters::Subscriber<sensor_msgs::Image>> filter;
   std::vector<ros::Subscriber> subscribers;
   if (!topics.empty()) {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "channel/fault_signals.h"
+
+#include "posix/fault_signals.h"
+
+namespace tzc {
+namespace channel {
+
+sigset_t all_but_faults() noexcept {
+  return posix::all_but_faults();
+}
+
+void unblock_faults() noexcept {
+  posix::unblock_faults();
+}
+
+}  // namespace channel
+}  // namespace tzc
