@@ -27,6 +27,38 @@ const bool is_installed = [] {
 void HeardQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t removal_id) {
   ros::CallbackQueue::addCallback(callback, removal_id);
   channel::wake_idle_reader();
+  // A thread counts itself before it looks for callbacks: either it has seen this one, or it is seen here.
+  if (idle_threads_ == 0 || is_the_guests()) return;
+  {
+    const std::lock_guard<std::mutex> lock(idle_mutex_);  // it has looked, and sleeps by now
+  }
+  idle_.notify_one();
+}
+
+// The guest leaves when it sees a callback, says so, and takes one. As long as it has not said so, it is going to.
+bool HeardQueue::is_the_guests() {
+  const boost::mutex::scoped_lock lock(mutex_);
+  return has_guest_ && callbacks_.size() <= 1;
+}
+
+void HeardQueue::wait(std::chrono::milliseconds most) {
+  if (!wants_caller() && !wait_as_guest(most)) wait_for_turn(most);
+}
+
+bool HeardQueue::wait_as_guest(std::chrono::milliseconds most) {
+  const std::unique_lock<std::mutex> guest(guest_, std::try_to_lock);
+  if (!guest.owns_lock()) return false;
+  has_guest_ = true;
+  const bool has_read = channel::read_while_idle(most, [this] { return wants_caller(); });
+  has_guest_ = false;
+  return has_read;
+}
+
+void HeardQueue::wait_for_turn(std::chrono::milliseconds most) {
+  std::unique_lock<std::mutex> lock(idle_mutex_);
+  ++idle_threads_;
+  if (!wants_caller()) idle_.wait_for(lock, most);
+  --idle_threads_;
 }
 
 // Not isEmpty(), which counts callbacks that other threads are in.

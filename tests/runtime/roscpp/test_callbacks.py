@@ -38,9 +38,10 @@ class Callbacks(TopicCase):
             self.assert_got(listener, range(30), callback=callback)
 
     def test_spinners_and_queues(self):
-        listeners = {spinner: self.listen(spinner=spinner) for spinner in ("spin", "tzc", "multi", "async", "own")}
-        counters = self.talk(count=100, rate=200, subscribers=5)
-        self.assertEqual((counters["shared"], counters["copied_bytes"]), (500, 0))
+        listeners = {spinner: self.listen(spinner=spinner) for spinner in ("spin", "tzc", "multi", "async", "own", "tzc_multi", "tzc_async",
+                                                                     "tzc_own")}
+        counters = self.talk(count=100, rate=200, subscribers=8)
+        self.assertEqual((counters["shared"], counters["copied_bytes"]), (800, 0))
         for listener in listeners.values():
             self.assert_got(listener, range(100), shared=True)
 

@@ -125,6 +125,12 @@ std::vector<ros::Subscriber> subscribe_named(ros::NodeHandle& node, const std::s
 void spin(const std::string& spinner, ros::CallbackQueue& own) {
   if (spinner == "tzc") {
     tzc::spin();
+  } else if (spinner == "tzc_multi") {
+    tzc::MultiThreadedSpinner(3).spin();
+  } else if (spinner == "tzc_async" || spinner == "tzc_own") {
+    tzc::AsyncSpinner threads(2, spinner == "tzc_own" ? &own : nullptr);
+    threads.start();
+    ros::waitForShutdown();
   } else if (spinner == "own") {
     while (ros::ok()) own.callAvailable(ros::WallDuration(0.05));
   } else if (spinner == "own_async") {
@@ -152,7 +158,7 @@ int main(int argc, char** argv) {
   const std::string topics = options.param<std::string>("topics", "");
   const int queue = options.param("queue", 100);
   ros::CallbackQueue own;
-  if (spinner == "own" || spinner == "own_async") node.setCallbackQueue(&own);
+  if (spinner.find("own") != std::string::npos) node.setCallbackQueue(&own);
   std::unique_ptr<tzc::message_filters::Subscriber<sensor_msgs::Image>> filter;
   std::vector<ros::Subscriber> subscribers;
   if (!topics.empty()) {
