@@ -7,6 +7,7 @@
 #include "channel/age_stamp.h"
 #include "channel/body.h"
 #include "channel/recycled.h"
+#include "channel/ring.h"
 #include "posix/hot.h"
 #include "segment/segment.h"
 
@@ -14,7 +15,8 @@ namespace tzc {
 namespace channel {
 namespace {
 
-constexpr std::size_t max_inline_control = 64 << 10;
+// What a slot of the ring takes beside the packet's prefix. All else would go through the socket.
+constexpr std::size_t most_in_ring = slot_bytes - sizeof(RecordPrefix);
 constexpr std::size_t max_control_bytes = max_body_bytes / 2;
 
 TZC_HOT segment::BlockRef reference_to(const Buffer& buffer) {
@@ -29,8 +31,16 @@ std::size_t inlined_control_size(const BodyHeader& header) {
   return in_block ? 0 : static_cast<std::size_t>(header.control_size);
 }
 
-TZC_HOT BufferPtr control_block(const void* control, std::size_t size, MemorySource* memory) {
-  if (memory == nullptr || size <= max_inline_control) return nullptr;
+TZC_HOT bool fits_ring(const BodyHeader& header) {
+  const std::size_t refs = header.block_count * sizeof(segment::BlockRef);
+  return sizeof header + refs + static_cast<std::size_t>(header.control_size) <= most_in_ring;
+}
+
+// A block of its own only helps if the reference to it goes where the control part does not.
+TZC_HOT BufferPtr control_block(const BodyHeader& header, const void* control, MemorySource* memory) {
+  if (memory == nullptr || fits_ring(header)) return nullptr;
+  const auto size = static_cast<std::size_t>(header.control_size);
+  if (size <= sizeof(segment::BlockRef)) return nullptr;
   BufferPtr block = memory->allocate(size);
   if (block) std::memcpy(block->data(), control, size);
   return block;
@@ -84,7 +94,7 @@ TZC_HOT RecordPtr make_record(std::uint32_t tag, const void* control, std::size_
   if (!all_valid(buffers) || control_size > max_control_bytes) return nullptr;
   for (const BufferPtr& buffer : buffers) buffer->seal();
   BodyHeader header{tag, 0, static_cast<std::uint32_t>(buffers.size()), age_stamp(), control_size};
-  const BufferPtr block = control_block(control, control_size, memory);
+  const BufferPtr block = control_block(header, control, memory);
   if (!block) return make_recycled<const Record>(header, control, buffers);
   block->seal();
   header.flags = control_in_last_block;

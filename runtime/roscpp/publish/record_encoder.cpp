@@ -107,8 +107,9 @@ OutgoingMessage RecordEncoder::control_record(const MessageCodec& codec, message
   ++counters_.messages;
   counters_.copied_bytes += encoded.copied_bytes;
   counters_.control_bytes += control.size();
-  return {channel::make_record(kControlPart, control.data(), control.size(), encoded.buffers, memory_.get()),
-          true, control.size()};
+  return {
+      channel::make_record(kControlPart, control.data(), control.size(), encoded.buffers, &control_memory_),
+      true, control.size()};
 }
 
 bool RecordEncoder::drops_without_memory(const std::function<std::size_t()>& bytes) {

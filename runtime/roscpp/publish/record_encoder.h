@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 
+#include "roscpp/publish/control_memory.h"
 #include "roscpp/publish/known_codecs.h"
 #include "roscpp/publish/outgoing_message.h"
 #include "roscpp/publish/publish_cache.h"
@@ -28,7 +29,10 @@ void write_number(const MessageCodec& codec, message::Encoded& encoded, std::uin
 class RecordEncoder {
  public:
   RecordEncoder(std::string topic, std::shared_ptr<SegmentMemory> memory, OnExhausted on_exhausted)
-      : topic_(std::move(topic)), memory_(std::move(memory)), on_exhausted_(on_exhausted) {}
+      : topic_(std::move(topic)),
+        memory_(std::move(memory)),
+        control_memory_(memory_->options()),
+        on_exhausted_(on_exhausted) {}
 
   OnExhausted on_exhausted() const { return on_exhausted_; }
   KnownCodecs& codecs() { return codecs_; }
@@ -92,7 +96,8 @@ class RecordEncoder {
   OutgoingMessage inline_record(const std::uint8_t* bytes, std::size_t size);
 
   const std::string topic_;
-  const std::shared_ptr<SegmentMemory> memory_;
+  const std::shared_ptr<SegmentMemory> memory_;  ///< of arrays
+  ControlMemory control_memory_;
   const OnExhausted on_exhausted_;
   SubscriberNames subscribers_;
   Throttle exhausted_warning_{std::chrono::seconds(10)};

@@ -50,6 +50,34 @@ TEST(Record, one_that_cannot_be_made_is_counted) {
   EXPECT_EQ(out->stats().not_records, 1u);
 }
 
+std::string control_part_in(const RecordPtr& record) {
+  const RecordParts parts = parts_of(*record);
+  return std::string(reinterpret_cast<const char*>(parts.control), parts.control_size);
+}
+
+// The ring takes what is small, whatever the control part's length.
+TEST(Record, has_its_control_part_in_a_block_when_that_fits_no_slot) {
+  const auto memory = memory_of(4 * mb), arrays = memory_of(mb);
+  for (const std::size_t size : {0, 100, 300, 500, 2000, 70'000, 1'000'000}) {
+    const std::string control(size, 'c');
+    const RecordPtr record = make_record(7, control.data(), size, {arrays->allocate(10)}, memory.get());
+    ASSERT_TRUE(record);
+    EXPECT_LE(record->size(), 468u) << size;
+    EXPECT_EQ(record->buffers().size(), size < 468 - 24 - 32 ? 1u : 2u) << size;
+    EXPECT_EQ(control_part_in(record), control);
+  }
+}
+
+TEST(Record, has_its_control_part_in_itself_when_there_is_no_memory_for_it) {
+  const auto memory = memory_of(mb);
+  const BufferPtr everything = memory->allocate(mb);
+  const std::string control(2000, 'c');
+  const RecordPtr record = make_record(7, control.data(), control.size(), {}, memory.get());
+  ASSERT_TRUE(record);
+  EXPECT_TRUE(record->buffers().empty());
+  EXPECT_EQ(control_part_in(record), control);
+}
+
 TEST(Record, parses_what_it_encodes) {
   const auto memory = memory_of(mb);
   const RecordPtr record = text_record("control", {memory->allocate(100), memory->allocate(200)});

@@ -95,6 +95,22 @@ class Records(TopicCase):
         for word in (self.name("cloud"), "4096 blocks", "allocate"):
             self.assertIn(word, warnings[0])
 
+    def test_arrays_of_strings_and_of_messages_that_have_some(self):
+        """They go through shared memory whatever their length, to a subscriber on TCPROS as ever."""
+        listeners = [Listener(self.node("paths", "listener", {"mode": "listen"})),
+                     Listener(self.node("paths", "plain", {"mode": "listen", "plain": True}))]
+        self.wait_for_subscribers(self.name("path"), 2)
+        lengths = [0, 3, 5, 100, 1000, 20000, 3]
+        talker = self.node("paths", "talker", {"mode": "talk", "poses": " ".join(map(str, lengths))})
+        self.assertEqual(talker.wait(60), 0, talker.tail())
+        for listener in listeners:
+            self.wait_for(listener, len(lengths))
+            self.assertEqual([m["poses"] for m in listener.messages()], lengths)
+            self.assertTrue(all(m["right"] for m in listener.messages()))
+            self.assert_seq_as_tcpros(listener)
+        counters = self.counters(talker)
+        self.assertEqual((counters["shared"], counters["serialized"]), (len(lengths), 0))
+
 
 if __name__ == "__main__":
     main()

@@ -30,8 +30,9 @@ class Record;
 using RecordPtr = std::shared_ptr<const Record>;
 
 /// Copies the control part and seals the buffers. `tag` is for the application; the channel passes it through
-/// unchanged. A control part over 64 KB goes into a block of `memory` when that is given and not exhausted,
-/// otherwise it travels as fragments over the socket. Null when a buffer is null, or when can_carry() gives
+/// unchanged. A control part that fits no slot of the connections' rings (some 400 bytes) goes into a block of `memory` when that
+/// is given and not exhausted, otherwise over the socket, which takes half as long again, and longer the larger it is. Give it a
+/// memory of its own: small blocks between large ones waste room. Null when a buffer is null, or when can_carry() gives
 /// an error.
 RecordPtr make_record(std::uint32_t tag, const void* control, std::size_t control_size,
                       BufferSpan buffers = {}, MemorySource* memory = nullptr);

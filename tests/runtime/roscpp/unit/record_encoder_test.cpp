@@ -51,6 +51,42 @@ TEST(RecordEncoder, a_message_without_any_memory_is_dropped_and_counted) {
   }
 }
 
+/// No arrays, and many fields.
+struct Wide {};
+
+bool encode_much(const void*, const std::shared_ptr<MemorySource>&, message::Encoded& encoded) {
+  encoded.control.assign(10'000, 'c');
+  return true;
+}
+
+ros::SerializedMessage wide() {
+  ros::SerializedMessage message;
+  message.message = boost::make_shared<Wide>();
+  message.type_info = &typeid(Wide);
+  return message;
+}
+
+// A memory whose size the user chose holds as many arrays as before.
+TEST(RecordEncoder, large_control_parts_take_nothing_of_the_memory_for_arrays) {
+  MemoryOptions options;
+  options.size = std::size_t{1} << 20;
+  options.queue_size = 10;
+  const auto arrays = *SegmentMemory::create(options);
+  RecordEncoder encoder("/wide", arrays, OnExhausted::deliver);
+  MessageCodec codec = codec_of_huge();
+  codec.type = &typeid(Wide);
+  codec.encode = &encode_much;
+  encoder.codecs().add(codec);
+  std::vector<channel::RecordPtr> kept;
+  for (std::uint32_t number = 0; number < 500; ++number) {
+    kept.push_back(encoder.of_pointer(wide(), 1, [number] { return number; }).record);
+    const channel::RecordParts parts = channel::parts_of(*kept.back());
+    ASSERT_EQ(std::string(reinterpret_cast<const char*>(parts.control), parts.control_size),
+              std::string(10'000, 'c'));
+  }
+  EXPECT_EQ(arrays->stats().allocated, 0u);
+}
+
 }  // namespace
 }  // namespace detail
 }  // namespace tzc
