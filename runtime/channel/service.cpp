@@ -45,13 +45,12 @@ Expected<std::uint64_t> Service::add(int fd, bool readable, bool writable, std::
   std::uint64_t key = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    key = ++next_key_;
-    entries_[key] = Entry{std::move(watcher), Clock::time_point::max()};
+    key = watchers_.add(std::move(watcher));
   }
   const Status watched = poller_->watch(fd, key, readable, writable);
   if (watched) return key;
   const std::lock_guard<std::mutex> lock(mutex_);
-  entries_.erase(key);
+  watchers_.remove(key);
   return watched.error();
 }
 
@@ -70,9 +69,7 @@ void Service::unwatch(int fd) {
 void Service::set_deadline(std::uint64_t key, Clock::time_point when) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = entries_.find(key);
-    if (found == entries_.end()) return;
-    found->second.deadline = when;
+    if (!watchers_.set_deadline(key, when)) return;  // the thread wakes up early enough
   }
   poller_->wake();
 }
@@ -85,13 +82,8 @@ void Service::remove(int fd, std::uint64_t key) {
 void Service::forget(int fd, std::uint64_t key) {
   poller_->forget(fd);
   std::shared_ptr<Watcher> last;  // destroyed without the lock
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = entries_.find(key);
-    if (found == entries_.end()) return;
-    last = std::move(found->second.watcher);
-    entries_.erase(found);
-  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  last = watchers_.remove(key);
 }
 
 void Service::synchronize() {
@@ -146,10 +138,9 @@ void Service::run_calls() {
 // call's end.
 std::shared_ptr<Watcher> Service::find(std::uint64_t key) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = entries_.find(key);
-  if (found == entries_.end()) return nullptr;
-  in_round_ = true;
-  return found->second.watcher;
+  auto watcher = watchers_.find(key);
+  if (watcher) in_round_ = true;
+  return watcher;
 }
 
 void Service::end_round() {
@@ -170,19 +161,14 @@ void Service::run_deadlines() {
 
 std::shared_ptr<Watcher> Service::next_due(Clock::time_point now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (auto& [key, entry] : entries_) {
-    if (entry.deadline > now) continue;
-    entry.deadline = Clock::time_point::max();
-    in_round_ = true;
-    return entry.watcher;
-  }
-  return nullptr;
+  auto watcher = watchers_.take_due(now);
+  if (watcher) in_round_ = true;
+  return watcher;
 }
 
 int Service::timeout_ms() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  Clock::time_point first = Clock::time_point::max();
-  for (const auto& [key, entry] : entries_) first = std::min(first, entry.deadline);
+  const Clock::time_point first = watchers_.first_deadline();
   if (first == Clock::time_point::max()) return -1;
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(first - Clock::now()).count() + 1;
   return static_cast<int>(std::clamp<long long>(left, 0, 60'000));

@@ -5,25 +5,17 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
+#include "channel/watchers.h"
 #include "posix/poller.h"
 #include "tzc/error.h"
 
 namespace tzc {
 namespace channel {
-
-/// Callbacks of the service thread. It never runs two of one watcher at a time.
-class Watcher {
- public:
-  virtual ~Watcher() = default;
-  virtual void on_event(const posix::Poller::Event& event) = 0;
-  virtual void on_deadline() {}
-};
 
 /// What the service thread calls because a signal handler asked for it.
 class Callee {
@@ -36,7 +28,7 @@ class Callee {
 /// peers that leave. Started with the first publisher or subscriber, anew in a forked child. Thread-safe.
 class Service {
  public:
-  using Clock = std::chrono::steady_clock;
+  using Clock = Watchers::Clock;
 
   /// The running service of this process. Never destroyed. Error: no thread or descriptor left.
   static Expected<Service*> instance();
@@ -49,7 +41,7 @@ class Service {
   Status watch(int fd, std::uint64_t key, bool readable, bool writable);
   void unwatch(int fd);
   /// @}
-  /// on_deadline will be called once at that time.
+  /// on_deadline will be called once at that time, in the order of these times.
   void set_deadline(std::uint64_t key, Clock::time_point when);
   /// Removes the watcher. A call to it may be running, and one more may follow.
   void forget(int fd, std::uint64_t key);
@@ -63,11 +55,6 @@ class Service {
   void synchronize();
 
  private:
-  struct Entry {
-    std::shared_ptr<Watcher> watcher;
-    Clock::time_point deadline;
-  };
-
   static Expected<Service*> start();
   explicit Service(std::unique_ptr<posix::Poller> poller);
   void run();
@@ -88,8 +75,7 @@ class Service {
   std::condition_variable round_ended_;
   std::uint64_t rounds_ = 0;  // of calls to watchers
   bool in_round_ = false;
-  std::uint64_t next_key_ = 0;
-  std::map<std::uint64_t, Entry> entries_;
+  Watchers watchers_;
   std::vector<std::weak_ptr<Callee>> callees_;
 };
 
