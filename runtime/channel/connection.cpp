@@ -196,6 +196,8 @@ void ConnectionImpl::unsubscribed() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (state_ == ConnectionState::gone) return;
     stop_deliveries();
+    if (sender_.socket().is_loan())
+      sender_.socket().give_up();  // it may keep messages, and read nothing any more
   }
   if (const auto owner = owner_.lock()) owner->disconnected(shared_from_this());
 }

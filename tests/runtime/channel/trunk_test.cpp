@@ -3,15 +3,12 @@
 #include "channel/trunk.h"
 
 #include <signal.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
 #include <random>
 
-#include "channel/shared_page.h"
-#include "posix/address.h"
-#include "posix/memory_file.h"
+#include "few_descriptors.h"
 #include "raw_peer.h"
 
 namespace tzc {
@@ -56,22 +53,6 @@ TEST(Trunk, what_needs_a_socket_gets_one_again) {
     EXPECT_TRUE(eventually([&] { return open_descriptors() <= without; }));
   }
 }
-
-/// Lets this process open so few descriptors that it may lend another process 8 sockets at a time.
-class FewDescriptors {
- public:
-  explicit FewDescriptors(rlim_t most) {
-    ::getrlimit(RLIMIT_NOFILE, &before_);
-    const rlimit few{most, before_.rlim_max};
-    ::setrlimit(RLIMIT_NOFILE, &few);
-  }
-  ~FewDescriptors() { ::setrlimit(RLIMIT_NOFILE, &before_); }
-  FewDescriptors(const FewDescriptors&) = delete;
-  FewDescriptors& operator=(const FewDescriptors&) = delete;
-
- private:
-  rlimit before_{};
-};
 
 // Half of the sizes cross the ring; pauses are about as long as a loan lasts.
 TEST(Trunk, order_and_content_survive_any_sequence_of_loans) {

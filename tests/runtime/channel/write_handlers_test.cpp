@@ -11,7 +11,7 @@ namespace channel {
 namespace test {
 namespace {
 
-std::uint8_t* writable(const MessagePtr& message) {
+std::uint8_t* whole(const MessagePtr& message) {
   return const_cast<std::uint8_t*>(message->blocks()[0].data);
 }
 
@@ -46,7 +46,7 @@ struct Exchange {
   /// A write to the next message works.
   bool write() const {
     const MessagePtr message = next();
-    std::memset(writable(message), 3, mb);
+    std::memset(whole(message), 3, mb);
     return all_bytes_are(message->blocks()[0], 3);
   }
 };
