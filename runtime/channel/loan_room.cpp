@@ -33,6 +33,11 @@ bool LoanRoom::is_scarce() const {
   return open_ * 2 >= most();
 }
 
+bool LoanRoom::is_wanted() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return !waiting_.empty();
+}
+
 // All who wait look again: one of them alone might be gone, or have nothing to send any more.
 void LoanRoom::give_back() {
   std::vector<std::uint64_t> waiting;
@@ -41,7 +46,8 @@ void LoanRoom::give_back() {
     --open_;
     waiting.swap(waiting_);
   }
-  for (const std::uint64_t key : waiting) service_.set_deadline(key, Service::Clock::now());
+  Service::Clock::time_point when = Service::Clock::now();
+  for (const std::uint64_t key : waiting) service_.set_deadline(key, when += std::chrono::nanoseconds(1));
 }
 
 }  // namespace channel

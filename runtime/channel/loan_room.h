@@ -31,10 +31,13 @@ class LoanRoom {
     LoanRoom& room_;
   };
 
-  /// Null: too many are open. The service calls on_deadline() of this key's watcher when there is room again.
+  /// Null: too many are open. The service calls on_deadline() of this key's watcher when there is room again, and before
+  /// those who began to wait later.
   std::unique_ptr<Taken> take(std::uint64_t key);
   /// At least half of them are open.
   bool is_scarce() const;
+  /// Somebody waits for room.
+  bool is_wanted() const;
 
  private:
   void give_back();

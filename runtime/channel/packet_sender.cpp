@@ -113,7 +113,7 @@ void PacketSender::try_again(SendResult result) {
 void PacketSender::rest() {
   if (!socket_.is_loan() || socket_.get() < 0 || corked_ || ending_ || !outbox_.empty()) return;
   const bool rests = packets_at_rest_ == traffic_.packets;
-  if (rests && ring_.all_packets_read()) {
+  if ((rests || socket_.is_wanted()) && ring_.all_packets_read()) {
     socket_.give_up();
     ring_.sent_packets(++traffic_.packets);
     return;

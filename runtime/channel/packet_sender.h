@@ -39,7 +39,8 @@ class PacketSender {
   /// Sends the outbox until the deadline at most, then ends the stream.
   Result end_by(Service::Clock::time_point deadline);
   void end_stream();
-  /// Gives a loan up that was not needed for some time, or looks again later: ever later while the subscriber reads nothing.
+  /// Gives a loan up that was not needed for some time, or that others wait for, or looks again later: ever later while the
+  /// subscriber reads nothing.
   void rest();
   void drop_records_through(std::uint32_t sequence);
   void drop_all() { outbox_.clear(); }

@@ -61,6 +61,10 @@ std::chrono::milliseconds SendingSocket::patience() const {
   return place_ && place_->trunk().loans().is_scarce() ? short_patience : usual_patience;
 }
 
+bool SendingSocket::is_wanted() const {
+  return place_ && place_->trunk().loans().is_wanted();
+}
+
 void SendingSocket::stop_reading() {
   service_->change(socket_.get(), key_, false, false);
 }

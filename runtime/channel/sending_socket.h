@@ -31,6 +31,8 @@ class SendingSocket {
   void call_at(Service::Clock::time_point when);
   /// For how long nothing has to cross a loan before it is given up: shorter when many are lent to that process.
   std::chrono::milliseconds patience() const;
+  /// Another connection waits for a loan to end.
+  bool is_wanted() const;
   /// The subscriber sends nothing more: watch only for its hang-up.
   void stop_reading();
   /// Closes a loan. What is in it may still be read; its end counts as a packet.

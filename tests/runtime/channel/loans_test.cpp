@@ -52,6 +52,25 @@ TEST_F(Loans, one_that_left_keeps_none_with_the_messages_that_it_keeps) {
   EXPECT_TRUE(in->wait_for(1));
 }
 
+// Something crosses each of them again before it would be given up.
+TEST_F(Loans, busy_connections_take_turns) {
+  std::vector<std::unique_ptr<Inbox>> in;
+  for (int i = 0; i < 3 * most; ++i) {
+    publishers_.push_back(publisher());
+    in.push_back(inbox(publishers_.back()->address()));
+  }
+  std::atomic<bool> done{false};
+  std::thread publishes([&] {
+    for (int i = 0; !done; ++i) {
+      for (const auto& each : publishers_) each->publish(text_record(large_text(i)));
+      std::this_thread::yield();
+    }
+  });
+  for (const auto& each : in) EXPECT_TRUE(each->wait_for(10));
+  done = true;
+  publishes.join();
+}
+
 #endif
 
 }  // namespace
