@@ -16,11 +16,13 @@ namespace channel {
 class AcceptedTrunks {
  public:
   /// Makes the socket a trunk, and says so to the peer, or why not.
-  void accept(Service& service, posix::FileDescriptor socket, const Credentials& peer);
+  void accept(Service& service, posix::FileDescriptor socket, const Peer& peer);
   /// Gives the peer the place that it named. False: that trunk, or that number, is not the peer's.
   bool place(Peer& peer);
 
  private:
+  /// No publisher has agreed yet to talk to a process whose trunks have no connection, so it may not have many.
+  bool has_room_for(const Credentials& peer);
   std::shared_ptr<Trunk> find(std::uint64_t id);
 
   std::mutex mutex_;

@@ -153,7 +153,7 @@ bool Entrance::considers(const Credentials& peer) const {
 }
 
 void Entrance::admit(posix::FileDescriptor socket, Peer peer) {
-  if (peer.is_trunk) return trunks_.accept(service_, std::move(socket), peer.credentials);
+  if (peer.is_trunk) return trunks_.accept(service_, std::move(socket), peer);
   if (peer.trunk.id != 0 && !trunks_.place(peer))
     return refuse(socket.get(), "no such trunk is here any more");
   const auto publisher = find(peer.publication);

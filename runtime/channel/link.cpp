@@ -84,7 +84,8 @@ Link::~Link() {
 }
 
 Status Link::shake_hands(const SubscriberOptions& options, std::uint64_t publication) {
-  if (place_.trunk) place_.trunk->listen(weak_from_this());
+  if (place_.trunk && !place_.trunk->listen(weak_from_this()))
+    return at(options.address, subscribe_failed("the publisher closed the connection"));
   const Status greeted = say_hello(options, publication);
   if (!greeted) return greeted;
   const Status welcome = await_welcome(options.handshake_timeout);

@@ -12,17 +12,17 @@ namespace {
 constexpr std::size_t share = 128;
 constexpr std::size_t least = 8;
 
-std::size_t most() {
+}  // namespace
+
+std::size_t LoanRoom::share_of_process() {
   return std::max(posix::descriptor_limit() / share, least);
 }
 
-}  // namespace
-
-std::unique_ptr<LoanRoom::Taken> LoanRoom::take(std::uint64_t key) {
+std::shared_ptr<LoanRoom::Taken> LoanRoom::take(std::uint64_t key) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (open_ < most()) {
     ++open_;
-    return std::make_unique<Taken>(*this);
+    return std::make_shared<Taken>(*this);
   }
   if (std::find(waiting_.begin(), waiting_.end(), key) == waiting_.end()) waiting_.push_back(key);
   return nullptr;

@@ -25,7 +25,8 @@ Status SendingSocket::start(Service& service, std::shared_ptr<Watcher> watcher,
   if (!key) return key.error();
   service_ = &service;
   key_ = *key;
-  if (place_) place_->listen(std::move(listener));
+  if (place_)
+    place_->listen(std::move(listener));  // this is the service thread: the trunk is not lost meanwhile
   return Success{};
 }
 
@@ -43,7 +44,7 @@ void SendingSocket::lend() {
   socket_ = std::move(pair.ours);
   room_ = std::move(room);
   writable_watched_ = false;
-  place_->tell(TrunkWord::lend, std::move(pair.theirs));
+  place_->lend(std::move(pair.theirs), room_);
   call_at(Service::Clock::now() + patience());
 }
 

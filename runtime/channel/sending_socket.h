@@ -51,7 +51,7 @@ class SendingSocket {
   const bool is_loan_;
   posix::FileDescriptor socket_;
   std::unique_ptr<TrunkPlace> place_;
-  std::unique_ptr<LoanRoom::Taken> room_;  // of the loan that is open
+  std::shared_ptr<LoanRoom::Taken> room_;  // of the loan that is open
   Service* service_ = nullptr;
   std::uint64_t key_ = 0;
   bool writable_watched_ = false;

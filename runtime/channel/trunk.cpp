@@ -33,12 +33,16 @@ TrunkPlace::~TrunkPlace() {
   trunk_->leave(number_);
 }
 
-void TrunkPlace::listen(std::weak_ptr<TrunkListener> listener) {
-  trunk_->listen(number_, std::move(listener));
+bool TrunkPlace::listen(std::weak_ptr<TrunkListener> listener) {
+  return trunk_->listen(number_, std::move(listener));
 }
 
-void TrunkPlace::tell(TrunkWord word, posix::FileDescriptor socket) {
-  trunk_->tell({{PacketKind::word, word, number_}, std::move(socket)});
+void TrunkPlace::tell(TrunkWord word) {
+  trunk_->tell({{PacketKind::word, word, number_}});
+}
+
+void TrunkPlace::lend(posix::FileDescriptor socket, std::shared_ptr<LoanRoom::Taken> room) {
+  trunk_->tell({{PacketKind::word, TrunkWord::lend, number_}, std::move(socket), std::move(room)});
 }
 
 Expected<std::shared_ptr<Trunk>> Trunk::start(Service& service, posix::FileDescriptor socket,
@@ -53,7 +57,7 @@ Trunk::Trunk(Service& service, posix::FileDescriptor socket, const End& end)
     : service_(service),
       end_(end),
       epoch_(posix::fork_epoch()),
-      loans_(service),
+      loans_(service, end.takes),
       socket_(std::move(socket)) {}
 
 Status Trunk::watch() {
@@ -79,10 +83,15 @@ std::unique_ptr<TrunkPlace> Trunk::take_any() {
   return std::make_unique<TrunkPlace>(shared_from_this(), last_number_);
 }
 
-void Trunk::listen(std::uint32_t number, std::weak_ptr<TrunkListener> listener) {
+bool Trunk::listen(std::uint32_t number, std::weak_ptr<TrunkListener> listener) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = listeners_.find(number);
-  if (found != listeners_.end()) found->second = std::move(listener);
+  listeners_[number] = std::move(listener);
+  return static_cast<bool>(socket_);
+}
+
+bool Trunk::is_unused() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return listeners_.empty();
 }
 
 void Trunk::leave(std::uint32_t number) {

@@ -43,10 +43,12 @@ class TrunkPlace {
 
   Trunk& trunk() const { return *trunk_; }
   std::uint32_t number() const { return number_; }
-  /// From now on the listener hears what is said under this number.
-  void listen(std::weak_ptr<TrunkListener> listener);
+  /// From now on the listener hears what is said under this number. False: the trunk is lost, and nobody will tell it so.
+  bool listen(std::weak_ptr<TrunkListener> listener);
   /// Never blocks. What is said under one number arrives in order, or the trunk is lost.
-  void tell(TrunkWord word, posix::FileDescriptor socket = {});
+  void tell(TrunkWord word);
+  /// The same. A process that does not listen must not collect sockets here: the room is kept until the socket is on its way.
+  void lend(posix::FileDescriptor socket, std::shared_ptr<LoanRoom::Taken> room);
 
  private:
   const std::shared_ptr<Trunk> trunk_;
@@ -60,8 +62,9 @@ class Trunk final : public Watcher, public std::enable_shared_from_this<Trunk> {
  public:
   struct End {
     Credentials peer;
-    std::uint64_t id;    ///< its name in greetings
-    bool closes_unused;  ///< with the last connection
+    std::uint64_t id;                     ///< its name in greetings
+    bool closes_unused;                   ///< with the last connection
+    std::size_t takes = ~std::size_t{0};  ///< so many loans at a time
   };
   static Expected<std::shared_ptr<Trunk>> start(Service& service, posix::FileDescriptor socket,
                                                 const End& end);
@@ -76,6 +79,9 @@ class Trunk final : public Watcher, public std::enable_shared_from_this<Trunk> {
   /// One that is not in use. Null: the socket is closed.
   std::unique_ptr<TrunkPlace> take_any();
 
+  /// No connection has a place on it.
+  bool is_unused() const;
+
   void on_event(const posix::Poller::Event& event) override;
   void on_deadline() override;
 
@@ -83,11 +89,12 @@ class Trunk final : public Watcher, public std::enable_shared_from_this<Trunk> {
   friend class TrunkPlace;
   struct Said {
     WordPacket packet;
-    posix::FileDescriptor socket;
+    posix::FileDescriptor socket{};
+    std::shared_ptr<LoanRoom::Taken> room{};
   };
 
   Status watch();
-  void listen(std::uint32_t number, std::weak_ptr<TrunkListener> listener);
+  bool listen(std::uint32_t number, std::weak_ptr<TrunkListener> listener);
   void leave(std::uint32_t number);
   void tell(Said said);
   bool hear_one(bool& open);
@@ -103,7 +110,7 @@ class Trunk final : public Watcher, public std::enable_shared_from_this<Trunk> {
   const std::uint32_t epoch_;
   LoanRoom loans_;
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   posix::FileDescriptor socket_;
   std::uint64_t key_ = 0;
   std::uint32_t last_number_ = 0;

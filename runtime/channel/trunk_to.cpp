@@ -44,7 +44,8 @@ Expected<std::shared_ptr<Trunk>> open(Service& service, const TrunkTarget& targe
   if (!peer) return peer.error();
   if (!is_same_process(*peer, target.process))
     return subscribe_failed("another process listens at the publisher's address now");
-  const Hello hello{PacketKind::hello, wire_magic, wire_version, 0, is_trunk};
+  Hello hello{PacketKind::hello, wire_magic, wire_version, 0, is_trunk};
+  hello.trunk_number = static_cast<std::uint32_t>(LoanRoom::share_of_process());
   posix::send_packet(socket->get(), &hello, sizeof hello);  // a publisher that is gone does not answer
   Answer answer;
   const Status answered = answer.await(socket->get(), timeout);

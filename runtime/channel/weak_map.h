@@ -24,6 +24,16 @@ class WeakMap {
     objects_[key] = object;
   }
 
+  template <class Predicate>
+  std::size_t count_if(Predicate predicate) const {
+    std::size_t count = 0;
+    for (const auto& each : objects_) {
+      const auto object = each.second.lock();
+      if (object && predicate(*object)) ++count;
+    }
+    return count;
+  }
+
  private:
   std::map<Key, std::weak_ptr<Object>> objects_;
 };

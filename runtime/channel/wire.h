@@ -72,7 +72,7 @@ struct Hello {
   std::uint32_t features = 0;
   std::uint32_t doorbell_bytes = 0;   // of its file
   std::uint32_t doorbell_number = 0;  // of this connection's bit there
-  std::uint32_t trunk_number = 0;     // of this connection there
+  std::uint32_t trunk_number = 0;     // of this connection there; is_trunk: so many loans are taken at a time
   std::uint64_t publication = 0;      // which publisher behind the socket; 0: the only one
   std::uint64_t trunk = 0;            // TrunkWelcome::id
 };

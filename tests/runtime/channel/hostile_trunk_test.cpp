@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Processes that lie about a trunk, or over it.
+#include <algorithm>
+
 #include "channel/shared_page.h"
 #include "channel/trunk.h"
+#include "few_descriptors.h"
 #include "posix/address.h"
 #include "posix/memory_file.h"
 #include "raw_peer.h"
@@ -18,6 +21,7 @@ class HostileTrunk : public ::testing::Test {
  protected:
   void SetUp() override {
     Hello hello{PacketKind::hello, wire_magic, wire_version, 0, is_trunk};
+    hello.trunk_number = 8;
     trunk_.send(hello);
     ASSERT_EQ(trunk_.receive(), posix::ReceiveResult::packet);
     ASSERT_EQ(trunk_.kind(), PacketKind::trunk_welcome);
@@ -115,6 +119,84 @@ TEST_F(HostileTrunk, one_that_closes_its_loans_loses_them) {
   EXPECT_TRUE(has_connections(0));
 }
 
+// It claims to have read what it was lent, and does not take it from the trunk.
+TEST_F(HostileTrunk, one_that_reads_nothing_and_says_it_did_collects_no_sockets_here) {
+  constexpr std::uint32_t connections = 40;
+  std::vector<posix::Mapping> pages;
+  for (std::uint32_t i = 1; i <= connections; ++i) {
+    ASSERT_EQ(greet(hello(i)), PacketKind::welcome);
+    const int page = connections_.back().packet.descriptors[0].get();
+    pages.push_back(std::move(*posix::Mapping::map(page, posix::page_size(), posix::Access::read_write)));
+  }
+  ASSERT_TRUE(has_connections(connections));
+  const int before = open_descriptors();
+  const FewDescriptors few(static_cast<rlim_t>(before) + 300);
+  int most = 0;  // more words than a socket holds
+  for (int i = 0; i < 3000; ++i) {
+    out_->publish(text_record(large_text(i)));
+    for (const posix::Mapping& page : pages) {
+      Ring& ring = reinterpret_cast<ConnectionPage*>(page.data())->ring;
+      ring.subscriber.packets_read.store(ring.publisher.packets.load());
+    }
+    most = std::max(most, open_descriptors());
+    std::this_thread::sleep_for(std::chrono::microseconds(500));
+  }
+  EXPECT_LE(most, before + 3 * 8);
+}
+
+TEST_F(HostileTrunk, it_is_lent_no_more_than_it_takes) {
+  RawPeer modest = RawPeer::connect(out_->address());
+  Hello takes_one{PacketKind::hello, wire_magic, wire_version, 0, is_trunk};
+  takes_one.trunk_number = 1;
+  modest.send(takes_one);
+  ASSERT_EQ(modest.receive(), posix::ReceiveResult::packet);
+  id_ = modest.as<TrunkWelcome>().id;
+  EXPECT_EQ(greet(hello(1)), PacketKind::welcome);
+  EXPECT_EQ(greet(hello(2)), PacketKind::welcome);
+  ASSERT_TRUE(has_connections(2));
+  out_->publish(text_record(large_text(1)));
+  ASSERT_EQ(modest.receive(), posix::ReceiveResult::packet);
+  const std::uint32_t first = modest.as<WordPacket>().number;
+  EXPECT_FALSE(modest.is_readable_within(milliseconds(100)));
+  modest.packet = posix::ReceivedPacket();
+  modest.send(WordPacket{PacketKind::word, TrunkWord::gone, first});
+  ASSERT_EQ(modest.receive(), posix::ReceiveResult::packet);
+  EXPECT_NE(modest.as<WordPacket>().number, first);
+}
+
+/// Opens trunks and subscribes to nothing; how many it got.
+int useless_trunks(const std::string& address, int count, std::vector<RawPeer>& trunks) {
+  int accepted = 0;
+  for (int i = 0; i < count; ++i) {
+    trunks.push_back(RawPeer::connect(address));
+    trunks.back().send(Hello{PacketKind::hello, wire_magic, wire_version, 0, is_trunk});
+    trunks.back().receive();
+    accepted += trunks.back().kind() == PacketKind::trunk_welcome ? 1 : 0;
+  }
+  return accepted;
+}
+
+TEST_F(HostileTrunk, those_without_a_connection_are_limited) {
+  std::vector<RawPeer> trunks;
+  EXPECT_LE(useless_trunks(out_->address(), 300, trunks), 256);
+  trunks.clear();
+  EXPECT_TRUE(eventually([&] { return inbox(out_->address())->subscriber != nullptr; }));
+}
+
+TEST(UselessTrunks, another_users_are_few_and_keep_nobody_else_away) {
+  if (::geteuid() != 0) GTEST_SKIP() << "needs root to become another user";
+  PublisherOptions options;
+  options.authorize = [](const Credentials& peer, const std::string&) { return peer.uid == ::geteuid(); };
+  const auto out = publish_with(std::move(options));
+  const pid_t child = in_child([&] {
+    std::vector<RawPeer> trunks;
+    if (::setuid(65534) != 0) return 1;
+    return useless_trunks(out->address(), 40, trunks) <= 16 && inbox(out->address())->error != "" ? 0 : 2;
+  });
+  EXPECT_EQ(exit_status(child), 0);
+  EXPECT_TRUE(inbox(out->address())->subscriber);
+}
+
 /// A publisher's process that says what it likes over a trunk.
 class LyingLender : public ::testing::Test {
  protected:
@@ -154,6 +236,15 @@ class LyingLender : public ::testing::Test {
   std::vector<posix::FileDescriptor> lent_;
   std::unique_ptr<Inbox> in_;
 };
+
+TEST(Trunk, who_listens_after_its_end_is_told) {
+  posix::SocketPair pair = posix::make_socket_pair();
+  const auto trunk = *Trunk::start(**Service::instance(), std::move(pair.ours), {{}, 1, false});
+  const auto place = trunk->take(1);
+  pair.theirs.reset();
+  ASSERT_TRUE(eventually([&] { return trunk->take_any() == nullptr; }));
+  EXPECT_FALSE(place->listen({}));
+}
 
 TEST_F(LyingLender, end_is_heard) {
   say(TrunkWord::end, number_);

@@ -43,6 +43,7 @@ class RawPeer {
     return posix::receive_packet(socket_.get(), memory_.data(), memory_.size(),
                                  posix::Waiting::return_at_once, true, packet);
   }
+  bool is_readable_within(milliseconds time) const { return posix::wait_readable(socket_.get(), time); }
   PacketKind kind() const { return *reinterpret_cast<const PacketKind*>(memory_.data()); }
   template <class Packet>
   Packet as() const {
