@@ -6,6 +6,7 @@
 #include "facts/held_locks.h"
 #include "facts/message_parts.h"
 #include "facts/threads.h"
+#include "facts/written_types.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -236,7 +237,9 @@ bool EscapeAnalysis::follow(const clang::FunctionDecl* function, unsigned argume
     return false;
   const clang::ParmVarDecl* parameter = definition->getParamDecl(argument);
   const bool by_value = !parameter->getType()->isReferenceType();
-  if (by_value && !may_hold_pointer(parameter->getType())) return true;
+  const bool is_another_array =
+      what.how == Reference::array && !is_written_out(context_.unit.ast(), parameter->getType());
+  if (by_value && !is_another_array && !may_hold_pointer(parameter->getType())) return true;
   hold(*analysed(definition).view, {parameter, what.how, what.read_only, what.messages});
   return true;
 }

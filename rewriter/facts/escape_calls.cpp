@@ -220,7 +220,8 @@ bool CallSteps::into_operator(const clang::CXXOperatorCallExpr* call) {
     if (copies_value(callee)) return done();
     if (at_.how != Reference::array) return into_assignment(call->getArg(0));
     if (is_moved(at_.expr)) return escape("moves with the array", false);
-    return done();
+    // std::any takes what it gets.
+    return callee->getPrimaryTemplate() ? escape_to_question("'" + qualified_name_of(callee) + "'") : done();
   }
   const bool is_value = at_.expr->isPRValue() && !may_hold_pointer(at_.expr->getType());
   if (is_value || (call->isComparisonOp() && (callee->isInStdNamespace() || is_of_view(callee))))
@@ -283,8 +284,18 @@ bool CallSteps::may_store_pointer(const clang::CallExpr* call) {
   });
 }
 
+/// messages.emplace_back(image.data): the type of the container's elements, and not the function, says what is made of the array.
+bool CallSteps::makes_element(const clang::CallExpr* call) const {
+  const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
+  if (!method || !method->getMethodDecl() || !method->getMethodDecl()->getPrimaryTemplate()) return false;
+  const clang::QualType element = named_in(method->getRecordDecl(), "value_type");
+  return element.isNull() || !is_data_array(element);
+}
+
 bool CallSteps::into_known_call(const clang::CallExpr* call, bool result_is_new) {
   if (at_.how != Reference::array && may_store_pointer(call)) return escape("may be stored by a call");
+  if (at_.how == Reference::array && makes_element(call))
+    return escape_to_question("'" + qualified_name_of(call->getDirectCallee()) + "'");
   if (writes_address(qualified_name_of(call->getDirectCallee()), at_.expr->getType()))
     return escape("is written down as a text");
   check_callables(call);
@@ -319,13 +330,20 @@ void CallSteps::hold_parameters(const clang::LambdaExpr* lambda) {
       analysis_.hold(view_, {parameter, Reference::elements, at_.read_only, at_.messages});
 }
 
+/// std::vector<uint8_t> pixels = image.data; is one in the port, too. auto pixels = image.data; is not.
+bool CallSteps::into_copy(const clang::CXXConstructExpr* construct) {
+  if (construct->getConstructor()->isMoveConstructor() && !is_copy())
+    return escape("moves with the array", false);
+  const bool is_named = llvm::isa<clang::CXXTemporaryObjectExpr>(construct);
+  return is_named && !gives_type(construct->getType()) ? done() : go_on(construct);
+}
+
 bool CallSteps::into_construction(const clang::CXXConstructExpr* construct) {
   const clang::CXXConstructorDecl* constructor = construct->getConstructor();
   const clang::CXXRecordDecl* record = constructor->getParent();
   const clang::QualType type = construct->getType();
   const llvm::ArrayRef<const clang::Expr*> arguments(construct->getArgs(), construct->getNumArgs());
-  if (is_data_array(type) && at_.how == Reference::array)
-    return constructor->isMoveConstructor() ? escape("moves with the array", false) : done();
+  if (is_data_array(type) && at_.how == Reference::array) return into_copy(construct);
   if (constructor->isCopyOrMoveConstructor() && !context_.unit.declares(constructor))
     return may_hold_pointer(type) ? go_on(construct) : done();
   if (is_view(type)) return go_on(construct, Reference::view);

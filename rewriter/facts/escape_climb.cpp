@@ -94,9 +94,15 @@ bool Climber::into_statement(const clang::Stmt* parent) {
   if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(parent)) return into_declaration(declaration);
   if (is_value_of_statements(parent)) return escape("is the value of a statement expression");
   if (discards(parent)) return done();
-  const bool is_value = at_.expr->isPRValue() && !may_hold_pointer(at_.expr->getType());
-  if (llvm::isa<clang::ReturnStmt>(parent)) return is_value ? done() : escape("is returned");
+  if (const auto* stmt = llvm::dyn_cast<clang::ReturnStmt>(parent)) return into_return(stmt);
   return escape("is used in a way that is not understood");
+}
+
+bool Climber::into_return(const clang::ReturnStmt* stmt) {
+  const clang::LambdaExpr* lambda = view_.lambda_around(stmt);
+  const clang::FunctionDecl* function = lambda ? lambda->getCallOperator() : view_.function();
+  const bool is_value = at_.expr->isPRValue() && !may_hold_pointer(at_.expr->getType());
+  return is_value && !gives_type(function->getReturnType()) ? done() : escape("is returned");
 }
 
 bool Climber::into_declaration(const clang::DeclStmt* declaration) {
@@ -104,7 +110,7 @@ bool Climber::into_declaration(const clang::DeclStmt* declaration) {
   if (!variable || llvm::isa<clang::DecompositionDecl>(variable))
     return escape("is bound to several names", false);
   const clang::QualType type = variable->getType();
-  if (!type->isReferenceType() && !may_hold_pointer(type)) return done();
+  if (!type->isReferenceType() && !may_hold_pointer(type) && !gives_type(type)) return done();
   if (!variable->isLocalVarDecl() || variable->isStaticLocal())
     return escape("is kept in '" + variable->getNameAsString() + "'");
   return hold(variable);
@@ -129,6 +135,7 @@ bool Climber::into_expression(const clang::Expr* parent) {
   if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(parent)) return into_list(list);
   if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(parent)) return into_lambda(lambda);
   if (llvm::isa<clang::UnaryExprOrTypeTraitExpr, clang::CXXTypeidExpr>(parent)) return into_type_question();
+  if (llvm::isa<clang::CXXNewExpr>(parent) && is_copy()) return done();
   if (llvm::isa<clang::CXXNoexceptExpr>(parent)) return done();
   return escape("is used in a way that is not understood");
 }
@@ -155,6 +162,7 @@ bool Climber::into_implicit_cast(const clang::ImplicitCastExpr* cast) {
 
 bool Climber::into_explicit_cast(const clang::ExplicitCastExpr* cast) {
   const clang::QualType type = cast->getType();
+  if (is_copy() && !gives_type(cast->getTypeAsWritten())) return done();
   if (cast->getCastKind() == clang::CK_PointerToIntegral)
     analysis_.cast_const_away(at_);  // a number has none
   if (removes_const(cast)) {
@@ -221,6 +229,7 @@ bool ClimbState::into_assignment(const clang::Expr* target) {
 
 /// A list as an initializer of one pointer is that pointer; elsewhere it makes a new object.
 bool Climber::into_list(const clang::InitListExpr* list) {
+  if (is_copy()) return done();
   if (list->isGLValue() || list->getType()->isAnyPointerType() || is_view(list->getType()))
     return go_on(list);
   return may_hold_pointer(list->getType()) ? escape("becomes part of an aggregate") : done();
@@ -245,15 +254,20 @@ bool Climber::is_used_up(const clang::LambdaExpr* lambda) const {
   return user && discards(user) && !is_value_of_statements(user);
 }
 
-bool Climber::into_lambda(const clang::LambdaExpr* lambda) {
-  const bool initialises = llvm::any_of(lambda->captures(), [&](const clang::LambdaCapture& capture) {
+/// The variable of the closure that an expression initialises; null: it is captured under its own name.
+const clang::VarDecl* Climber::capture_of(const clang::LambdaExpr* lambda) const {
+  for (const clang::LambdaCapture& capture : lambda->captures()) {
     const auto* variable =
         capture.capturesVariable() ? llvm::dyn_cast<clang::VarDecl>(capture.getCapturedVar()) : nullptr;
-    return variable && variable->isInitCapture() && variable->getInit() == at_.expr;
-  });
-  if (!initialises && is_used_up(lambda)) return done();
-  return at_.how == Reference::array && !initialises ? escape("is held by a closure", false)
-                                                     : escape("is held by a closure");
+    if (variable && variable->isInitCapture() && variable->getInit() == at_.expr) return variable;
+  }
+  return nullptr;
+}
+
+bool Climber::into_lambda(const clang::LambdaExpr* lambda) {
+  const clang::VarDecl* variable = capture_of(lambda);
+  if (variable && is_copy()) return hold(variable);
+  return !variable && is_used_up(lambda) ? done() : escape("is held by a closure");
 }
 
 }  // namespace tzc::rewriter

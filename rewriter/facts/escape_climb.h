@@ -2,6 +2,7 @@
 #pragma once
 
 #include "facts/escape.h"
+#include "facts/written_types.h"
 
 namespace tzc::rewriter {
 
@@ -30,6 +31,14 @@ class ClimbState {
     analysis_.hold(view_, {variable, at_.how, at_.read_only, at_.messages});
     return false;
   }
+  /// A new array with the elements of the message's.
+  bool is_copy() const {
+    return at_.how == Reference::array && at_.expr->isPRValue() && is_data_array(at_.expr->getType());
+  }
+  /// Whether what is initialised with the array gets its type from it: a copy is one of another class in the port.
+  bool gives_type(clang::QualType target) const {
+    return at_.how == Reference::array && !is_written_out(context_.unit.ast(), target);
+  }
   /// Into a local variable of its own, or elsewhere.
   bool into_assignment(const clang::Expr* target);
 
@@ -54,6 +63,8 @@ class CallSteps : protected ClimbState {
   bool into_element_method(const clang::CXXMemberCallExpr* call);
   bool into_object_operator(const clang::CXXOperatorCallExpr* call);
   bool changes_type() const;
+  bool makes_element(const clang::CallExpr* call) const;
+  bool into_copy(const clang::CXXConstructExpr* construct);
   bool escape_to_question(const std::string& function);
   bool into_known_call(const clang::CallExpr* call, bool result_is_new);
   /// The value of a call: part of what it was given, when its type can be.
@@ -92,6 +103,8 @@ class Climber : private CallSteps {
   bool into_binary(const clang::BinaryOperator* op);
   bool into_list(const clang::InitListExpr* list);
   bool into_lambda(const clang::LambdaExpr* lambda);
+  bool into_return(const clang::ReturnStmt* stmt);
+  const clang::VarDecl* capture_of(const clang::LambdaExpr* lambda) const;
   bool into_type_question();
   bool is_value_of_statements(const clang::Stmt* parent) const;
   bool is_used_up(const clang::LambdaExpr* lambda) const;
