@@ -240,6 +240,7 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
     note_given_messages(unit_, view, facts_);
     mats.analyse(view);
   }
+  analysis.finish();
   mats.finish();
   for (const clang::MemberExpr* array : arrays) {
     const clang::FunctionDecl* around = enclosing_function(unit_.ast(), *array);

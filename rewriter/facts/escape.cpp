@@ -2,9 +2,9 @@
 // Where references to a message's data start, and what they must not live across.
 #include "facts/escape.h"
 
+#include "facts/array_writes.h"
 #include "facts/filled_message.h"
 #include "facts/held_locks.h"
-#include "facts/message_parts.h"
 #include "facts/threads.h"
 #include "facts/written_types.h"
 #include "model/codes.h"
@@ -58,42 +58,6 @@ unsigned declared_at(const FunctionView& view, const clang::VarDecl* variable) {
   return declaration ? view.span(declaration).enter : 0;
 }
 
-/// Where a message's data is written, or may be: an array mentioned otherwise than by a const function.
-bool may_write(const FunctionView& view, const clang::MemberExpr* array) {
-  if (is_only_read(view, array)) return false;
-  const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(view.parent(array));
-  const auto* method = member ? llvm::dyn_cast<clang::CXXMethodDecl>(member->getMemberDecl()) : nullptr;
-  return !method || !method->isConst();
-}
-
-/// The message whose elements a statement may write, or replace, other than through a mention of an array; null: none.
-const clang::Expr* written_message(const Unit& unit, const clang::Stmt* stmt) {
-  if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
-    const clang::CXXRecordDecl* record = made->getConstructor()->getParent();
-    const bool writes = is_cloud_iterator(record) && !record->getName().contains("Const");
-    return writes && made->getNumArgs() > 1 ? made->getArg(0) : nullptr;
-  }
-  return filled_message(unit, stmt);
-}
-
-/// What was got through const access may lie in memory that subscribers share: the array leaves it behind when it is
-/// written to.
-std::vector<SeenEvent> array_writes(EscapeContext& context, const FunctionView& view) {
-  std::vector<SeenEvent> writes;
-  for (const clang::Stmt* stmt : view.statements()) {
-    const auto* array = llvm::dyn_cast<clang::MemberExpr>(stmt);
-    const bool is_array = array && is_data_array(array->getType()) && may_write(view, array);
-    const clang::Expr* message = is_array ? array->getBase() : written_message(context.unit, stmt);
-    if (!message) continue;
-    const std::vector<EntityId> sources = context.sources_of(message);
-    SeenEvent write{{}, llvm::cast<clang::Expr>(stmt), view.span(stmt), view.lambda_around(stmt)};
-    write.event.kind = PublishEvent::Kind::write;
-    write.event.messages = {sources.begin(), sources.end()};
-    writes.push_back(std::move(write));
-  }
-  return writes;
-}
-
 /// Tells threads' events apart.
 class ThreadEvents {
  public:
@@ -139,7 +103,7 @@ void EscapeAnalysis::cast_const_away(const Referring& what) {
     context_.found.data_writes.push_back({key, why, what.how == Reference::array});
 }
 
-const EscapeAnalysis::Analysed& EscapeAnalysis::analysed(const clang::FunctionDecl* definition) {
+EscapeAnalysis::Analysed& EscapeAnalysis::analysed(const clang::FunctionDecl* definition) {
   auto [known, is_new] = functions_.try_emplace(definition);
   if (is_new) {
     known->second.view = std::make_unique<FunctionView>(definition);
@@ -199,8 +163,8 @@ void EscapeAnalysis::start(const FunctionView& view, const clang::Stmt* stmt) {
 }
 
 void EscapeAnalysis::climb(const FunctionView& view, const Referring& from) {
-  if (const clang::Expr* born = climb_reference(context_, view, *this, from))
-    check_expression(view, born, from);
+  const Referring born = climb_reference(context_, view, *this, from);
+  if (born.expr) check_expression(view, born);
 }
 
 void EscapeAnalysis::hold(const FunctionView& view, const Holder& holder) {
@@ -213,9 +177,28 @@ void EscapeAnalysis::hold(const FunctionView& view, const Holder& holder) {
   }
   if (unknown.empty()) return;
   const Holder next{holder.variable, holder.how, holder.read_only, std::move(unknown)};
-  for (const clang::DeclRefExpr* use : view.uses(holder.variable))
-    climb_reference(context_, view, *this, {use, next.how, next.read_only, next.messages});
-  if (next.how != Reference::array) check_holder(view, next);
+  for (const clang::DeclRefExpr* use : view.uses(holder.variable)) {
+    const Referring from{use, next.how, next.read_only, next.messages};
+    next.how == Reference::array ? climb(view, from) : void(climb_reference(context_, view, *this, from));
+  }
+  next.how == Reference::array ? note_writes(view, next) : check_holder(view, next);
+}
+
+/// What const access gave is left behind by a write through any name of the array.
+void EscapeAnalysis::note_writes(const FunctionView& view, const Holder& array) {
+  Analysed& here = analysed(view.function());
+  const ThreadEvents threads(context_, view);
+  for (SeenEvent& write : writes_through(view, array.variable, array.messages)) {
+    context_.found.effects[usr_of(pattern_of(view.function()))].push_back(threads.of(write));
+    here.named_writes.push_back(std::move(write));
+  }
+}
+
+void EscapeAnalysis::finish() {
+  for (const auto& [function, here] : functions_) {
+    for (const Holder& reader : here.readers) check_events(*here.view, reader, here.named_writes);
+    for (const Referring& born : here.read) check_expression(*here.view, born, here.named_writes);
+  }
 }
 
 void EscapeAnalysis::take(const FunctionView& view, const clang::VarDecl* vector, const clang::Expr* at,
@@ -225,8 +208,7 @@ void EscapeAnalysis::take(const FunctionView& view, const clang::VarDecl* vector
                   "may exist: '" + vector->getNameAsString() + "' gives its elements more than once",
                   at->getBeginLoc(), false);
   for (const clang::DeclRefExpr* use : view.uses(vector))
-    if (!view.span(at).contains(view.span(use)))
-      climb_reference(context_, view, *this, {use, Reference::array, false, messages});
+    if (!view.span(at).contains(view.span(use))) climb(view, {use, Reference::array, false, messages});
 }
 
 bool EscapeAnalysis::follow(const clang::FunctionDecl* function, unsigned argument, const Referring& what) {
@@ -259,29 +241,32 @@ void EscapeAnalysis::add_hold(const Holder& holder, const PublishEvent& event, c
 }
 
 /// A pointer without a name lives as long as the expression around it; what it is computed from comes before it.
-void EscapeAnalysis::check_expression(const FunctionView& view, const clang::Expr* born,
-                                      const Referring& what) {
-  const Analysed& here = analysed(view.function());
-  check_expression(view, born, what, here.events);
-  if (what.read_only && !is_read_at_once(view, born)) check_expression(view, born, what, here.writes);
+void EscapeAnalysis::check_expression(const FunctionView& view, const Referring& born) {
+  Analysed& here = analysed(view.function());
+  check_expression(view, born, here.events);
+  if (!born.read_only || is_read_at_once(view, born.expr)) return;
+  check_expression(view, born, here.writes);
+  here.read.push_back(born);
 }
 
-void EscapeAnalysis::check_expression(const FunctionView& view, const clang::Expr* born,
-                                      const Referring& what, const std::vector<SeenEvent>& events) {
-  const FunctionView::Span whole = view.span(view.full_expression(born));
-  const FunctionView::Span here = view.span(born);
+void EscapeAnalysis::check_expression(const FunctionView& view, const Referring& born,
+                                      const std::vector<SeenEvent>& events) {
+  const FunctionView::Span whole = view.span(view.full_expression(born.expr));
+  const FunctionView::Span here = view.span(born.expr);
   const bool ordered = context_.unit.ast().getLangOpts().CPlusPlus17;
   for (const SeenEvent& event : events)
     if (whole.contains(event.span) && !event.span.contains(here) && !here.contains(event.span) &&
-        !(ordered && is_assigned_after(view, born, event)))
-      add_hold({nullptr, Reference::elements, what.read_only, what.messages}, event.event,
-               born->getBeginLoc());
+        !(ordered && is_assigned_after(view, born.expr, event)))
+      add_hold({nullptr, Reference::elements, born.read_only, born.messages}, event.event,
+               born.expr->getBeginLoc());
 }
 
 void EscapeAnalysis::check_holder(const FunctionView& view, const Holder& holder) {
-  const Analysed& here = analysed(view.function());
+  Analysed& here = analysed(view.function());
   check_events(view, holder, here.events);
-  if (holder.read_only) check_events(view, holder, here.writes);
+  if (!holder.read_only) return;
+  check_events(view, holder, here.writes);
+  here.readers.push_back(holder);
 }
 
 void EscapeAnalysis::check_events(const FunctionView& view, const Holder& holder,

@@ -58,19 +58,25 @@ class EscapeAnalysis {
   void cast_const_away(const Referring& what);
   /// The argument refers to data, and the function's body is there. False: it cannot be followed.
   bool follow(const clang::FunctionDecl* function, unsigned argument, const Referring& what);
+  /// Once all functions are analysed: compares what const access gave with writes through other names of the array.
+  void finish();
 
  private:
   struct Analysed {
     std::unique_ptr<FunctionView> view;
     std::vector<SeenEvent> events;
-    std::vector<SeenEvent> writes;  ///< to arrays of messages
+    std::vector<SeenEvent> writes;        ///< to arrays of messages
+    std::vector<SeenEvent> named_writes;  ///< through variables that are, or refer to, such an array
+    std::vector<Holder> readers;          ///< got through const access
+    std::vector<Referring> read;          ///< likewise, without a name
   };
-  const Analysed& analysed(const clang::FunctionDecl* definition);
+  Analysed& analysed(const clang::FunctionDecl* definition);
+  void note_writes(const FunctionView& view, const Holder& array);
   void note_lasting(const clang::Stmt* stmt);
   void start(const FunctionView& view, const clang::Stmt* stmt);
   void climb(const FunctionView& view, const Referring& from);
-  void check_expression(const FunctionView& view, const clang::Expr* born, const Referring& what);
-  void check_expression(const FunctionView& view, const clang::Expr* born, const Referring& what,
+  void check_expression(const FunctionView& view, const Referring& born);
+  void check_expression(const FunctionView& view, const Referring& born,
                         const std::vector<SeenEvent>& events);
   void check_holder(const FunctionView& view, const Holder& holder);
   void check_events(const FunctionView& view, const Holder& holder, const std::vector<SeenEvent>& events);
@@ -88,9 +94,9 @@ bool may_hold_pointer(clang::QualType type);
 bool is_view(clang::QualType type);
 
 /// Climbs from `from` to where the value ends. What it meets on the way is reported to `analysis`. Returns the
-/// first expression that refers to elements; null: all of them refer to the array.
-const clang::Expr* climb_reference(EscapeContext& context, const FunctionView& view, EscapeAnalysis& analysis,
-                                   const Referring& from);
+/// first expression that refers to elements; its expression is null: all of them refer to the array.
+Referring climb_reference(EscapeContext& context, const FunctionView& view, EscapeAnalysis& analysis,
+                          const Referring& from);
 
 /// Records what happens between an event and the end of the message's life, when that may write through a
 /// pointer.

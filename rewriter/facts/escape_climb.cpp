@@ -62,8 +62,8 @@ bool is_view(clang::QualType type) {
   return record && is_view_class(qualified_name_of(record));
 }
 
-const clang::Expr* climb_reference(EscapeContext& context, const FunctionView& view, EscapeAnalysis& analysis,
-                                   const Referring& from) {
+Referring climb_reference(EscapeContext& context, const FunctionView& view, EscapeAnalysis& analysis,
+                          const Referring& from) {
   return Climber(context, view, analysis, from).run();
 }
 

@@ -83,10 +83,10 @@ class Climber : private CallSteps {
       : CallSteps(context, view, analysis, from) {}
 
   /// The first expression that refers to elements; null: it went through the array alone.
-  const clang::Expr* run() {
-    const clang::Expr* born = nullptr;
+  Referring run() {
+    Referring born;
     do
-      if (!born && at_.how != Reference::array) born = at_.expr;
+      if (!born.expr && at_.how != Reference::array) born = at_;
     while (step());
     return born;
   }

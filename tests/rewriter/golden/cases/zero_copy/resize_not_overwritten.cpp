@@ -25,7 +25,7 @@ void run(ros::NodeHandle& nh, const uint8_t* pixels, unsigned n) {
   pub.publish(other);
   image.data.clear();
   image.data.resize(n);
-  const auto& same = image.data;
+  auto& same = image.data;
   std::fill(image.data.begin(), image.data.end(), same[0]);
   pub.publish(image);
 }
