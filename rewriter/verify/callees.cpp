@@ -20,11 +20,19 @@ class Calls : public AstVisitor {
   }
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) override {
     const clang::CXXConstructorDecl* constructor = construct->getConstructor();
-    return constructor->isImplicit() || constructor->isCopyOrMoveConstructor() ||
-           note(construct->getExprLoc(), constructor);
+    return note_list(construct) && (constructor->isImplicit() || constructor->isCopyOrMoveConstructor() ||
+                                    note(construct->getExprLoc(), constructor));
   }
 
  private:
+  /// std::vector<bool>{first, last} of iterators is a range; of pointers it is a list of two elements.
+  bool note_list(const clang::CXXConstructExpr* construct) {
+    const clang::SourceLocation where = construct->getExprLoc();
+    if (!construct->isStdInitListInitialization() || !source_.in_package(where)) return true;
+    const Place at = source_.where(where);
+    calls.push_back({at.file, at.line, "", 0, qualified_name_of(construct->getConstructor())});
+    return true;
+  }
   bool note(clang::SourceLocation where, const clang::FunctionDecl* function) {
     const clang::FunctionDecl* pattern = pattern_of(function);
     if (!source_.in_package(where) || !source_.in_package(pattern->getLocation())) return true;

@@ -13,11 +13,11 @@ class ASTContext;
 
 namespace tzc::rewriter {
 
-/// A call of one of the package's functions, as overload resolution picked it.
+/// A call of one of the package's functions, or a constructor that takes a list of elements, as overload resolution picked it.
 struct PackageCall {
   std::string file;  ///< of the call
   unsigned line = 0;
-  std::string callee_file;  ///< of the function's first declaration
+  std::string callee_file;  ///< of the function's first declaration; empty: of a library
   unsigned callee_line = 0;
   std::string callee;  ///< its name
 };
