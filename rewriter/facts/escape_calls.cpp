@@ -50,6 +50,12 @@ clang::QualType element_of(const clang::CXXRecordDecl* iterator) {
   return element.isNull() ? container : element;
 }
 
+/// Of a library, and known: its operators compare it, or give another one, or a distance.
+bool is_iterator(clang::QualType type) {
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  return is_view(type) && record && !named_in(record, "iterator_category").isNull();
+}
+
 /// Of std::reference_wrapper<T>, std::pair<T, U>.
 bool leads_to_pointers(const clang::TemplateArgument& argument) {
   if (argument.getKind() != clang::TemplateArgument::Type) return false;
@@ -226,8 +232,9 @@ bool CallSteps::into_operator(const clang::CXXOperatorCallExpr* call) {
   const bool is_value = at_.expr->isPRValue() && !may_hold_pointer(at_.expr->getType());
   if (is_value || (call->isComparisonOp() && (callee->isInStdNamespace() || is_of_view(callee))))
     return done();
-  const clang::CXXRecordDecl* record = at_.expr->getType()->getAsCXXRecordDecl();
-  const bool of_iterator = at_.how == Reference::elements && record && is_view(at_.expr->getType());
+  const bool of_iterator = at_.how == Reference::elements
+                               ? is_view(at_.expr->getType())
+                               : at_.how == Reference::view && is_iterator(at_.expr->getType());
   return of_iterator ? into_result(call) : into_call(call);
 }
 
