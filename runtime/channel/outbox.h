@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <memory>
 
 #include "channel/record.h"
@@ -53,7 +53,7 @@ class Outbox {
   void clear();
 
  private:
-  std::deque<Outgoing> items_;
+  std::list<Outgoing> items_;  // a list that is empty, as usual, has no memory
   std::size_t records_ = 0;
 };
 

@@ -4,7 +4,7 @@
 #include <tzc/channel.h>
 
 #include <cstddef>
-#include <deque>
+#include <list>
 #include <vector>
 
 #include "roscpp/publish/socket_buffers.h"
@@ -43,7 +43,7 @@ class WaitingRecords {
 
  private:
   const std::size_t queue_size_;
-  std::deque<channel::RecordPtr> records_;
+  std::list<channel::RecordPtr> records_;  // empty for as long as records do not wait: then it has no memory
   std::size_t bytes_ = 0;
 };
 
