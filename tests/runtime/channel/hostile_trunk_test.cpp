@@ -183,7 +183,7 @@ TEST_F(HostileTrunk, those_without_a_connection_are_limited) {
   EXPECT_TRUE(eventually([&] { return inbox(out_->address())->subscriber != nullptr; }));
 }
 
-TEST(UselessTrunks, another_users_are_few_and_keep_nobody_else_away) {
+TEST(UselessTrunks, another_users_are_few_and_keep_nobody_else_away_in_a_child) {
   if (::geteuid() != 0) GTEST_SKIP() << "needs root to become another user";
   PublisherOptions options;
   options.authorize = [](const Credentials& peer, const std::string&) { return peer.uid == ::geteuid(); };
