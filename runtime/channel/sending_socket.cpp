@@ -25,8 +25,8 @@ Status SendingSocket::start(Service& service, std::shared_ptr<Watcher> watcher,
   if (!key) return key.error();
   service_ = &service;
   key_ = *key;
-  if (place_)
-    place_->listen(std::move(listener));  // this is the service thread: the trunk is not lost meanwhile
+  // On the service thread, so the trunk is not lost meanwhile.
+  if (place_) place_->listen(std::move(listener));
   return Success{};
 }
 
