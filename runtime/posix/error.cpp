@@ -2,16 +2,20 @@
 #include "posix/error.h"
 
 #include <cerrno>
+#include <string>
+
+#include "posix/descriptor_use.h"
 
 namespace tzc {
 namespace posix {
 namespace {
 
-const char* hint_for(int code) {
+std::string hint_for(int code) {
   switch (code) {
     case EMFILE:
-      return "too many open files in this process (TZC leaves an eighth of them to it): raise its limit "
-             "(ulimit -n)";
+      return "more than seven eighths of the " + std::to_string(descriptor_limit()) +
+             " file descriptors that this process may have are in use, and the others are left to it: raise "
+             "its limit (ulimit -n)";
     case ENFILE:
       return "too many open files in the system: raise fs.file-max";
     case ENOSPC:
