@@ -13,7 +13,7 @@ namespace {
 std::string hint_for(int code) {
   switch (code) {
     case EMFILE:
-      return "more than seven eighths of the " + std::to_string(descriptor_limit()) +
+      return "too many open files: more than seven eighths of the " + std::to_string(descriptor_limit()) +
              " file descriptors that this process may have are in use, and the others are left to it: raise "
              "its limit (ulimit -n)";
     case ENFILE:
