@@ -23,9 +23,9 @@ bool takes_elements(const clang::CXXOperatorCallExpr* assignment) {
          function->getParamDecl(0)->getType()->isRValueReferenceType();
 }
 
-/// std::vector<T>()
-bool is_empty_vector(const clang::Expr* source) {
-  const auto* made = llvm::dyn_cast<clang::CXXTemporaryObjectExpr>(source->IgnoreUnlessSpelledInSource());
+/// std::vector<T>(), {}
+bool is_made_empty(const clang::Expr* source) {
+  const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(source->IgnoreUnlessSpelledInSource());
   return made && made->getNumArgs() == 0;
 }
 
@@ -103,7 +103,7 @@ void EventReader::array_method(const clang::Expr* array, const clang::CXXMemberC
 /// The array is given another one's elements: they lie in shared memory where that is a message's.
 void EventReader::replaced(const clang::Expr* array, const clang::Expr* source) {
   const bool of_message = parts_.part_of(source).find('/') != MessagePart::npos;
-  add(of_message || is_empty_vector(source) ? Kind::reset : Kind::take, parts_.part_of(array),
+  add(of_message || is_made_empty(source) ? Kind::reset : Kind::take, parts_.part_of(array),
       array->getExprLoc());
 }
 
@@ -163,8 +163,11 @@ bool is_message_or_pointer(clang::QualType type) {
 }
 
 void EventReader::assignment(const clang::CXXOperatorCallExpr* call) {
-  if (call->getOperator() == clang::OO_Equal && is_message_or_pointer(call->getArg(0)->getType()))
-    add(Kind::reset, parts_.part_of(call->getArg(0)), call->getExprLoc());
+  if (call->getOperator() != clang::OO_Equal || !is_message_or_pointer(call->getArg(0)->getType())) return;
+  const MessagePart part = parts_.part_of(call->getArg(0));
+  add(Kind::reset, part, call->getExprLoc());
+  if (!part.empty())
+    events_.back().empties = is_stock_or_twin(call->getArg(0)->getType()) && is_made_empty(call->getArg(1));
 }
 
 void EventReader::publish(const clang::CXXMemberCallExpr* call) {

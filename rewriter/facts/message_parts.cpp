@@ -81,7 +81,16 @@ bool MessageParts::is_another_name(const clang::VarDecl* variable) const {
                        [&](const clang::DeclRefExpr* use) { return is_assigned(view_, use); });
 }
 
+/// auto& [image, count] = part_; of a copy, each part is an object of its own.
+MessagePart MessageParts::of_binding(const clang::BindingDecl* binding, unsigned depth) const {
+  const auto* whole = llvm::dyn_cast<clang::VarDecl>(binding->getDecomposedDecl());
+  if (!whole || !whole->getType()->isReferenceType()) return root_of(binding);
+  return binding->getBinding() ? part_of(binding->getBinding(), depth + 1) : MessagePart();
+}
+
 MessagePart MessageParts::of_name(const clang::DeclRefExpr* name, unsigned depth) const {
+  if (const auto* binding = llvm::dyn_cast<clang::BindingDecl>(name->getDecl()))
+    return of_binding(binding, depth);
   const auto* variable = llvm::dyn_cast<clang::VarDecl>(name->getDecl());
   if (!variable) return {};
   if (is_another_name(variable))

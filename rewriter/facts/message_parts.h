@@ -18,6 +18,7 @@ class MessageParts {
   MessagePart root_of(const clang::ValueDecl* decl) const;
 
  private:
+  MessagePart of_binding(const clang::BindingDecl* binding, unsigned depth) const;
   MessagePart of_name(const clang::DeclRefExpr* name, unsigned depth) const;
   MessagePart of_member(const clang::MemberExpr* member, unsigned depth) const;
   MessagePart of_call(const clang::CallExpr* call, unsigned depth) const;

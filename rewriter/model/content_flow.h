@@ -43,6 +43,7 @@ struct ContentEvent {
   MessagePart part;
   Location where;
   PublishPlace site;                          ///< of a publish
+  bool empties = false;                       ///< a reset that leaves no elements, as message = M()
   std::string callee;                         ///< USR of the function that is called
   std::map<std::string, MessagePart> passed;  ///< parameter's root -> what it is given
 };

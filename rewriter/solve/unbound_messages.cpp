@@ -31,7 +31,7 @@ void UnboundMessages::read_contents() {
     for (const ContentBlock& block : flow.blocks)
       for (const ContentEvent& event : block.events) {
         if (event.kind == ContentEvent::Kind::publish) published_.insert(root_of(event.part));
-        if (event.kind == ContentEvent::Kind::reset && root_of(event.part) == event.part)
+        if (event.kind == ContentEvent::Kind::reset && !event.empties && root_of(event.part) == event.part)
           replaced_.insert(event.part);
         for (const auto& [parameter, part] : event.passed) given_[parameter].insert(root_of(part));
       }
