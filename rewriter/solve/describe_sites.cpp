@@ -41,6 +41,12 @@ bool is(const Decision* decision, Outcome outcome) {
   return decision && decision->outcome == outcome;
 }
 
+/// A pcl::PointCloud, whose points lie in a vector of PCL's own.
+void describe_cloud(Site& site) {
+  site.rule = "pcl-cloud";
+  site.reason = "publishing copies the cloud's points into shared memory";
+}
+
 class SiteDescriber {
  public:
   SiteDescriber(const Facts& facts, const Components& components, const SolveOptions& options,
@@ -69,9 +75,7 @@ class SiteDescriber {
   Site describe(const Advertise& fact) const;
   Site describe(const SiteId& id, const Subscribe& fact) const;
   void describe_message(const Publish& fact, Site& site) const;
-  void describe_cloud(const Publish& fact, Site& site) const;
   void describe_origins(const Publish& fact, Site& site) const;
-  bool advertised_as_cloud(const EntityId& publisher) const;
   bool publishes_without_copy(const Advertise& fact) const;
   std::optional<std::string> why_copied(const Subscribe& fact) const;
   std::string trust_of(const Publish& fact) const;
@@ -94,15 +98,9 @@ const Decision* SiteDescriber::decision_of(const EntityId& entity) const {
   return component ? solution_.of(component->id) : nullptr;
 }
 
-/// Where roscpp writes the points into its buffer, the adapter writes them into shared memory.
-void SiteDescriber::describe_cloud(const Publish& fact, Site& site) const {
-  site.rule = "pcl-cloud";
-  if (advertised_as_cloud(fact.publisher)) site.level = Level::zero_copy;
-}
-
 void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
   site.level = Level::one_copy;
-  if (fact.pcl) return describe_cloud(fact, site);
+  if (fact.pcl) return describe_cloud(site);
   site.rule = "stock-message";
   if (fact.twin) {
     site.level = Level::zero_copy;
@@ -159,13 +157,6 @@ void SiteDescriber::describe_origins(const Publish& fact, Site& site) const {
     refuse(site, {codes::TZC1001, "where the message comes from is not understood", site.where},
            Level::one_copy);
   }
-}
-
-bool SiteDescriber::advertised_as_cloud(const EntityId& publisher) const {
-  const Component* component = components_.of(publisher);
-  return component && std::any_of(facts_.advertises.begin(), facts_.advertises.end(), [&](const auto& item) {
-           return item.second.pcl && components_.of(item.second.publisher) == component;
-         });
 }
 
 Site SiteDescriber::describe(const Publish& fact) const {

@@ -16,8 +16,8 @@ class Child : public other::Nodelet {
   ros::Publisher points_;
 };
 //--- expected
-// advertise src/node.cpp:9 sensor_msgs/PointCloud2 zero_copy 'points'
-// publish src/node.cpp:12 sensor_msgs/PointCloud2 zero_copy 'points'
+// advertise src/node.cpp:9 sensor_msgs/PointCloud2 one_copy 'points'
+// publish src/node.cpp:12 sensor_msgs/PointCloud2 one_copy 'points' publishing copies the cloud's points into shared memory
 //
 // +++ src/node.cpp
 // +#include <tzc/pcl.h>

@@ -9,9 +9,9 @@ void run(ros::NodeHandle& nh) {
   pub.publish(*cloud);
 }
 //--- expected
-// advertise src/node.cpp:5 sensor_msgs/PointCloud2 zero_copy 'points'
-// publish src/node.cpp:8 sensor_msgs/PointCloud2 zero_copy 'points'
-// publish src/node.cpp:9 sensor_msgs/PointCloud2 zero_copy 'points'
+// advertise src/node.cpp:5 sensor_msgs/PointCloud2 one_copy 'points'
+// publish src/node.cpp:8 sensor_msgs/PointCloud2 one_copy 'points' publishing copies the cloud's points into shared memory
+// publish src/node.cpp:9 sensor_msgs/PointCloud2 one_copy 'points' publishing copies the cloud's points into shared memory
 //
 // +++ src/node.cpp
 // +#include <tzc/pcl.h>
