@@ -4,6 +4,7 @@ import collections
 import os
 import shutil
 
+from copies import check_copies
 from execution import differences, execute, shared_messages
 from grammar import package
 from port import check_levels, check_sites, contents, lasting_sites, rewrite
@@ -39,6 +40,7 @@ class Batch:
         different = [line for log in logs[1:] for line in differences(logs[0], log)]
         if different:
             raise Failure("messages differ before and after:\n" + "\n".join(different))
+        check_copies(sites, f"{self.folder}/after/run")
         return sites, sum(map(len, logs[1].values())), shared_messages(f"{self.folder}/after/run")
 
     def build(self):
@@ -51,11 +53,12 @@ class Batch:
         """The logs of the original, of the port, and of the port in guard mode."""
         before, after = executables
         topics = [topic.name for program in self.programs for topic in program.topics]
-        runs = [(before, "before/run", False), (after, "after/run", False)]
+        config = self.toolchain.config
+        runs = [(before, "before/run", False, None), (after, "after/run", False, config["monitor"])]
         if self.options.guard:
-            runs.append((after, "after/guard", True))
-        return [execute(executable, self.toolchain.config["recorder"], f"{self.folder}/{folder}", topics, guard)
-                for executable, folder, guard in runs]
+            runs.append((after, "after/guard", True, None))
+        return [execute(executable, config["recorder"], f"{self.folder}/{folder}", topics, guard, monitor)
+                for executable, folder, guard, monitor in runs]
 
     def port(self):
         self.toolchain.write_commands(self.before, f"{self.folder}/before/build", self.packages, self.precompiled)

@@ -10,12 +10,12 @@ from ros_session import RosSession  # noqa: E402
 LOGS = ("recorder.log", "listener.log")
 
 
-def execute(program, recorder, folder, topics, guard=False):
-    """{(log, topic): [what was received]}. In guard mode a late write is an error."""
+def execute(program, recorder, folder, topics, guard=False, monitor=None):
+    """{(log, topic): [what was received]}. In guard mode a late write is an error. tzc-monitor writes counters.json at the end."""
     os.makedirs(folder, exist_ok=True)
     # Small payloads are read where they lie, so that a write by their publisher shows; by default they are copied.
     environment = {"FUZZ_FOLDER": folder, "ROS_VERSION": "1", "TZC_PRIVATE_WRITES": "0",
-                   "TZC_GUARD": "1" if guard else "0"}
+                   "TZC_GUARD": "1" if guard else "0", **({"FUZZ_MONITOR": monitor} if monitor else {})}
     with RosSession(folder, env=environment) as ros:
         ros.start([recorder, *topics], name="recorder")
         listener = ros.start([program, "listener"], name="listener")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The fuzzer's own promises: programs are reproducible, every pattern occurs, and what differs is noticed."""
+import json
 import os
 import random
 import re
@@ -8,6 +9,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from copies import check_copies  # noqa: E402
 from execution import differences, last_program  # noqa: E402
 from grammar import absent, attacks, builders, effects, keepers, libraries, messages, outputs  # noqa: E402
 from grammar import owners, package, pointers, publishers, subscribers, times  # noqa: E402
@@ -120,6 +122,27 @@ class Comparison(unittest.TestCase):
 
     def test_a_missing_topic_is_named(self):
         self.assertEqual(len(differences(self.BEFORE, {})), 2)
+
+
+class Copies(unittest.TestCase):
+    def check(self, level, messages, copied):
+        site = {"kind": "publish", "topic": "/p001/topic1", "level": level}
+        with tempfile.TemporaryDirectory() as folder:
+            with open(f"{folder}/recorder.log", "w") as file:
+                file.writelines(f"/p001/topic1 100 {i:x} 00- copied\n" for i in range(8))
+            with open(f"{folder}/counters.json", "w") as file:
+                json.dump({"nodes": [{"topics": [{"topic": "/p001/topic1", "messages": messages, "copied_bytes": copied}]}]}, file)
+            check_copies([site], folder)
+
+    def test_a_level_that_is_not_true_is_noticed(self):
+        with self.assertRaisesRegex(Failure, "/p001/topic1: 420 bytes of 6 messages"):
+            self.check("zero_copy", 6, 420)
+
+    def test_the_first_message_may_be_copied(self):
+        self.check("zero_copy", 6, 70)
+
+    def test_who_says_that_it_copies_may(self):
+        self.check("one_copy", 6, 420)
 
 
 class Talker(unittest.TestCase):

@@ -137,6 +137,7 @@ STANDARD = {"any", "array", "atomic", "boost/thread.hpp", "boost/weak_ptr.hpp", 
 
 def make(program):
     program.includes |= STANDARD
+    program.rounds = 4  # pointers that step through an array have no more turns
     for _ in range(program.rng.choice([2, 3])):
         chance = program.rng.random()
         if chance < 0.08:

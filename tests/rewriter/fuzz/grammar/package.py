@@ -101,7 +101,7 @@ def main_text(programs):
     for program in programs:
         lines += [f'  fuzz::expect("{t.name}", {2 + t.relays}, {t.relays});' for t in program.topics]
     lines += [f"  {p.name}::start(nh);" for p in programs] + ["  fuzz::wait_for_all();",
-              "  for (int k = 0; k < fuzz::rounds; ++k) {"]
+              f"  for (int k = 0; k < {min(program.rounds for program in programs)}; ++k) {{"]
     for program in programs:
         lines += [f'    fuzz::running("{program.name}");', f"    {program.name}::step(k);", "    fuzz::settle();"]
     return "\n".join(lines + ["    fuzz::round_done();", "  }", "  return fuzz::finish();", "}", ""])

@@ -185,8 +185,17 @@ void round_done() {
   first = false;
 }
 
+/// What TZC has counted for each topic, while the publishers live.
+void write_counters() {
+  const char* const monitor = std::getenv("FUZZ_MONITOR");
+  if (!monitor) return;
+  const std::string command = std::string(monitor) + " --json --interval 0 >" + folder() + "/counters.json";
+  if (std::system(command.c_str()) != 0) give_up("the counters of " + command);
+}
+
 int finish() {
   round_done();
+  write_counters();
   ros::shutdown();
   std::_Exit(0);  // image_transport's publishers, in the programs' globals, do not survive their plugins
 }

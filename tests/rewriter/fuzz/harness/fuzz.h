@@ -18,8 +18,6 @@
 
 namespace fuzz {
 
-constexpr int rounds = 4;
-
 /// \name Contents, the same in every run
 /// @{
 std::uint32_t value(int index, int k);
