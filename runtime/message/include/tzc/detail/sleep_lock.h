@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <time.h>
+
 #include <atomic>
-#include <chrono>
-#include <thread>
 
 namespace tzc {
 namespace detail {
@@ -13,8 +13,10 @@ namespace detail {
 class SleepLock {
  public:
   void lock() noexcept {
-    while (is_held_.exchange(true, std::memory_order_acquire))
-      std::this_thread::sleep_for(std::chrono::microseconds(20));
+    while (is_held_.exchange(true, std::memory_order_acquire)) {
+      const timespec twenty_microseconds{0, 20000};
+      ::nanosleep(&twenty_microseconds, nullptr);
+    }
   }
   void unlock() noexcept { is_held_.store(false, std::memory_order_release); }
 
