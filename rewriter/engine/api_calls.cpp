@@ -80,7 +80,8 @@ std::string message_of_template(const clang::FunctionDecl* function) {
 
 class ApiCalls : public AstVisitor {
  public:
-  explicit ApiCalls(const Source& source) : source_(source) {}
+  ApiCalls(const Source& source, const std::set<std::string>& exported)
+      : source_(source), exported_(exported) {}
   bool shouldVisitTemplateInstantiations() const override { return true; }
   std::set<ApiCall> calls;
 
@@ -172,12 +173,25 @@ class ApiCalls : public AstVisitor {
            is_filter(held.getAsType()->getAsCXXRecordDecl());
   }
 
+  /// A function of the package itself that no other package may call.
+  bool is_inner(const clang::FunctionDecl* function) const {
+    if (!source_.in_package(function->getLocation())) return false;
+    const clang::FunctionDecl* pattern = function->getTemplateInstantiationPattern();
+    const clang::FunctionDecl* first = (pattern ? pattern : function)->getFirstDecl();
+    const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(first);
+    if (first->getAccess() == clang::AS_private && !(method && method->isVirtual())) return true;
+    const std::string& file = source_.file_of(first->getLocation());
+    return llvm::none_of(exported_, [&](const std::string& path) {
+      return file == path || llvm::StringRef(file).starts_with(path + "/");
+    });
+  }
+
   /// pub = advertise<M>(...), a library's own: what it returns is a publisher of the package.
   void note_library_advertise(const clang::CallExpr* call, const clang::FunctionDecl* function) {
     const std::string name = space_of(function->getDeclContext());
     if (!function->getName().starts_with("advertise") || owners.count(name) != 0) return;
     const clang::CXXRecordDecl* result = function->getReturnType().getCanonicalType()->getAsCXXRecordDecl();
-    if (!result || source_.in_package(function->getLocation())) return;
+    if (!result || is_inner(function)) return;
     const std::string publisher = space_of(result->getDeclContext()) + result->getNameAsString();
     if (publisher == "image_transport::Publisher" || publisher == "image_transport::CameraPublisher")
       return note(SiteKind::advertise, call, "sensor_msgs/Image");
@@ -205,14 +219,16 @@ class ApiCalls : public AstVisitor {
   }
 
   const Source& source_;
+  const std::set<std::string>& exported_;
   std::set<const clang::FunctionDecl*> instances_;
 };
 
 }  // namespace
 
-std::set<ApiCall> api_calls(clang::ASTContext& ast, const FolderSet& packages) {
+std::set<ApiCall> api_calls(clang::ASTContext& ast, const FolderSet& packages,
+                            const std::set<std::string>& exported) {
   const Source source(ast, packages);
-  ApiCalls visitor(source);
+  ApiCalls visitor(source, exported);
   for (clang::Decl* decl : ast.getTranslationUnitDecl()->decls())
     if (source.in_package(decl->getLocation())) visitor.TraverseDecl(decl);
   return std::move(visitor.calls);

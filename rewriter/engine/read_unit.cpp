@@ -43,7 +43,7 @@ UnitReading read_unit(const CompileUnit& unit, const CollectOptions& options, Fi
   ParseResult parsed = parse(unit, parse_options, [&](clang::ASTContext& ast) {
     if (ast.getDiagnostics().hasErrorOccurred()) return;
     reading.facts = collect_unit(ast, unit, options);
-    reading.api_calls = api_calls(ast, options.packages);
+    reading.api_calls = api_calls(ast, options.packages, options.exported_dirs);
     reading.calls[unit.id()] = package_calls(ast, options.packages);
   });
   reading.skipped = skipped_in_packages(parsed, options);

@@ -62,6 +62,8 @@ Advertise AdvertiseCollector::site_at(const clang::CallExpr* call, const char* r
   site.function = enclosing_function_name(unit_.ast(), *call);
   site.rule = rule;
   site.type = "sensor_msgs/Image";
+  const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *call);
+  site.for_callers = function && advertises_for_callers(unit_, function);
   return site;
 }
 

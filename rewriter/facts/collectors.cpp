@@ -13,6 +13,7 @@
 #include "facts/exported_uses.h"
 #include "facts/factories.h"
 #include "facts/given_messages.h"
+#include "facts/library_advertise.h"
 #include "facts/library_sites.h"
 #include "facts/lock_guarded.h"
 #include "facts/lock_names.h"
@@ -154,7 +155,7 @@ void Collectors::call(const clang::CallExpr* call) {
   const clang::FunctionDecl* function = call->getDirectCallee();
   if (!function) return;
   ported_call(call, function);
-  if (makes_object(call) || !unit_.declares(function)) return;
+  if (makes_object(call) || !unit_.declares(function) || library_advertise_rule(unit_, call)) return;
   if (const EntityId result = entities_.declare_result(function); !result.empty()) flow_.follow(call, result);
 }
 

@@ -104,9 +104,9 @@ void EntityTable::check_signature(Entity& entity, const clang::FunctionDecl* fun
       if (!unit_.source.in_package(base->getLocation()))
         add(entity, {codes::TZC1005, name + " overrides a function of another package", where});
   const clang::FunctionDecl* first = function->getFirstDecl();
-  const bool is_hidden = first->getAccess() == clang::AS_private && !(method && method->isVirtual());
-  if (is_hidden) note_friends(facts_, entity.id, friends_of(unit_, first));
-  if (!is_hidden && unit_.exports(first->getLocation()))
+  if (first->getAccess() == clang::AS_private && !(method && method->isVirtual()))
+    note_friends(facts_, entity.id, friends_of(unit_, first));
+  if (unit_.exports(function))
     add(entity, {codes::TZC1005, name + " is declared in a header that other packages may include", where});
 }
 

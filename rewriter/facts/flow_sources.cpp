@@ -42,11 +42,12 @@ FlowSources SourceFinder::of_member(const clang::MemberExpr* member) {
 FlowSources SourceFinder::of_method(const clang::CXXMemberCallExpr* call) {
   const clang::CXXMethodDecl* method = call->getMethodDecl();
   if (!method) return foreign();
-  if (unit_.declares(method)) return one(entities_.declare_result(method));
+  const bool advertises = library_advertise_rule(unit_, call) != nullptr;
+  if (unit_.declares(method) && !advertises) return one(entities_.declare_result(method));
   if (unit_.rules.find_method(qualified_name_of(method->getParent()), method->getNameAsString(),
                               written_arguments(call)))
     return one(entities_.declare_temporary(call));
-  if (library_advertise_rule(unit_, call)) return one(entities_.declare_temporary(call));
+  if (advertises) return one(entities_.declare_temporary(call));
   const clang::Expr* object = call->getImplicitObjectArgument();
   if (carries(object->getType())) return of(object);
   return foreign();
@@ -60,8 +61,8 @@ FlowSources SourceFinder::of_call(const clang::CallExpr* call) {
   if (!function) return foreign();
   if (makes_object(call)) return one(entities_.declare_temporary(call));
   if (passes_through(function)) return of(call->getArg(0));
-  if (unit_.declares(function)) return one(entities_.declare_result(function));
   const bool advertises = library_advertise_rule(unit_, call) || attaches_publisher(unit_, call);
+  if (unit_.declares(function) && !advertises) return one(entities_.declare_result(function));
   if (advertises || unit_.rules.find_ported_function(qualified_name_of(function)))
     return one(entities_.declare_temporary(call));
   // std::make_pair, std::get and their like: publishers are handles, a copy is as good. A message would be copied.

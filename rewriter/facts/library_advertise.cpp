@@ -20,13 +20,27 @@ clang::QualType library_advertised_type(const clang::CallExpr* call) {
   return message_of(type) || twin_message_of(type) || is_pcl_cloud(type) ? type : clang::QualType();
 }
 
-const LibraryAdvertise* library_advertise_rule(const Unit& unit, const clang::CallExpr* call) {
-  const clang::FunctionDecl* function = call->getDirectCallee();
+namespace {
+
+/// The rule for the publisher that a function returns which is called `advertise...`; null: it is none.
+const LibraryAdvertise* rule_of_result(const Unit& unit, const clang::FunctionDecl* function) {
   if (!function || !function->getIdentifier() || !function->getName().starts_with("advertise"))
     return nullptr;
   const clang::CXXRecordDecl* result = function->getReturnType().getCanonicalType()->getAsCXXRecordDecl();
-  const LibraryAdvertise* rule = result ? unit.rules.find_advertiser(qualified_name_of(result)) : nullptr;
-  if (!rule || call->isTypeDependent() || unit.declares(function)) return nullptr;
+  return result ? unit.rules.find_advertiser(qualified_name_of(result)) : nullptr;
+}
+
+}  // namespace
+
+bool advertises_for_callers(const Unit& unit, const clang::FunctionDecl* function) {
+  return rule_of_result(unit, function) && unit.declares(function) && unit.exports(function);
+}
+
+const LibraryAdvertise* library_advertise_rule(const Unit& unit, const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  const LibraryAdvertise* rule = rule_of_result(unit, function);
+  if (!rule || call->isTypeDependent() || (unit.declares(function) && !unit.exports(function)))
+    return nullptr;
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
   if (method && qualified_name_of(method->getParent()) == rule->owner) return nullptr;
   return !rule->is_template || !library_advertised_type(call).isNull() ? rule : nullptr;

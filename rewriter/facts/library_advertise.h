@@ -2,7 +2,8 @@
 #pragma once
 
 // Base classes and functions of libraries that advertise for the package and return the publisher. The library
-// keeps its own copy; shared memory is attached to the topic beside it.
+// keeps its own copy; shared memory is attached to the topic beside it. What the package's own exported headers declare stays as it is,
+// and counts as a library's.
 
 #include <clang/AST/Expr.h>
 
@@ -12,6 +13,8 @@ namespace tzc::rewriter {
 
 /// The rule for a call of a library's function that advertises for the package; null: it is none.
 const LibraryAdvertise* library_advertise_rule(const Unit& unit, const clang::CallExpr* call);
+/// Whether the function is such a one of the package itself.
+bool advertises_for_callers(const Unit& unit, const clang::FunctionDecl* function);
 /// The template arguments as written: M of advertise<M>(...).
 llvm::ArrayRef<clang::TemplateArgumentLoc> written_arguments_of(const clang::CallExpr* call);
 /// M of advertise<M>(...), when that is what a library can advertise; null otherwise.

@@ -28,6 +28,13 @@ bool Unit::exports(clang::SourceLocation location) const {
       exported_dirs, [&](const std::string& path) { return file == path || file.rfind(path + "/", 0) == 0; });
 }
 
+bool Unit::exports(const clang::FunctionDecl* function) const {
+  const clang::FunctionDecl* first = pattern_of(function)->getFirstDecl();
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(first);
+  const bool is_hidden = first->getAccess() == clang::AS_private && !(method && method->isVirtual());
+  return !is_hidden && exports(first->getLocation());
+}
+
 bool Unit::has_twin(const std::string& message) const {
   return llvm::any_of(include_dirs, [&](const std::string& dir) {
     return llvm::sys::fs::exists(dir + "/" + twin_header(message));

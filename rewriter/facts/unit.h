@@ -37,6 +37,8 @@ struct Unit {
   bool declares_all_of(const clang::FunctionDecl* function) const;
   /// Whether a header that other packages may include has the location.
   bool exports(clang::SourceLocation location) const;
+  /// Whether other packages may call the function, or override it, by a declaration that therefore stays as it is.
+  bool exports(const clang::FunctionDecl* function) const;
   /// Whether the TZC header of a message can be included: "sensor_msgs/Image".
   bool has_twin(const std::string& message) const;
 

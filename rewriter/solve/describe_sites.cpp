@@ -194,6 +194,9 @@ Site SiteDescriber::describe(const Advertise& fact) const {
     site.rule = fact.rule;
     site.memory_note = memory_size(fact, options_).note;
     site.level = publishes_without_copy(fact) ? Level::zero_copy : Level::one_copy;
+  } else if (publisher && fact.for_callers) {
+    site.level = Level::not_needed;
+    site.reason = "who calls this function attaches shared memory to what it returns";
   } else if (publisher) {
     site.flow_path = flow_graph_.path(fact.publisher, publisher->at);
     refuse(site, publisher->why_not, Level::plain);
