@@ -236,8 +236,7 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
       if (code.hands_over(stmt)) facts_.handing_over.insert(code.around(stmt));
     }
     for (ElementUse& use : element_uses(context, view)) facts_.element_uses.push_back(std::move(use));
-    if (std::optional<ContentFlow> flow = content_flow(unit_, view))
-      facts_.add_content(usr_of(pattern_of(function)), std::move(*flow));
+    contents(view, code);
     note_given_messages(unit_, view, facts_);
     mats.analyse(view);
   }
@@ -249,6 +248,18 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
     if (!analysis.has_seen(array) && !in_template)
       analysis.escape(context.sources_of(array->getBase()), "may start outside of a function",
                       array->getBeginLoc(), false);
+  }
+}
+
+/// A closure that goes to others is called when they like, as a callback is: besides the function that makes it.
+void Collectors::contents(const FunctionView& view, const ThreadCode& code) {
+  if (std::optional<ContentFlow> flow = content_flow(unit_, view))
+    facts_.add_content(usr_of(pattern_of(view.function())), std::move(*flow));
+  for (const clang::Stmt* stmt : view.statements()) {
+    const auto* closure = llvm::dyn_cast<clang::LambdaExpr>(stmt);
+    if (!closure || !code.hands_over(closure)) continue;
+    if (std::optional<ContentFlow> flow = content_flow(unit_, view, closure))
+      facts_.add_content(closure_name(unit_, closure), std::move(*flow));
   }
 }
 

@@ -14,6 +14,7 @@
 #include "facts/hidden_calls.h"
 #include "facts/hoisting.h"
 #include "facts/subscribe_sites.h"
+#include "facts/threads.h"
 #include "facts/unit.h"
 #include "facts/value_flow.h"
 #include "model/facts.h"
@@ -47,6 +48,7 @@ class Collectors {
   /// Analyses the escapes in these functions. A mention of an array that this does not reach is an escape.
   void escapes(const std::vector<const clang::FunctionDecl*>& functions,
                const std::vector<const clang::MemberExpr*>& arrays);
+  void contents(const FunctionView& view, const ThreadCode& code);
   void early_calls(const clang::Stmt* stmt);
   Facts finish();
 

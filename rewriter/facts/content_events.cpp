@@ -306,10 +306,9 @@ ContentFlow flow_of(const clang::CFG& cfg, EventReader& reader, const DecidedVal
   return flow;
 }
 
-}  // namespace
-
-std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& view) {
-  const clang::FunctionDecl* function = view.function();
+/// The flow of a function of the view, or of a closure in it; none: it has no events.
+std::optional<ContentFlow> flow_of(const Unit& unit, const FunctionView& view,
+                                   const clang::FunctionDecl* function) {
   clang::CFG::BuildOptions options;
   options.setAllAlwaysAdd();
   options.AddInitializers = true;
@@ -321,12 +320,24 @@ std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& vi
   ContentFlow flow = flow_of(*cfg, reader, ways.front());
   for (auto way = std::next(ways.begin()); way != ways.end(); ++way)
     flow.add_alternative(flow_of(*cfg, reader, *way));
-  const bool has_lambda = llvm::any_of(
-      view.statements(), [](const clang::Stmt* stmt) { return llvm::isa<clang::LambdaExpr>(stmt); });
-  flow.makes_object = llvm::isa<clang::CXXConstructorDecl>(function) && !has_lambda;
   const bool is_empty =
       llvm::all_of(flow.blocks, [](const ContentBlock& block) { return block.events.empty(); });
   return is_empty ? std::nullopt : std::optional(std::move(flow));
+}
+
+}  // namespace
+
+std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& view) {
+  std::optional<ContentFlow> flow = flow_of(unit, view, view.function());
+  const bool has_lambda = llvm::any_of(
+      view.statements(), [](const clang::Stmt* stmt) { return llvm::isa<clang::LambdaExpr>(stmt); });
+  if (flow) flow->makes_object = llvm::isa<clang::CXXConstructorDecl>(view.function()) && !has_lambda;
+  return flow;
+}
+
+std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& view,
+                                        const clang::LambdaExpr* closure) {
+  return flow_of(unit, view, closure->getCallOperator());
 }
 
 }  // namespace tzc::rewriter

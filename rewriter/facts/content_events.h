@@ -12,5 +12,8 @@ namespace tzc::rewriter {
 /// What a function does to the content of messages, in the order of its control flow; none: nothing. Messages of the stock
 /// types and their twins alike, so that a port is seen as its original is.
 std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& view);
+/// Likewise what a closure of the function does when it is called.
+std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& view,
+                                        const clang::LambdaExpr* closure);
 
 }  // namespace tzc::rewriter
