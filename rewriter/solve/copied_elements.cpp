@@ -21,6 +21,16 @@ std::string root_of(const MessagePart& part) {
   return part.substr(0, part.find('/'));
 }
 
+/// The call as one of a function that overrides the callee.
+ContentEvent call_of_override(const ContentEvent& call, const std::string& function) {
+  ContentEvent other = call;
+  other.callee = function;
+  other.passed.clear();
+  for (const auto& [parameter, given] : call.passed)  // "parameter 0 of CALLEE"
+    other.passed.emplace(parameter.substr(0, parameter.size() - call.callee.size()) + function, given);
+  return other;
+}
+
 }  // namespace
 
 CopiedElements::CopiedElements(const Facts& facts) : facts_(facts) {
@@ -51,7 +61,9 @@ void CopiedElements::add_functions() {
       for (const ContentEvent& event : block.events) {
         touch(event.part);
         for (const auto& item : event.passed) touch(item.second);
-        if (event.kind == ContentEvent::Kind::call && event.callee != usr) called_.insert(event.callee);
+        if (event.kind != ContentEvent::Kind::call || event.callee == usr) continue;
+        called_.insert(event.callee);
+        called_.insert(overrides_of(event.callee).begin(), overrides_of(event.callee).end());
       }
   }
 }
@@ -62,7 +74,10 @@ void CopiedElements::touch_what_callees_touch() {
   for (const auto& [usr, function] : functions_) {
     open.insert(usr);
     for (const ContentBlock& block : function.flow->blocks)
-      for (const ContentEvent& event : block.events) callers[event.callee].insert(usr);
+      for (const ContentEvent& event : block.events) {
+        callers[event.callee].insert(usr);
+        for (const std::string& other : overrides_of(event.callee)) callers[other].insert(usr);
+      }
   }
   while (!open.empty()) {
     const std::string usr = *open.begin();
@@ -78,6 +93,13 @@ void CopiedElements::touch_what_callees_touch() {
   }
 }
 
+/// The functions that a call of this one may run as well.
+const std::set<std::string>& CopiedElements::overrides_of(const std::string& usr) const {
+  static const std::set<std::string> none;
+  const auto found = facts_.overrides.find(usr);
+  return found == facts_.overrides.end() ? none : found->second;
+}
+
 /// By the middleware, a timer or main's caller: no function of the package calls it.
 bool CopiedElements::called_from_outside(const std::string& usr) const {
   return called_.count(usr) == 0 || facts_.addressed.count(usr) != 0;
@@ -90,7 +112,7 @@ bool CopiedElements::step(const std::string& usr, const ContentBlock& block, Con
       apply(event, state);
       continue;
     }
-    std::optional<ContentState> after = after_call(event, state);
+    std::optional<ContentState> after = after_call(event, state, usr);
     if (!after) return false;
     state = std::move(*after);
   }
@@ -167,9 +189,27 @@ void CopiedElements::enter(const std::string& usr, const ContentState& state) {
   changed_ = true;
 }
 
+/// What the callee does, or any function that overrides it. None: none of them has returned yet.
+std::optional<ContentState> CopiedElements::after_call(const ContentEvent& event, const ContentState& before,
+                                                       const std::string& caller) {
+  const std::set<std::string>& others = overrides_of(event.callee);
+  if (others.empty()) return after(event, before);
+  std::optional<ContentState> all;
+  const auto add = [&](const ContentEvent& call) {
+    const std::optional<ContentState> one = after(call, before);
+    if (one && all)
+      all->join(*one);
+    else if (one)
+      all = one;
+  };
+  if (facts_.bodies.count(event.callee) != 0) add(event);
+  for (const std::string& other : others)
+    if (other != caller) add(call_of_override(event, other));  // which calls what it overrides itself
+  return all;
+}
+
 /// None: no call of the function has returned yet.
-std::optional<ContentState> CopiedElements::after_call(const ContentEvent& event,
-                                                       const ContentState& before) {
+std::optional<ContentState> CopiedElements::after(const ContentEvent& event, const ContentState& before) {
   const auto found = functions_.find(event.callee);
   if (found == functions_.end()) return before;
   const Function& callee = found->second;

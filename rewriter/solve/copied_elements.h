@@ -34,11 +34,14 @@ class CopiedElements {
 
   void add_functions();
   void touch_what_callees_touch();
+  const std::set<std::string>& overrides_of(const std::string& usr) const;
   bool called_from_outside(const std::string& usr) const;
   void run(const std::string& usr, Function& function);
   bool step(const std::string& usr, const ContentBlock& block, ContentState& state);
   void apply(const ContentEvent& event, ContentState& state);
-  std::optional<ContentState> after_call(const ContentEvent& event, const ContentState& before);
+  std::optional<ContentState> after_call(const ContentEvent& event, const ContentState& before,
+                                         const std::string& caller);
+  std::optional<ContentState> after(const ContentEvent& call, const ContentState& before);
   void enter(const std::string& usr, const ContentState& state);
   void leave(const std::string& usr, Function& function);
 
