@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "facts/content_events.h"
-
-#include <clang/Analysis/CFG.h>
-
-#include <set>
+#include "facts/content_reader.h"
 
 #include "facts/calls.h"
-#include "facts/decided_branches.h"
-#include "facts/message_parts.h"
 #include "facts/message_type.h"
 #include "facts/overwrites.h"
 
@@ -29,6 +23,11 @@ bool is_made_empty(const clang::Expr* source) {
   return made && made->getNumArgs() == 0;
 }
 
+bool is_message_or_pointer(clang::QualType type) {
+  const clang::QualType pointee = pointee_of(type);
+  return is_stock_or_twin(pointee.isNull() ? type : pointee);
+}
+
 const clang::Stmt* use_of(const FunctionView& view, const clang::Stmt* expr) {
   const clang::Stmt* around = view.parent(expr);
   while (llvm::isa_and_nonnull<clang::ParenExpr, clang::ImplicitCastExpr>(around))
@@ -36,56 +35,28 @@ const clang::Stmt* use_of(const FunctionView& view, const clang::Stmt* expr) {
   return around;
 }
 
-/// Reads the events of one function's statements.
-class EventReader {
- public:
-  EventReader(const Unit& unit, const FunctionView& view) : unit_(unit), view_(view), parts_(unit, view) {}
+/// "ROOT/image/data"; a vector of the program's own has a root alone.
+bool is_of_message(const MessagePart& array) {
+  return array.find('/') != MessagePart::npos;
+}
 
-  std::vector<ContentEvent> events_of(const clang::Stmt* stmt) {
-    events_.clear();
-    look_at(stmt);
-    return std::move(events_);
-  }
+/// std::swap(front.data, back.data)
+bool is_swap(const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function || !function->getDeclName().isIdentifier() || function->getName() != "swap") return false;
+  const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
+  return call->getNumArgs() == (method ? 1 : 2);
+}
 
- private:
-  void look_at(const clang::Stmt* stmt);
-  void array(const clang::Expr* expr);
-  void array_of_messages(const clang::Expr* expr);
-  void replaced(const clang::Expr* array, const clang::Expr* source);
-  void array_method(const clang::Expr* array, const clang::CXXMemberCallExpr* call, const std::string& name);
-  void declaration(const clang::DeclStmt* stmt);
-  void assignment(const clang::CXXOperatorCallExpr* call);
-  void member_call(const clang::CXXMemberCallExpr* call);
-  void iterator(const clang::CXXConstructExpr* construct);
-  void made(const clang::CXXRecordDecl* record, clang::SourceLocation where);
-  void publish(const clang::CXXMemberCallExpr* call);
-  bool rule_call(const clang::CallExpr* call, const std::string& name);
-  void package_call(const clang::FunctionDecl* function, llvm::ArrayRef<const clang::Expr*> arguments,
-                    const clang::Stmt* at);
-  void closure(const clang::LambdaExpr* lambda);
-  void add(Kind kind, MessagePart part, clang::SourceLocation where) {
-    if (part.empty()) return;
-    ContentEvent event;
-    event.kind = kind;
-    event.part = std::move(part);
-    event.where = unit_.location(where);
-    events_.push_back(std::move(event));
-  }
+}  // namespace
 
-  const Unit& unit_;
-  const FunctionView& view_;
-  MessageParts parts_;
-  std::vector<ContentEvent> events_;
-  std::set<const clang::LambdaExpr*> open_;
-};
-
-void EventReader::array_method(const clang::Expr* array, const clang::CXXMemberCallExpr* call,
-                               const std::string& name) {
+void ContentReader::array_method(const clang::Expr* array, const clang::CXXMemberCallExpr* call,
+                                 const std::string& name) {
   static const std::set<std::string> replaces = {"clear", "assign"};
   static const std::set<std::string> keeps = {"resize", "reserve", "shrink_to_fit", "bind"};
   const bool is_const = call->getMethodDecl()->isConst();
   if (is_const) return;
-  if (name == "swap") return replaced(array, call->getArg(0));
+  if (name == "swap") return exchanged(array, call->getArg(0), call->getExprLoc());
   bool resets = replaces.count(name) != 0;
   if (name == "resize") {
     const auto* size = llvm::dyn_cast<clang::IntegerLiteral>(call->getArg(0)->IgnoreParenImpCasts());
@@ -100,15 +71,39 @@ void EventReader::array_method(const clang::Expr* array, const clang::CXXMemberC
   if (keeps.count(name) == 0) add(Kind::write, parts_.part_of(array), call->getExprLoc());
 }
 
+void ContentReader::pair(Kind kind, MessagePart part, MessagePart other, clang::SourceLocation where) {
+  if (part.empty() || other.empty()) return;
+  add(kind, std::move(part), where);
+  events_.back().other = std::move(other);
+}
+
 /// The array is given another one's elements: they lie in shared memory where that is a message's.
-void EventReader::replaced(const clang::Expr* array, const clang::Expr* source) {
-  const bool of_message = parts_.part_of(source).find('/') != MessagePart::npos;
-  add(of_message || is_made_empty(source) ? Kind::reset : Kind::take, parts_.part_of(array),
-      array->getExprLoc());
+void ContentReader::replaced(const clang::Expr* array, const clang::Expr* source) {
+  const MessagePart part = parts_.part_of(array);
+  const bool of_message = is_of_message(parts_.part_of(source));
+  add(of_message || is_made_empty(source) ? Kind::reset : Kind::take, part, array->getExprLoc());
+  if (of_message) moved(part, source, array->getExprLoc());
+}
+
+/// Nothing is left where a message or an array is moved from; its subscribers go along.
+void ContentReader::moved(const MessagePart& part, const clang::Expr* source, clang::SourceLocation where) {
+  pair(Kind::exchange, part, parts_.part_of(source), where);
+}
+
+/// Messages, arrays, or pointers to messages.
+void ContentReader::exchanged(const clang::Expr* one, const clang::Expr* other, clang::SourceLocation where) {
+  const clang::QualType type = one->IgnoreParenImpCasts()->getType();
+  if (!is_message_or_pointer(type) && !is_stock_or_twin_array(type)) return;
+  const auto is_vector = [&](const clang::Expr* expr) {
+    return is_stock_or_twin_array(expr->getType()) && !is_of_message(parts_.part_of(expr));
+  };
+  if (is_vector(other)) return replaced(one, other);
+  if (is_vector(one)) return replaced(other, one);
+  pair(Kind::exchange, parts_.part_of(one), parts_.part_of(other), where);
 }
 
 /// A mention of an array: replaced as a whole, or its elements are reached for writing.
-void EventReader::array(const clang::Expr* expr) {
+void ContentReader::array(const clang::Expr* expr) {
   if (is_only_read(view_, expr)) return;
   const clang::Stmt* use = use_of(view_, expr);
   if (const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(use)) {
@@ -125,13 +120,14 @@ void EventReader::array(const clang::Expr* expr) {
   }
   const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(use);
   if (call && (unit_.declares(call->getDirectCallee()) || passes_through(call->getDirectCallee()))) return;
+  if (call && is_swap(call)) return;  // see exchanged
   if (llvm::isa_and_nonnull<clang::DeclStmt, clang::CXXConstructExpr>(use))
     return;  // another name, or a copy
   add(Kind::write, parts_.part_of(expr), expr->getExprLoc());
 }
 
 /// Elements that it gets have arrays of their own, which allocate has not seen: they lie outside shared memory.
-void EventReader::array_of_messages(const clang::Expr* expr) {
+void ContentReader::array_of_messages(const clang::Expr* expr) {
   static const std::set<std::string> adds_none = {"reserve", "begin", "end",  "rbegin", "rend",    "front",
                                                   "back",    "at",    "data", "erase",  "pop_back"};
   if (is_only_read(view_, expr)) return;
@@ -149,28 +145,39 @@ void EventReader::array_of_messages(const clang::Expr* expr) {
   add(Kind::take, parts_.part_of(expr), expr->getExprLoc());
 }
 
-void EventReader::declaration(const clang::DeclStmt* stmt) {
+void ContentReader::declaration(const clang::DeclStmt* stmt) {
   for (const clang::Decl* decl : stmt->decls()) {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
     if (!variable || variable->isStaticLocal() || variable->getType()->isReferenceType()) continue;
     add(Kind::reset, parts_.root_of(variable), variable->getLocation());
+    const auto* made = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(variable->getInit());
+    if (!made || !is_message_or_pointer(variable->getType())) continue;
+    const bool is_pointer = !pointee_of(variable->getType()).isNull();
+    if (made->getConstructor()->isMoveConstructor())
+      moved(parts_.root_of(variable), made->getArg(0), variable->getLocation());
+    else if (is_pointer && made->getConstructor()->isCopyConstructor())
+      pair(Kind::alias, parts_.root_of(variable), parts_.part_of(made->getArg(0)), variable->getLocation());
   }
 }
 
-bool is_message_or_pointer(clang::QualType type) {
-  const clang::QualType pointee = pointee_of(type);
-  return is_stock_or_twin(pointee.isNull() ? type : pointee);
+void ContentReader::assignment(const clang::CXXOperatorCallExpr* call) {
+  const clang::Expr* const target = call->getArg(0);
+  if (call->getOperator() != clang::OO_Equal || !is_message_or_pointer(target->getType())) return;
+  const clang::Expr* const source = call->getArg(1);
+  const MessagePart part = parts_.part_of(target), other = parts_.part_of(source);
+  const bool moves = takes_elements(call);
+  const bool is_pointer = !pointee_of(target->getType()).isNull();
+  if (!part.empty() && (!is_pointer || moves || !outlives_functions(other))) {
+    add(Kind::reset, part, call->getExprLoc());
+    events_.back().empties = !is_pointer && is_made_empty(source);
+  }
+  if (moves)
+    moved(part, source, call->getExprLoc());
+  else if (is_pointer)
+    pair(Kind::alias, part, other, call->getExprLoc());
 }
 
-void EventReader::assignment(const clang::CXXOperatorCallExpr* call) {
-  if (call->getOperator() != clang::OO_Equal || !is_message_or_pointer(call->getArg(0)->getType())) return;
-  const MessagePart part = parts_.part_of(call->getArg(0));
-  add(Kind::reset, part, call->getExprLoc());
-  if (!part.empty())
-    events_.back().empties = is_stock_or_twin(call->getArg(0)->getType()) && is_made_empty(call->getArg(1));
-}
-
-void EventReader::publish(const clang::CXXMemberCallExpr* call) {
+void ContentReader::publish(const clang::CXXMemberCallExpr* call) {
   for (const clang::Expr* argument : call->arguments()) {
     if (!is_message_or_pointer(argument->getType())) continue;
     add(Kind::publish, parts_.part_of(argument), call->getExprLoc());
@@ -180,7 +187,7 @@ void EventReader::publish(const clang::CXXMemberCallExpr* call) {
 }
 
 /// A function of a library that fills a message as a whole, or what an earlier run made of it.
-bool EventReader::rule_call(const clang::CallExpr* call, const std::string& name) {
+bool ContentReader::rule_call(const clang::CallExpr* call, const std::string& name) {
   for (const LibraryCall* rule : unit_.rules.calls) {
     if ((name != rule->function && name != rule->to) || rule->argument >= call->getNumArgs()) continue;
     const MessagePart part = parts_.part_of(call->getArg(rule->argument));
@@ -202,8 +209,8 @@ bool EventReader::rule_call(const clang::CallExpr* call, const std::string& name
   return false;
 }
 
-void EventReader::package_call(const clang::FunctionDecl* function,
-                               llvm::ArrayRef<const clang::Expr*> arguments, const clang::Stmt* at) {
+void ContentReader::package_call(const clang::FunctionDecl* function,
+                                 llvm::ArrayRef<const clang::Expr*> arguments, const clang::Stmt* at) {
   ContentEvent event;
   event.kind = Kind::call;
   event.callee = usr_of(pattern_of(function));
@@ -217,18 +224,20 @@ void EventReader::package_call(const clang::FunctionDecl* function,
   events_.push_back(std::move(event));
 }
 
-void EventReader::member_call(const clang::CXXMemberCallExpr* call) {
+void ContentReader::member_call(const clang::CXXMemberCallExpr* call) {
   const clang::CXXMethodDecl* method = call->getMethodDecl();
   if (!method) return;
   if (is_publish(call)) return publish(call);
   const clang::Expr* object = call->getImplicitObjectArgument();
   const std::string name = method->getNameAsString();
-  if ((name == "reset" || name == "swap") && object && is_message_or_pointer(object->getType()))
-    add(Kind::reset, parts_.part_of(object), call->getExprLoc());
+  if (!object || !is_message_or_pointer(object->IgnoreParenImpCasts()->getType()))
+    return;  // not its base class
+  if (name == "reset") add(Kind::reset, parts_.part_of(object), call->getExprLoc());
+  if (name == "swap" && is_swap(call)) exchanged(object, call->getArg(0), call->getExprLoc());
 }
 
 /// sensor_msgs::PointCloud2Iterator it(cloud, "x")
-void EventReader::iterator(const clang::CXXConstructExpr* construct) {
+void ContentReader::iterator(const clang::CXXConstructExpr* construct) {
   const std::string name = construct->getConstructor()->getParent()->getNameAsString();
   if (name != "PointCloud2Iterator" || construct->getNumArgs() < 2) return;
   const MessagePart cloud = parts_.part_of(construct->getArg(0));
@@ -236,7 +245,7 @@ void EventReader::iterator(const clang::CXXConstructExpr* construct) {
 }
 
 /// An object of the class comes into being, and the messages that it consists of with it.
-void EventReader::made(const clang::CXXRecordDecl* record, clang::SourceLocation where) {
+void ContentReader::made(const clang::CXXRecordDecl* record, clang::SourceLocation where) {
   if (!record || !record->hasDefinition() || !unit_.source.in_package(record->getLocation())) return;
   for (const clang::CXXBaseSpecifier& base : record->bases())
     made(base.getType()->getAsCXXRecordDecl(), where);
@@ -249,7 +258,7 @@ void EventReader::made(const clang::CXXRecordDecl* record, clang::SourceLocation
 }
 
 /// A closure may be called where it is made, and again: its body's events, twice, in the order of the source.
-void EventReader::closure(const clang::LambdaExpr* lambda) {
+void ContentReader::closure(const clang::LambdaExpr* lambda) {
   if (!open_.insert(lambda).second) return;
   for (int time = 0; time < 2; ++time)
     for (const clang::Stmt* stmt : view_.statements())
@@ -257,7 +266,7 @@ void EventReader::closure(const clang::LambdaExpr* lambda) {
   open_.erase(lambda);
 }
 
-void EventReader::look_at(const clang::Stmt* stmt) {
+void ContentReader::look_at(const clang::Stmt* stmt) {
   if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt)) return this->declaration(declaration);
   if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) return closure(lambda);
   if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
@@ -272,6 +281,8 @@ void EventReader::look_at(const clang::Stmt* stmt) {
     const clang::FunctionDecl* function = call->getDirectCallee();
     if (makes_object(call)) made(pointee_of(call->getType())->getAsCXXRecordDecl(), call->getBeginLoc());
     if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call)) assignment(op);
+    if (is_swap(call) && call->getNumArgs() == 2 && !unit_.declares(function))
+      exchanged(call->getArg(0), call->getArg(1), call->getExprLoc());
     if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
     if (!function || rule_call(call, qualified_name_of(function)) || !unit_.declares(function)) return;
     const bool shifted =
@@ -283,61 +294,6 @@ void EventReader::look_at(const clang::Stmt* stmt) {
   if (!expr || !llvm::isa<clang::MemberExpr, clang::DeclRefExpr>(expr)) return;
   if (is_stock_or_twin_array(expr->getType())) array(expr);
   if (is_array_of_data_parts(expr->getType())) array_of_messages(expr);
-}
-
-/// Blocks in Clang's order, the entry first.
-ContentFlow flow_of(const clang::CFG& cfg, EventReader& reader, const DecidedValues& values) {
-  ContentFlow flow;
-  flow.blocks.resize(cfg.size());
-  const auto index = [&](const clang::CFGBlock& block) { return cfg.size() - 1 - block.getBlockID(); };
-  for (const clang::CFGBlock* block : cfg) {
-    ContentBlock& mine = flow.blocks[index(*block)];
-    for (const clang::CFGElement& element : *block)
-      if (const auto stmt = element.getAs<clang::CFGStmt>())
-        for (ContentEvent& event : reader.events_of(stmt->getStmt())) mine.events.push_back(std::move(event));
-    unsigned successor = 0;
-    for (const clang::CFGBlock::AdjacentBlock& next : block->succs()) {
-      const clang::CFGBlock* const reached = next.getReachableBlock();
-      if (reached && may_go(*block, successor, values)) mine.next.push_back(index(*reached));
-      ++successor;
-    }
-  }
-  flow.exit = index(cfg.getExit());
-  return flow;
-}
-
-/// The flow of a function of the view, or of a closure in it; none: it has no events.
-std::optional<ContentFlow> flow_of(const Unit& unit, const FunctionView& view,
-                                   const clang::FunctionDecl* function) {
-  clang::CFG::BuildOptions options;
-  options.setAllAlwaysAdd();
-  options.AddInitializers = true;
-  const std::unique_ptr<clang::CFG> cfg =
-      clang::CFG::buildCFG(function, function->getBody(), &unit.ast(), options);
-  if (!cfg) return {};
-  EventReader reader(unit, view);
-  const std::vector<DecidedValues> ways = decided_ways(view, *cfg);
-  ContentFlow flow = flow_of(*cfg, reader, ways.front());
-  for (auto way = std::next(ways.begin()); way != ways.end(); ++way)
-    flow.add_alternative(flow_of(*cfg, reader, *way));
-  const bool is_empty =
-      llvm::all_of(flow.blocks, [](const ContentBlock& block) { return block.events.empty(); });
-  return is_empty ? std::nullopt : std::optional(std::move(flow));
-}
-
-}  // namespace
-
-std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& view) {
-  std::optional<ContentFlow> flow = flow_of(unit, view, view.function());
-  const bool has_lambda = llvm::any_of(
-      view.statements(), [](const clang::Stmt* stmt) { return llvm::isa<clang::LambdaExpr>(stmt); });
-  if (flow) flow->makes_object = llvm::isa<clang::CXXConstructorDecl>(view.function()) && !has_lambda;
-  return flow;
-}
-
-std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& view,
-                                        const clang::LambdaExpr* closure) {
-  return flow_of(unit, view, closure->getCallOperator());
 }
 
 }  // namespace tzc::rewriter

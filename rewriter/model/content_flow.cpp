@@ -18,8 +18,8 @@ void append(std::vector<ContentBlock>& blocks, ContentFlow flow, unsigned exit) 
 }  // namespace
 
 bool operator==(const ContentEvent& a, const ContentEvent& b) {
-  return std::tie(a.kind, a.part, a.site, a.empties, a.callee, a.passed, a.where.line) ==
-         std::tie(b.kind, b.part, b.site, b.empties, b.callee, b.passed, b.where.line);
+  return std::tie(a.kind, a.part, a.other, a.site, a.empties, a.callee, a.passed, a.where.line) ==
+         std::tie(b.kind, b.part, b.other, b.site, b.empties, b.callee, b.passed, b.where.line);
 }
 
 void ContentFlow::add_alternative(ContentFlow other) {

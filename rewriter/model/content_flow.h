@@ -22,6 +22,11 @@ inline std::string parameter_root(const std::string& function, unsigned index) {
   return "parameter " + std::to_string(index) + " of " + function;
 }
 
+/// Members, globals and statics: the same object in each function. Their roots are USRs.
+inline bool outlives_functions(const MessagePart& part) {
+  return part.rfind("c:", 0) == 0;
+}
+
 /// The root of what a function returns by value.
 inline std::string result_root(const std::string& function) {
   return "result of " + function;
@@ -32,15 +37,18 @@ using PublishPlace = std::pair<std::string, unsigned>;  // file, byte offset
 
 struct ContentEvent {
   enum class Kind {
-    make,     ///< a message comes into being as a member of an object
-    reset,    ///< the part has no content any more, or content that nobody else has
-    take,     ///< the array is given elements that lie outside shared memory, those of a std::vector
-    write,    ///< an element is written, or may be
-    publish,  ///< the part's elements are shared from here on
-    call      ///< of a function of the package
+    make,      ///< a message comes into being as a member of an object
+    reset,     ///< the part has no content any more, or content that nobody else has
+    take,      ///< the array is given elements that lie outside shared memory, those of a std::vector
+    write,     ///< an element is written, or may be
+    publish,   ///< the part's elements are shared from here on
+    exchange,  ///< the part and `other` exchange their elements, or what they point to
+    alias,     ///< the pointer leads to what `other` leads to
+    call       ///< of a function of the package
   };
   Kind kind = Kind::write;
   MessagePart part;
+  MessagePart other;
   Location where;
   PublishPlace site;                          ///< of a publish
   bool empties = false;                       ///< a reset that leaves no elements, as message = M()

@@ -83,6 +83,36 @@ bool ContentState::share(const MessagePart& part, const std::set<PublishPlace>& 
   return known.size() > before;
 }
 
+/// Also where it had become its owner's.
+void ContentState::share_anew(const MessagePart& part, const std::set<PublishPlace>& sites) {
+  if (share(part, sites)) erase_inside(own_, part);
+}
+
+void ContentState::exchange(const MessagePart& one, const MessagePart& other) {
+  if (lies_in(one, other) || lies_in(other, one)) return;
+  ContentState moved = renamed([&](const MessagePart& part) {
+    if (lies_in(part, one)) return other + part.substr(one.size());
+    return lies_in(part, other) ? one + part.substr(other.size()) : MessagePart();
+  });
+  moved.new_.clear();
+  const std::set<PublishPlace> of_one = sharers_of(one), of_other = sharers_of(other);
+  reset(one);
+  reset(other);
+  share_anew(one, of_other);
+  share_anew(other, of_one);
+  add(moved);
+}
+
+void ContentState::alias(const MessagePart& pointer, const MessagePart& other) {
+  if (lies_in(pointer, other) || lies_in(other, pointer)) return;
+  const ContentState same = renamed([&](const MessagePart& part) {
+    return lies_in(part, other) ? pointer + part.substr(other.size()) : MessagePart();
+  });
+  for (const auto& [part, sites] : same.shared_) share_anew(part, sites);
+  share_anew(pointer, sharers_of(other));
+  taken_.insert(same.taken_.begin(), same.taken_.end());
+}
+
 std::set<PublishPlace> ContentState::write(const MessagePart& array) {
   std::set<PublishPlace> sites = sharers_of(array);
   if (!sites.empty()) own_.insert(array);

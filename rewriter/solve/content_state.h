@@ -29,6 +29,10 @@ class ContentState {
   void take(const MessagePart& part, const Location& where);
   /// Where a part of it was given a vector's elements; none: it was not.
   std::optional<Location> publish(const MessagePart& part, const PublishPlace& site);
+  /// Each part has from here on what the other one had. Objects stay bound to the memory that they are bound to.
+  void exchange(const MessagePart& one, const MessagePart& other);
+  /// The pointer may lead from here on to what another one leads to, and to what it led to, since that one may have other names.
+  void alias(const MessagePart& pointer, const MessagePart& other);
   /// The publishes whose elements a write to the array copies. Afterwards the array has its own again.
   std::set<PublishPlace> write(const MessagePart& array);
 
@@ -46,6 +50,7 @@ class ContentState {
 
  private:
   bool is_own(const MessagePart& part) const;
+  void share_anew(const MessagePart& part, const std::set<PublishPlace>& sites);
 
   std::map<MessagePart, std::set<PublishPlace>> shared_;
   std::set<MessagePart> own_;  ///< inside shared parts

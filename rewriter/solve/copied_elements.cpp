@@ -8,11 +8,6 @@
 namespace tzc::rewriter {
 namespace {
 
-/// Members, globals and statics: the same object in each function. Their roots are USRs.
-bool outlives_functions(const MessagePart& part) {
-  return part.rfind("c:", 0) == 0;
-}
-
 MessagePart only_lasting(const MessagePart& part) {
   return outlives_functions(part) ? part : MessagePart();
 }
@@ -60,6 +55,7 @@ void CopiedElements::add_functions() {
     for (const ContentBlock& block : flow.blocks)
       for (const ContentEvent& event : block.events) {
         touch(event.part);
+        touch(event.other);
         for (const auto& item : event.passed) touch(item.second);
         if (event.kind != ContentEvent::Kind::call || event.callee == usr) continue;
         called_.insert(event.callee);
@@ -163,6 +159,10 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
       return state.make(event.part);
     case ContentEvent::Kind::reset:
       return state.reset(event.part);
+    case ContentEvent::Kind::exchange:
+      return state.exchange(event.part, event.other);
+    case ContentEvent::Kind::alias:
+      return state.alias(event.part, event.other);
     case ContentEvent::Kind::take:
       return state.take(event.part, event.where);
     case ContentEvent::Kind::publish:

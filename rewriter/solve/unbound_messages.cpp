@@ -10,6 +10,13 @@ std::string root_of(const MessagePart& part) {
   return part.substr(0, part.find_first_of("/["));
 }
 
+/// Whether the part is another object afterwards, or has another one's elements.
+bool replaces(const ContentEvent& event) {
+  using Kind = ContentEvent::Kind;
+  return (event.kind == Kind::reset && !event.empties) || event.kind == Kind::exchange ||
+         event.kind == Kind::alias;
+}
+
 }  // namespace
 
 UnboundMessages::UnboundMessages(const Facts& facts) : facts_(facts) {
@@ -31,9 +38,8 @@ void UnboundMessages::read_contents() {
     for (const ContentBlock& block : flow.blocks)
       for (const ContentEvent& event : block.events) {
         if (event.kind == ContentEvent::Kind::publish) published_.insert(root_of(event.part));
-        if (event.kind == ContentEvent::Kind::reset && !event.empties && root_of(event.part) == event.part)
-          replaced_.insert(event.part);
         for (const auto& [parameter, part] : event.passed) given_[parameter].insert(root_of(part));
+        if (replaces(event) && root_of(event.part) == event.part) replaced_.insert(event.part);
       }
 }
 

@@ -34,7 +34,7 @@ class Node {
 //--- expected
 // advertise src/node.cpp:9 std_msgs/Float32MultiArray zero_copy 'values'
 // publish src/node.cpp:15 std_msgs/Float32MultiArray zero_copy 'values'
-// publish src/node.cpp:22 std_msgs/Float32MultiArray zero_copy 'values'
+// publish src/node.cpp:22 std_msgs/Float32MultiArray one_copy 'values' TZC1022 line 20 may use its elements for writing after this publish, which copies them
 // publish src/node.cpp:27 std_msgs/Float32MultiArray zero_copy 'values'
 //
 // +++ src/node.cpp
