@@ -41,10 +41,10 @@ bool is(const Decision* decision, Outcome outcome) {
   return decision && decision->outcome == outcome;
 }
 
-/// A pcl::PointCloud, whose points lie in a vector of PCL's own.
-void describe_cloud(Site& site) {
-  site.rule = "pcl-cloud";
-  site.reason = "publishing copies the cloud's points into shared memory";
+/// A pcl::PointCloud or a cv_bridge::CvImage that is published as such.
+void describe_object_of_library(Site& site) {
+  site.rule = "library-object";
+  site.reason = "its elements lie in memory of its library, and publishing copies them";
 }
 
 class SiteDescriber {
@@ -100,7 +100,7 @@ const Decision* SiteDescriber::decision_of(const EntityId& entity) const {
 
 void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
   site.level = Level::one_copy;
-  if (fact.pcl) return describe_cloud(site);
+  if (fact.pcl) return describe_object_of_library(site);
   site.rule = "stock-message";
   if (fact.twin) {
     site.level = Level::zero_copy;

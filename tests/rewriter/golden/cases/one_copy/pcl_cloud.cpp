@@ -10,8 +10,8 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:5 sensor_msgs/PointCloud2 one_copy 'points'
-// publish src/node.cpp:8 sensor_msgs/PointCloud2 one_copy 'points' publishing copies the cloud's points into shared memory
-// publish src/node.cpp:9 sensor_msgs/PointCloud2 one_copy 'points' publishing copies the cloud's points into shared memory
+// publish src/node.cpp:8 sensor_msgs/PointCloud2 one_copy 'points' its elements lie in memory of its library, and publishing copies them
+// publish src/node.cpp:9 sensor_msgs/PointCloud2 one_copy 'points' its elements lie in memory of its library, and publishing copies them
 //
 // +++ src/node.cpp
 // +#include <tzc/pcl.h>

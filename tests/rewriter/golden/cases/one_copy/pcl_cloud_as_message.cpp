@@ -8,7 +8,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:5 sensor_msgs/PointCloud2 one_copy 'image'
-// publish src/node.cpp:7 sensor_msgs/PointCloud2 one_copy 'image' publishing copies the cloud's points into shared memory
+// publish src/node.cpp:7 sensor_msgs/PointCloud2 one_copy 'image' its elements lie in memory of its library, and publishing copies them
 //
 // +++ src/node.cpp
 // +#include <tzc/pcl.h>
