@@ -317,6 +317,17 @@ TEST(Array, throws_where_vector_does) {
   EXPECT_EQ(3u, array.size());
 }
 
+TEST(Array, says_what_vector_says) {
+  const auto words = [](const auto& container) {
+    try {
+      return std::to_string(container.at(7));
+    } catch (const std::out_of_range& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(words(std::vector<int>(3)), words(Array<int>(3)));
+}
+
 TEST(Array, takes_input_iterators) {
   std::istringstream first("1 2 3"), second("8 9"), third("4 5");
   using Input = std::istream_iterator<int>;

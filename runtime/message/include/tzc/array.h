@@ -184,14 +184,14 @@ class Array {
     storage_.set_size(n);
   }
 
-  T& operator[](size_type i) { return data()[i]; }
-  const T& operator[](size_type i) const noexcept { return data()[i]; }
+  T& operator[](size_type i) { return data()[expected(i)]; }
+  const T& operator[](size_type i) const noexcept { return data()[expected(i)]; }
   T& at(size_type i) { return data()[in_range(i)]; }
   const T& at(size_type i) const { return data()[in_range(i)]; }
-  T& front() { return *begin(); }
-  const T& front() const noexcept { return *begin(); }
-  T& back() { return *(end() - 1); }
-  const T& back() const noexcept { return *(end() - 1); }
+  T& front() { return (*this)[0]; }
+  const T& front() const noexcept { return (*this)[0]; }
+  T& back() { return (*this)[size() - 1]; }
+  const T& back() const noexcept { return (*this)[size() - 1]; }
   T* data() { return storage_.writable(); }
   const T* data() const noexcept { return storage_.begin(); }
 
@@ -204,7 +204,7 @@ class Array {
     push_back(T(std::forward<Args>(args)...));
     return back();
   }
-  void pop_back() noexcept { storage_.set_size(size() - 1); }
+  void pop_back() noexcept { storage_.set_size(expected(size() - 1)); }
   void clear() noexcept { storage_.drop_elements(); }
 
   template <class... Args>
@@ -277,6 +277,8 @@ class Array {
 
   size_type checked(size_type n) const;
   size_type in_range(size_type i) const;
+  /// Ends the program where std::vector does: in code that is compiled with the C++ library's assertions (-D_GLIBCXX_ASSERTIONS).
+  size_type expected(size_type i) const noexcept;
 
   detail::ArrayStorage<T> storage_;
 };

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
 namespace tzc {
 
@@ -124,8 +125,18 @@ typename Array<T>::size_type Array<T>::checked(size_type n) const {
 }
 
 template <class T>
+inline typename Array<T>::size_type Array<T>::expected(size_type i) const noexcept {
+#ifdef _GLIBCXX_ASSERTIONS
+  __glibcxx_assert(i < size());
+#endif
+  return i;
+}
+
+template <class T>
 typename Array<T>::size_type Array<T>::in_range(size_type i) const {
-  if (i >= size()) throw std::out_of_range("tzc::Array::at: index not below size()");
+  if (i >= size())  // the text is std::vector's, which programs log
+    throw std::out_of_range("vector::_M_range_check: __n (which is " + std::to_string(i) +
+                            ") >= this->size() (which is " + std::to_string(size()) + ")");
   return i;
 }
 
