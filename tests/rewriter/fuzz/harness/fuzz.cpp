@@ -185,10 +185,11 @@ void round_done() {
   first = false;
 }
 
-/// What TZC has counted for each topic, while the publishers live.
+/// What TZC has counted for each topic, while the publishers live. Its page shows counters that are at most a second old.
 void write_counters() {
   const char* const monitor = std::getenv("FUZZ_MONITOR");
   if (!monitor) return;
+  ros::WallDuration(1.5).sleep();
   const std::string command = std::string(monitor) + " --json --interval 0 >" + folder() + "/counters.json";
   if (std::system(command.c_str()) != 0) give_up("the counters of " + command);
 }
