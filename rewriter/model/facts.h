@@ -160,7 +160,7 @@ struct Advertise : SiteFact {
   bool needs_memory = false;          ///< the argument that follows could be taken for a memory size
   std::optional<std::string> memory;  ///< as written; set where the call is ported already
   bool pcl = false;                   ///< advertised as a pcl::PointCloud
-  bool for_callers = false;           ///< in an exported function that returns the publisher, and stays as it is
+  bool for_callers = false;  ///< in an exported function that returns the publisher, and stays as it is
   std::string rule;
 };
 
