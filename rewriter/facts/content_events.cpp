@@ -150,6 +150,10 @@ void ContentReader::declaration(const clang::DeclStmt* stmt) {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
     if (!variable || variable->isStaticLocal() || variable->getType()->isReferenceType()) continue;
     add(Kind::reset, parts_.root_of(variable), variable->getLocation());
+    if (variable->getType()->isPointerType() && variable->getInit() &&
+        is_message_or_pointer(variable->getType()))
+      pair(Kind::alias, parts_.root_of(variable), parts_.part_of(variable->getInit()),
+           variable->getLocation());
     const auto* made = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(variable->getInit());
     if (!made || !is_message_or_pointer(variable->getType())) continue;
     const bool is_pointer = !pointee_of(variable->getType()).isNull();
@@ -175,6 +179,12 @@ void ContentReader::assignment(const clang::CXXOperatorCallExpr* call) {
     moved(part, source, call->getExprLoc());
   else if (is_pointer)
     pair(Kind::alias, part, other, call->getExprLoc());
+}
+
+/// current_ = &frames_[i]
+void ContentReader::pointer_assignment(const clang::BinaryOperator* op) {
+  if (op->getOpcode() == clang::BO_Assign && is_message_or_pointer(op->getType()))
+    pair(Kind::alias, parts_.part_of(op->getLHS()), parts_.part_of(op->getRHS()), op->getExprLoc());
 }
 
 void ContentReader::publish(const clang::CXXMemberCallExpr* call) {
@@ -290,6 +300,7 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
     llvm::ArrayRef<const clang::Expr*> arguments(call->getArgs(), call->getNumArgs());
     return package_call(function, shifted ? arguments.drop_front() : arguments, call);
   }
+  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(stmt)) return pointer_assignment(op);
   const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
   if (!expr || !llvm::isa<clang::MemberExpr, clang::DeclRefExpr>(expr)) return;
   if (is_stock_or_twin_array(expr->getType())) array(expr);

@@ -36,6 +36,7 @@ class ContentReader {
   void array_method(const clang::Expr* array, const clang::CXXMemberCallExpr* call, const std::string& name);
   void declaration(const clang::DeclStmt* stmt);
   void assignment(const clang::CXXOperatorCallExpr* call);
+  void pointer_assignment(const clang::BinaryOperator* op);
   void member_call(const clang::CXXMemberCallExpr* call);
   void iterator(const clang::CXXConstructExpr* construct);
   void made(const clang::CXXRecordDecl* record, clang::SourceLocation where);

@@ -88,11 +88,22 @@ MessagePart MessageParts::of_binding(const clang::BindingDecl* binding, unsigned
   return binding->getBinding() ? part_of(binding->getBinding(), depth + 1) : MessagePart();
 }
 
+/// for (auto& image : images_); null: it is no such variable.
+const clang::Expr* MessageParts::range_of(const clang::VarDecl* variable) const {
+  if (!variable->isCXXForRangeDecl() || !variable->getType()->isReferenceType()) return nullptr;
+  for (const clang::Stmt* stmt : view_.statements())
+    if (const auto* loop = llvm::dyn_cast<clang::CXXForRangeStmt>(stmt))
+      if (loop->getLoopVariable() == variable) return loop->getRangeInit();
+  return nullptr;
+}
+
 MessagePart MessageParts::of_name(const clang::DeclRefExpr* name, unsigned depth) const {
   if (const auto* binding = llvm::dyn_cast<clang::BindingDecl>(name->getDecl()))
     return of_binding(binding, depth);
   const auto* variable = llvm::dyn_cast<clang::VarDecl>(name->getDecl());
   if (!variable) return {};
+  if (const clang::Expr* range = range_of(variable))
+    if (const MessagePart whole = part_of(range, depth + 1); !whole.empty()) return whole + "[each]";
   if (is_another_name(variable))
     if (MessagePart same = part_of(variable->getInit(), depth + 1); !same.empty()) return same;
   return root_of(variable);

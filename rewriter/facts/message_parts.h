@@ -24,6 +24,7 @@ class MessageParts {
   MessagePart of_call(const clang::CallExpr* call, unsigned depth) const;
   MessagePart of_result(const clang::FunctionDecl* function, unsigned depth) const;
   MessagePart element_of(const clang::Expr* container, const clang::Expr* index, unsigned depth) const;
+  const clang::Expr* range_of(const clang::VarDecl* variable) const;
   bool is_another_name(const clang::VarDecl* variable) const;
 
   const Unit& unit_;

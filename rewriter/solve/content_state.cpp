@@ -108,6 +108,7 @@ void ContentState::alias(const MessagePart& pointer, const MessagePart& other) {
   const ContentState same = renamed([&](const MessagePart& part) {
     return lies_in(part, other) ? pointer + part.substr(other.size()) : MessagePart();
   });
+  reset(pointer);
   for (const auto& [part, sites] : same.shared_) share_anew(part, sites);
   share_anew(pointer, sharers_of(other));
   taken_.insert(same.taken_.begin(), same.taken_.end());

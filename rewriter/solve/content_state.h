@@ -29,9 +29,11 @@ class ContentState {
   void take(const MessagePart& part, const Location& where);
   /// Where a part of it was given a vector's elements; none: it was not.
   std::optional<Location> publish(const MessagePart& part, const PublishPlace& site);
+  /// Another name of what is published.
+  void publish_as(const MessagePart& other, const PublishPlace& site) { share_anew(other, {site}); }
   /// Each part has from here on what the other one had. Objects stay bound to the memory that they are bound to.
   void exchange(const MessagePart& one, const MessagePart& other);
-  /// The pointer may lead from here on to what another one leads to, and to what it led to, since that one may have other names.
+  /// The pointer leads from here on to what the other part is. What it led to keeps its content under its other names.
   void alias(const MessagePart& pointer, const MessagePart& other);
   /// The publishes whose elements a write to the array copies. Afterwards the array has its own again.
   std::set<PublishPlace> write(const MessagePart& array);

@@ -28,7 +28,7 @@ ContentEvent call_of_override(const ContentEvent& call, const std::string& funct
 
 }  // namespace
 
-CopiedElements::CopiedElements(const Facts& facts) : facts_(facts) {
+CopiedElements::CopiedElements(const Facts& facts) : facts_(facts), other_names_(facts) {
   add_functions();
   touch_what_callees_touch();
   for (auto& [usr, function] : functions_)
@@ -51,6 +51,8 @@ void CopiedElements::add_functions() {
     function.flow = &flow;
     const auto touch = [&](const MessagePart& part) {
       if (outlives_functions(part)) function.touched.insert(root_of(part));
+      for (const MessagePart& other : other_names_.of(part))
+        if (outlives_functions(other)) function.touched.insert(root_of(other));
     };
     for (const ContentBlock& block : flow.blocks)
       for (const ContentEvent& event : block.events) {
@@ -170,6 +172,7 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
           state.is_new(event.part);  // states only lose what is new
       if (const std::optional<Location> where = state.publish(event.part, event.site))
         taken_.emplace(event.site, *where);
+      for (const MessagePart& other : other_names_.of(event.part)) state.publish_as(other, event.site);
       return;
     case ContentEvent::Kind::write:
       for (const PublishPlace& site : state.write(event.part)) writes_.emplace(site, event.where);

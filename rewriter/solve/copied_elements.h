@@ -8,6 +8,7 @@
 
 #include "model/facts.h"
 #include "solve/content_state.h"
+#include "solve/other_names.h"
 
 namespace tzc::rewriter {
 
@@ -46,6 +47,7 @@ class CopiedElements {
   void leave(const std::string& usr, Function& function);
 
   const Facts& facts_;
+  const OtherNames other_names_;
   std::map<std::string, Function> functions_;
   std::set<std::string> called_;
   ContentState anytime_;  ///< of what outlives functions, when one is called from outside

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solve/other_names.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace tzc::rewriter {
+namespace {
+
+/// "frames_[i]/data" -> "frames_[i]"
+MessagePart message_of(const MessagePart& part) {
+  return part.substr(0, part.find('/'));
+}
+
+/// "frames_[i]/data" -> "frames_"
+std::string stem_of(const MessagePart& part) {
+  return part.substr(0, part.find_first_of("/["));
+}
+
+/// "frames_[0]": two such names of one container are two messages.
+bool has_constant_index(const MessagePart& message) {
+  const std::size_t begin = message.find('[');
+  return begin != std::string::npos && message.size() > begin + 2 &&
+         std::all_of(message.begin() + static_cast<std::ptrdiff_t>(begin) + 1, message.end() - 1,
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+bool are_two_messages(const MessagePart& one, const MessagePart& other) {
+  return stem_of(one) == stem_of(other) && has_constant_index(one) && has_constant_index(other);
+}
+
+template <class Visitor>
+void for_each_event(const Facts& facts, const Visitor& visit) {
+  for (const auto& [usr, flow] : facts.contents)
+    for (const ContentBlock& block : flow.blocks)
+      for (const ContentEvent& event : block.events) visit(event);
+}
+
+}  // namespace
+
+OtherNames::OtherNames(const Facts& facts) {
+  for_each_event(facts, [&](const ContentEvent& event) {
+    add_name(event.part);
+    add_name(event.other);
+    for (const auto& [parameter, part] : event.passed) add_name(part);
+    if (event.kind == ContentEvent::Kind::alias) unite(stem_of(event.part), stem_of(event.other));
+  });
+  for (const auto& [stem, names] : by_stem_) by_family_[family_of(stem)].insert(names.begin(), names.end());
+}
+
+void OtherNames::add_name(const MessagePart& part) {
+  if (!part.empty()) by_stem_[stem_of(part)].insert(message_of(part));
+}
+
+const std::string& OtherNames::family_of(const std::string& stem) const {
+  const std::string* name = &stem;
+  for (auto found = families_.find(*name); found != families_.end(); found = families_.find(*name))
+    name = &found->second;
+  return *name;
+}
+
+void OtherNames::unite(const std::string& one, const std::string& other) {
+  const std::string& first = family_of(one);
+  const std::string& second = family_of(other);
+  if (first != second) families_.emplace(first, second);
+}
+
+std::vector<MessagePart> OtherNames::of(const MessagePart& part) const {
+  std::vector<MessagePart> names;
+  const auto found = by_family_.find(family_of(stem_of(part)));
+  if (found == by_family_.end()) return names;
+  const MessagePart message = message_of(part);
+  for (const MessagePart& other : found->second)
+    if (other != message && !are_two_messages(other, message))
+      names.push_back(other + part.substr(message.size()));
+  return names;
+}
+
+}  // namespace tzc::rewriter

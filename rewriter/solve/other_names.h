@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "model/facts.h"
+
+namespace tzc::rewriter {
+
+/// Names that may denote one message: elements of a container by different indices, and what pointers are given. Of the whole run, in
+/// no order: a name that once led to a message may lead to it again.
+class OtherNames {
+ public:
+  explicit OtherNames(const Facts& facts);
+
+  /// What else the part may be called.
+  std::vector<MessagePart> of(const MessagePart& part) const;
+
+ private:
+  const std::string& family_of(const std::string& stem) const;
+  void unite(const std::string& one, const std::string& other);
+  void add_name(const MessagePart& part);
+
+  std::map<std::string, std::string> families_;           ///< of stems: one of them stands for all
+  std::map<std::string, std::set<MessagePart>> by_stem_;  ///< names of whole messages
+  std::map<std::string, std::set<MessagePart>> by_family_;
+};
+
+}  // namespace tzc::rewriter
