@@ -205,12 +205,30 @@ bool is_last_declared(const Unit& unit, const clang::VarDecl* variable) {
   return !statement || *std::prev(statement->decl_end()) == variable;
 }
 
+/// The message that new or make_shared makes the object from: M(std::move(other)), or a call that returns one. Null: none.
+const clang::Expr* made_from(const clang::Expr* expr) {
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(expr);
+  const auto* made = llvm::dyn_cast<clang::CXXNewExpr>(expr);
+  const clang::Expr* value = made ? made->getInitializer() : nullptr;
+  if (const auto* construct = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(value))
+    value = construct->getNumArgs() == 1 ? construct->getArg(0) : nullptr;
+  if (call && call->getNumArgs() == 1) value = call->getArg(0);
+  return value && message_of(value->getType().getNonReferenceType()) ? value : nullptr;
+}
+
 }  // namespace
+
+/// Whether the object gets another message's elements, to which the program may have pointers; they stay where they lie. A copy has
+/// elements of its own, which nobody else knows.
+bool AllocationCollector::takes_over(const clang::Expr* expr) const {
+  const clang::Expr* source = made_from(expr);
+  return source && !source->isLValue() && !is_fresh(flow_.sources_of(source));
+}
 
 std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr* expr, const EntityId& id,
                                                               const FlowEnd& end) {
   const bool is_value = message_of(expr->getType()).has_value();
-  if (is_value)
+  if (is_value || takes_over(expr))
     return {};  // its variable is the site, what it is assigned to keeps its memory, or it has no arrays
   AllocationDraft draft = draft_at(unit_, entities_, id, *expr);
   InsertedAllocation how;

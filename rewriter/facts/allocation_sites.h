@@ -41,6 +41,7 @@ class AllocationCollector {
  private:
   void place_behind(InsertedAllocation& how, const clang::Stmt* statement) const;
   bool is_fresh(const FlowSources& sources) const;
+  bool takes_over(const clang::Expr* expr) const;
   bool is_result(const FlowSources& sources) const;
 
   const Unit& unit_;

@@ -38,7 +38,6 @@ void run(ros::NodeHandle& nh) {
 // -  sensor_msgs::ImagePtr image = boost::make_shared<sensor_msgs::Image>(make(7));
 // +static tzc::sensor_msgs::ImagePtr wrapped(const tzc::Publisher& publisher) {
 // +  tzc::sensor_msgs::ImagePtr image = boost::make_shared<tzc::sensor_msgs::Image>(make(publisher, 7));
-// +  publisher.allocate(*image);
 // -sensor_msgs::Image make(int size, int value) {
 // -  sensor_msgs::Image image;
 // +tzc::sensor_msgs::Image make(const tzc::Publisher& publisher, int size, int value) {
