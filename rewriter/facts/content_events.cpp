@@ -23,9 +23,9 @@ bool is_made_empty(const clang::Expr* source) {
   return made && made->getNumArgs() == 0;
 }
 
-bool is_message_or_pointer(clang::QualType type) {
-  const clang::QualType pointee = pointee_of(type);
-  return is_stock_or_twin(pointee.isNull() ? type : pointee);
+/// What a variable is made from is a call's result itself.
+bool is_call(const clang::Expr* init) {
+  return init && llvm::isa<clang::CallExpr>(init->IgnoreImplicit());
 }
 
 const clang::Stmt* use_of(const FunctionView& view, const clang::Stmt* expr) {
@@ -148,19 +148,22 @@ void ContentReader::array_of_messages(const clang::Expr* expr) {
 void ContentReader::declaration(const clang::DeclStmt* stmt) {
   for (const clang::Decl* decl : stmt->decls()) {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
-    if (!variable || variable->isStaticLocal() || variable->getType()->isReferenceType()) continue;
-    add(Kind::reset, parts_.root_of(variable), variable->getLocation());
+    if (!variable || variable->isStaticLocal()) continue;
+    const MessagePart root = parts_.root_of(variable);
+    const bool has_result = is_call(variable->getInit()) && is_result(parts_.part_of(variable->getInit()));
+    if (variable->getType()->isReferenceType() && !has_result) continue;
+    add(Kind::reset, root, variable->getLocation());
+    if (has_result) moved(root, variable->getInit(), variable->getLocation());
     if (variable->getType()->isPointerType() && variable->getInit() &&
         is_message_or_pointer(variable->getType()))
-      pair(Kind::alias, parts_.root_of(variable), parts_.part_of(variable->getInit()),
-           variable->getLocation());
+      pair(Kind::alias, root, parts_.part_of(variable->getInit()), variable->getLocation());
     const auto* made = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(variable->getInit());
     if (!made || !is_message_or_pointer(variable->getType())) continue;
     const bool is_pointer = !pointee_of(variable->getType()).isNull();
     if (made->getConstructor()->isMoveConstructor())
-      moved(parts_.root_of(variable), made->getArg(0), variable->getLocation());
+      moved(root, made->getArg(0), variable->getLocation());
     else if (is_pointer && made->getConstructor()->isCopyConstructor())
-      pair(Kind::alias, parts_.root_of(variable), parts_.part_of(made->getArg(0)), variable->getLocation());
+      pair(Kind::alias, root, parts_.part_of(made->getArg(0)), variable->getLocation());
   }
 }
 
@@ -219,12 +222,28 @@ bool ContentReader::rule_call(const clang::CallExpr* call, const std::string& na
   return false;
 }
 
+/// A message by value takes its content along; a pointer to what outlives the function is another name of it.
+void ContentReader::returned(const clang::ReturnStmt* stmt) {
+  const clang::Expr* value = stmt->getRetValue();
+  if (!value || !returns_message(view_.function()) || view_.lambda_around(stmt)) return;
+  const MessagePart result = result_root(usr_of(pattern_of(view_.function())));
+  add(Kind::reset, result, stmt->getReturnLoc());
+  const bool is_pointer = !pointee_of(value->getType()).isNull();
+  const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(value->IgnoreImplicit());
+  if (made && (made->getNumArgs() == 0 || !(is_pointer || made->getConstructor()->isMoveConstructor())))
+    return;
+  const MessagePart part = parts_.part_of(made ? made->getArg(0) : value);
+  const bool stays = is_pointer && (outlives_functions(part) || is_parameter(part));
+  pair(stays ? Kind::alias : Kind::exchange, result, part, stmt->getReturnLoc());
+}
+
 void ContentReader::package_call(const clang::FunctionDecl* function,
                                  llvm::ArrayRef<const clang::Expr*> arguments, const clang::Stmt* at) {
   ContentEvent event;
   event.kind = Kind::call;
   event.callee = usr_of(pattern_of(function));
   event.where = unit_.location(at->getBeginLoc());
+  if (returns_message(function)) event.part = result_root(event.callee);
   for (unsigned i = 0; i < arguments.size() && i < function->getNumParams(); ++i) {
     const clang::QualType type = arguments[i]->getType();
     if (!is_message_or_pointer(type) && !is_stock_or_twin_array(type)) continue;
@@ -279,6 +298,7 @@ void ContentReader::closure(const clang::LambdaExpr* lambda) {
 void ContentReader::look_at(const clang::Stmt* stmt) {
   if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt)) return this->declaration(declaration);
   if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) return closure(lambda);
+  if (const auto* statement = llvm::dyn_cast<clang::ReturnStmt>(stmt)) return returned(statement);
   if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
     iterator(construct);
     if (!construct->getConstructor()->isCopyOrMoveConstructor())

@@ -37,6 +37,7 @@ class ContentReader {
   void declaration(const clang::DeclStmt* stmt);
   void assignment(const clang::CXXOperatorCallExpr* call);
   void pointer_assignment(const clang::BinaryOperator* op);
+  void returned(const clang::ReturnStmt* stmt);
   void member_call(const clang::CXXMemberCallExpr* call);
   void iterator(const clang::CXXConstructExpr* construct);
   void made(const clang::CXXRecordDecl* record, clang::SourceLocation where);

@@ -46,6 +46,16 @@ bool is_stock_or_twin_array(clang::QualType type) {
   return record && qualified_name_of(record) == "tzc::Array";
 }
 
+bool is_message_or_pointer(clang::QualType type) {
+  const clang::QualType pointee = pointee_of(type);
+  return is_stock_or_twin(pointee.isNull() ? type : pointee);
+}
+
+bool returns_message(const clang::FunctionDecl* function) {
+  const clang::QualType type = function->getReturnType();
+  return !type->isReferenceType() && is_message_or_pointer(type);
+}
+
 bool is_array_of_data_parts(clang::QualType type) {
   const auto* templated = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
       type.getNonReferenceType()->getAsCXXRecordDecl());
@@ -105,7 +115,8 @@ MessagePart MessageParts::of_name(const clang::DeclRefExpr* name, unsigned depth
   if (const clang::Expr* range = range_of(variable))
     if (const MessagePart whole = part_of(range, depth + 1); !whole.empty()) return whole + "[each]";
   if (is_another_name(variable))
-    if (MessagePart same = part_of(variable->getInit(), depth + 1); !same.empty()) return same;
+    if (MessagePart same = part_of(variable->getInit(), depth + 1); !same.empty() && !is_result(same))
+      return same;  // the function's next call has another result
   return root_of(variable);
 }
 
@@ -149,7 +160,10 @@ MessagePart MessageParts::of_call(const clang::CallExpr* call, unsigned depth) c
                                                     : MessagePart();
   }
   if (passes_through(function)) return part_of(call->getArg(0), depth + 1);
-  if (unit_.declares(function)) return of_result(function, depth);
+  if (unit_.declares(function)) {
+    MessagePart part = of_result(function, depth);
+    return part.empty() && returns_message(function) ? result_root(usr_of(pattern_of(function))) : part;
+  }
   const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
   if (!method || !function->getDeclName().isIdentifier()) return {};
   const clang::Expr* object = method->getImplicitObjectArgument();

@@ -33,6 +33,10 @@ class MessageParts {
 
 /// A stock message or its twin.
 bool is_stock_or_twin(clang::QualType type);
+/// A message, or a pointer to one; also a reference to either.
+bool is_message_or_pointer(clang::QualType type);
+/// A message or a pointer to one, as a value of the caller's own.
+bool returns_message(const clang::FunctionDecl* function);
 /// A data array of a stock message or of a twin.
 bool is_stock_or_twin_array(clang::QualType type);
 /// An array of messages, or of twins, that have data arrays themselves.

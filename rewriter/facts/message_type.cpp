@@ -260,6 +260,36 @@ clang::QualType pointee_of(clang::QualType type) {
 
 namespace {
 
+bool reaches_messages(clang::QualType type, bool through_pointers) {
+  static const std::set<std::string> containers = {
+      "vector",   "deque", "list",  "forward_list", "array", "map",      "unordered_map",
+      "multimap", "queue", "stack", "pair",         "tuple", "optional", "circular_buffer"};
+  if (const auto* array = type->getAsArrayTypeUnsafe())
+    return reaches_messages(array->getElementType(), through_pointers);
+  if (const clang::QualType pointee = pointee_of(type); !pointee.isNull())
+    return through_pointers && reaches_messages(pointee, true);
+  if (message_of(type) || twin_message_of(type)) return true;
+  const auto* templated = specialization_of(type);
+  if (!templated || !is_known_wrapper(templated) || containers.count(templated->getName().str()) == 0)
+    return false;
+  return llvm::any_of(templated->getTemplateArgs().asArray(), [&](const clang::TemplateArgument& argument) {
+    return argument.getKind() == clang::TemplateArgument::Type &&
+           reaches_messages(argument.getAsType(), through_pointers);
+  });
+}
+
+}  // namespace
+
+bool holds_messages(clang::QualType type) {
+  return reaches_messages(type, false);
+}
+
+bool leads_to_messages(clang::QualType type) {
+  return reaches_messages(type.getNonReferenceType(), true);
+}
+
+namespace {
+
 bool is_or_points_to(clang::QualType type, const char* name) {
   const clang::QualType pointee = pointee_of(type);
   const clang::CXXRecordDecl* record = record_of(pointee.isNull() ? type : pointee);

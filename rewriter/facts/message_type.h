@@ -49,6 +49,11 @@ bool is_data_array(clang::QualType type);
 /// Message, publisher or filter, directly or in pointers, references, containers and iterators.
 std::optional<Carried> carried_by(clang::QualType type, const RuleSet& rules);
 
+/// A message, or arrays and containers of messages by value.
+bool holds_messages(clang::QualType type);
+/// Likewise pointers to messages, and containers of such.
+bool leads_to_messages(clang::QualType type);
+
 /// pcl::PointCloud<T>, directly or by pointer.
 bool is_pcl_cloud(clang::QualType type);
 

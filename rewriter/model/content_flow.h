@@ -22,6 +22,10 @@ inline std::string parameter_root(const std::string& function, unsigned index) {
   return "parameter " + std::to_string(index) + " of " + function;
 }
 
+inline bool is_parameter(const MessagePart& part) {
+  return part.rfind("parameter ", 0) == 0;
+}
+
 /// Members, globals and statics: the same object in each function. Their roots are USRs.
 inline bool outlives_functions(const MessagePart& part) {
   return part.rfind("c:", 0) == 0;
@@ -30,6 +34,11 @@ inline bool outlives_functions(const MessagePart& part) {
 /// The root of what a function returns by value.
 inline std::string result_root(const std::string& function) {
   return "result of " + function;
+}
+
+/// A part of what a call returned, which has the state that the function left it with.
+inline bool is_result(const MessagePart& part) {
+  return part.rfind("result of ", 0) == 0;
 }
 
 /// A publish call, without the type that instances of a template give it.
@@ -47,7 +56,7 @@ struct ContentEvent {
     call       ///< of a function of the package
   };
   Kind kind = Kind::write;
-  MessagePart part;
+  MessagePart part;  ///< of a call: what it returns
   MessagePart other;
   Location where;
   PublishPlace site;                          ///< of a publish

@@ -151,6 +151,7 @@ void Facts::merge(Facts&& other) {
   early.merge(other.early);
   for (auto& [usr, flow] : other.contents) add_content(usr, std::move(flow));
   append(given_messages, other.given_messages);
+  unite(handed_on, other.handed_on);
   unite(published_from, other.published_from);
   addressed.merge(other.addressed);
   hidden.shown.merge(other.hidden.shown);

@@ -313,6 +313,8 @@ struct EscapeFacts {
   std::set<std::string> early;  ///< functions that run before an object's members are all there, by USR
   std::map<std::string, ContentFlow> contents;  ///< of functions that touch messages' arrays, by USR
   std::vector<GivenMessage> given_messages;
+  /// By the root of what holds a message: the roots of what is made from it afterwards.
+  std::map<std::string, std::set<std::string>> handed_on;
   std::map<PublishPlace, std::set<std::string>> published_from;  ///< the roots of what holds the message
   std::set<std::string> addressed;  ///< functions that something else than a call names, by USR
 };

@@ -16,6 +16,12 @@ std::string root_of(const MessagePart& part) {
   return part.substr(0, part.find('/'));
 }
 
+/// A function's next result is another object.
+ContentState without(const MessagePart& result, ContentState state) {
+  if (!result.empty()) state.reset(result);
+  return state;
+}
+
 /// The call as one of a function that overrides the callee.
 ContentEvent call_of_override(const ContentEvent& call, const std::string& function) {
   ContentEvent other = call;
@@ -214,14 +220,16 @@ std::optional<ContentState> CopiedElements::after_call(const ContentEvent& event
 /// None: no call of the function has returned yet.
 std::optional<ContentState> CopiedElements::after(const ContentEvent& event, const ContentState& before) {
   const auto found = functions_.find(event.callee);
-  if (found == functions_.end()) return before;
+  if (found == functions_.end()) return without(event.part, before);
   const Function& callee = found->second;
   const auto to_callee = [&](const MessagePart& part) {
     for (const auto& [parameter, given] : event.passed)
       if (lies_in(part, given)) return parameter + part.substr(given.size());
     return callee.touches(part) ? part : MessagePart();
   };
+  const MessagePart result = result_root(event.callee);
   const auto to_caller = [&](const MessagePart& part) {
+    if (!event.part.empty() && lies_in(part, result)) return event.part + part.substr(result.size());
     for (const auto& [parameter, given] : event.passed)
       if (lies_in(part, parameter)) return given + part.substr(parameter.size());
     return only_lasting(part);
@@ -231,7 +239,7 @@ std::optional<ContentState> CopiedElements::after(const ContentEvent& event, con
     inside.share(parameter, before.sharers_of(given));
   enter(event.callee, inside);
   if (!callee.exit) return {};
-  ContentState after = before.renamed([&](const MessagePart& part) {
+  ContentState after = without(event.part, before).renamed([&](const MessagePart& part) {
     const bool given = std::any_of(event.passed.begin(), event.passed.end(),
                                    [&](const auto& item) { return lies_in(part, item.second); });
     return given || callee.touches(part) ? MessagePart() : part;

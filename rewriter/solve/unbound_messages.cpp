@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solve/unbound_messages.h"
 
+#include <vector>
+
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -31,6 +33,21 @@ UnboundMessages::UnboundMessages(const Facts& facts) : facts_(facts) {
                    "its elements come from a message that is never published itself (" + given.how +
                        " in line " + std::to_string(given.where.line) + "), and lie outside shared memory",
                    given.where});
+  hand_on();
+}
+
+/// What is made from such content lies outside shared memory, too.
+void UnboundMessages::hand_on() {
+  std::vector<std::string> open;
+  for (const auto& [holder, why] : unbound_) open.push_back(holder);
+  while (!open.empty()) {
+    const std::string holder = std::move(open.back());
+    open.pop_back();
+    const auto next = facts_.handed_on.find(holder);
+    if (next == facts_.handed_on.end()) continue;
+    for (const std::string& other : next->second)
+      if (unbound_.emplace(other, unbound_.at(holder)).second) open.push_back(other);
+  }
 }
 
 void UnboundMessages::read_contents() {
