@@ -192,6 +192,7 @@ EntityId EntityTable::declare(const clang::ValueDecl* decl) {
   check_type(entity, *carried);
   const clang::CXXRecordDecl* record = decl->getType().getNonReferenceType()->getAsCXXRecordDecl();
   entity.plain = record && unit_.rules.find_class_or_ported(qualified_name_of(record)) != nullptr;
+  entity.holds = holds_messages(decl->getType());
   for (const clang::Decl* redeclaration : decl->redecls()) {
     const auto* written = llvm::cast<clang::DeclaratorDecl>(redeclaration);
     if (written->getTypeSourceInfo()) respell(entity, written->getTypeSourceInfo()->getTypeLoc());
