@@ -2,6 +2,8 @@
 #include "edits/edited_lines.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 #include "edits/apply.h"
 #include "edits/diff.h"
@@ -15,8 +17,58 @@ unsigned count_lines(const std::string& text, std::size_t begin, std::size_t end
                                           '\n'));
 }
 
+/// Lines that a comparison has on one of its sides, one after the other.
+struct Lines {
+  std::vector<std::string_view> texts;
+
+  /// For each character that is no space, its line, from 1.
+  std::vector<unsigned> of_characters() const;
+  std::string characters() const;
+};
+
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+std::vector<unsigned> Lines::of_characters() const {
+  std::vector<unsigned> lines;
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    lines.insert(lines.end(),
+                 static_cast<std::size_t>(
+                     std::count_if(texts[i].begin(), texts[i].end(), [](char c) { return !is_space(c); })),
+                 static_cast<unsigned>(i) + 1);
+  return lines;
+}
+
+std::string Lines::characters() const {
+  std::string all;
+  for (const std::string_view text : texts)
+    std::remove_copy_if(text.begin(), text.end(), std::back_inserter(all), is_space);
+  return all;
+}
+
+/// Formatting that only breaks and joins lines says exactly which old lines a new one stands for.
+bool pair_characters(unsigned before, const Lines& removed, const Lines& added,
+                     std::vector<LineRange>& ranges) {
+  if (removed.characters() != added.characters()) return false;
+  const std::vector<unsigned> of_old = removed.of_characters(), of_new = added.of_characters();
+  for (unsigned line = 1; line <= added.texts.size(); ++line) {
+    const auto [first, last] = std::equal_range(of_new.begin(), of_new.end(), line);
+    const auto old_line = [&](std::ptrdiff_t at) { return before + of_old[static_cast<std::size_t>(at)]; };
+    if (first != last)
+      ranges.push_back({old_line(first - of_new.begin()), old_line(last - of_new.begin() - 1)});
+    else
+      ranges.push_back(ranges.empty() ? LineRange{before + 1, before + 1} : ranges.back());
+  }
+  return true;
+}
+
 /// The old lines that each new line of a change stands for; line by line where their number stays.
-void pair_change(unsigned before, unsigned removed, unsigned added, std::vector<LineRange>& ranges) {
+void pair_change(unsigned before, const Lines& old_lines, const Lines& new_lines,
+                 std::vector<LineRange>& ranges) {
+  const auto removed = static_cast<unsigned>(old_lines.texts.size());
+  const auto added = static_cast<unsigned>(new_lines.texts.size());
+  if (removed > 0 && pair_characters(before, old_lines, new_lines, ranges)) return;
   for (unsigned i = 1; i <= added; ++i) {
     if (removed == added)
       ranges.push_back({before + i, before + i});
@@ -32,11 +84,11 @@ std::vector<LineRange> compare(const std::string& old_text, const std::string& n
   std::vector<LineRange> ranges;
   unsigned before = 0;
   for (std::size_t at = 0; at < lines.size();) {
-    unsigned removed = 0, added = 0;
+    Lines removed, added;
     for (; at < lines.size() && lines[at].change != LineChange::same; ++at)
-      ++(lines[at].change == LineChange::removed ? removed : added);
+      (lines[at].change == LineChange::removed ? removed : added).texts.push_back(lines[at].text);
     pair_change(before, removed, added, ranges);
-    before += removed;
+    before += static_cast<unsigned>(removed.texts.size());
     for (; at < lines.size() && lines[at].change == LineChange::same; ++at) {
       ++before;
       ranges.push_back({before, before});

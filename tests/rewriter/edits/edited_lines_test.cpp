@@ -54,6 +54,32 @@ TEST(EditedLines, through_formatting) {
   EXPECT_EQ(lines.original(6).first, 5u);
 }
 
+/// Neighbouring functions of a class, written on a line each.
+TEST(EditedLines, of_lines_that_formatting_breaks) {
+  const std::string functions = "void f() { a; b; }\nvoid g() { c; d; e; }\nvoid h() { f; }\n";
+  Edit edit;
+  edit.offset = functions.find("a;");
+  edit.length = 1;
+  edit.text = "A";
+  const EditedLines lines(functions, {edit},
+                          "void f() {\n  A;\n  b;\n}\nvoid g() {\n  c;\n  d;\n\n  e;\n}\nvoid h() { f; }\n");
+  const unsigned expected[] = {1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3};
+  for (unsigned line = 1; line <= 11; ++line) {
+    EXPECT_EQ(lines.original(line).first, expected[line - 1]) << line;
+    EXPECT_EQ(lines.original(line).last, expected[line - 1]) << line;
+  }
+}
+
+/// As many lines as before, but not line by line.
+TEST(EditedLines, of_lines_that_formatting_breaks_and_joins) {
+  const EditedLines lines("f(a,\n  b);\ng(c); h(d);\n", {}, "f(a, b);\ng(c);\nh(d);\n");
+  EXPECT_EQ(lines.original(1).first, 1u);
+  EXPECT_EQ(lines.original(1).last, 2u);
+  EXPECT_EQ(lines.original(2).first, 3u);
+  EXPECT_EQ(lines.original(2).last, 3u);
+  EXPECT_EQ(lines.original(3).first, 3u);
+}
+
 TEST(EditedLines, through_the_branches_of_dual) {
   const std::string edited = *apply_edits(original, edits());
   const std::string dual = *dual_text("f", original, edited);
