@@ -20,6 +20,19 @@ bool is_library_container(const Unit& unit, const clang::CXXMemberCallExpr* call
   return name.rfind("std::", 0) == 0 || name.rfind("boost::", 0) == 0;
 }
 
+/// cloud.channels: its elements are parts of one message.
+bool is_in_message(const clang::Expr* container) {
+  const auto* member = llvm::dyn_cast<clang::MemberExpr>(container->IgnoreParenImpCasts());
+  if (!member) return false;
+  const clang::QualType base = member->getBase()->getType();
+  return is_stock_or_twin(member->isArrow() ? base->getPointeeType() : base);
+}
+
+bool is_map(clang::QualType type) {
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  return record && (record->getName() == "map" || record->getName() == "unordered_map");
+}
+
 /// What an object is made from, directly or through another new object; none: from nothing that is an expression here.
 std::vector<const clang::Expr*> origins_of(const clang::Expr* expr) {
   if (const auto* made = llvm::dyn_cast<clang::CXXNewExpr>(expr))
@@ -50,7 +63,9 @@ class GivenMessages {
 
  private:
   void give(const clang::Expr* message, const std::string& holder, const std::string& how);
-  void hand_on(const clang::Expr* from, const std::string& holder);
+  bool hand_on(const clang::Expr* from, const std::string& holder);
+  void container_call(const clang::CXXMemberCallExpr* call);
+  void make_in(const std::string& container, const std::string& how, const clang::Expr* at);
   void declaration(const clang::DeclStmt* statement);
   void result(const clang::ReturnStmt* statement);
   void call(const clang::CallExpr* call);
@@ -73,9 +88,10 @@ void GivenMessages::give(const clang::Expr* message, const std::string& holder, 
   facts_.given_messages.push_back({part, holder, how, unit_.location(message->getBeginLoc())});
 }
 
-/// What is made from a message, or from what leads to one.
-void GivenMessages::hand_on(const clang::Expr* from, const std::string& holder) {
-  if (!from || holder.empty()) return;
+/// What is made from a message, or from what leads to one. False: it is made from none that has a name.
+bool GivenMessages::hand_on(const clang::Expr* from, const std::string& holder) {
+  if (!from || holder.empty()) return false;
+  bool has_source = false;
   std::vector<const clang::Expr*> open{from};
   while (!open.empty()) {
     const clang::Expr* expr = open.back()->IgnoreParens()->IgnoreImplicit();
@@ -85,8 +101,10 @@ void GivenMessages::hand_on(const clang::Expr* from, const std::string& holder) 
     open.insert(open.end(), origins.begin(), origins.end());
     if (!origins.empty() || !leads_to_messages(expr->getType())) continue;
     std::string source = holders_.of(expr);
+    has_source |= !source.empty();
     if (!source.empty() && source != holder) facts_.handed_on[std::move(source)].insert(holder);
   }
+  return has_source;
 }
 
 void GivenMessages::declaration(const clang::DeclStmt* statement) {
@@ -113,22 +131,49 @@ void GivenMessages::member_call(const clang::CXXMemberCallExpr* call) {
       if (std::string holder = holders_.of(argument); !holder.empty())
         facts_.published_from[{place.file, place.begin}].insert(std::move(holder));
   } else if (is_library_container(unit_, call)) {
-    const std::string holder = holders_.of(call->getImplicitObjectArgument());
-    for (const clang::Expr* argument : call->arguments()) {
-      give(argument, holder, "stored by '" + call->getMethodDecl()->getNameAsString() + "'");
-      hand_on(argument, holder);
-    }
+    container_call(call);
   }
+}
+
+/// A new element is bound to no memory. What a constructor puts in stays.
+void GivenMessages::make_in(const std::string& container, const std::string& how, const clang::Expr* at) {
+  static const std::set<std::string> where_taken_out = {"resize", "assign", "[]"};
+  if (container.empty() || llvm::isa<clang::CXXConstructorDecl>(view_.function())) return;
+  auto& made = where_taken_out.count(how) != 0 ? facts_.refills : facts_.given_messages;
+  made.push_back({{}, container, "'" + how + "'", unit_.location(at->getBeginLoc())});
+}
+
+void GivenMessages::container_call(const clang::CXXMemberCallExpr* call) {
+  static const std::set<std::string> makes = {"emplace_back", "emplace_front", "emplace", "emplace_hint",
+                                              "push_back",    "push_front",    "push",    "insert",
+                                              "try_emplace",  "resize",        "assign"};
+  static const std::set<std::string> takes_out = {"clear", "erase",  "pop_back", "pop_front",
+                                                  "pop",   "assign", "reset",    "extract"};
+  const clang::Expr* const object = call->getImplicitObjectArgument();
+  const std::string holder = holders_.of(object), name = call->getMethodDecl()->getNameAsString();
+  bool has_source = false;
+  for (const clang::Expr* argument : call->arguments()) {
+    give(argument, holder, "stored by '" + name + "'");
+    has_source |= hand_on(argument, holder);
+  }
+  if (!holds_messages(object->getType()) || is_in_message(object)) return;
+  if (makes.count(name) != 0 && !has_source) make_in(holder, name, call);
+  if (takes_out.count(name) != 0) facts_.emptied.insert(holder);
 }
 
 /// A message that is assigned keeps its memory; what is moved, or a pointer, brings its own.
 void GivenMessages::assignment(const clang::CXXOperatorCallExpr* call) {
+  const clang::QualType target = call->getArg(0)->getType();
+  const bool is_container =
+      holds_messages(target) && !is_stock_or_twin(target) && !is_in_message(call->getArg(0));
+  if (call->getOperator() == clang::OO_Subscript && is_container && is_map(target))
+    make_in(holders_.of(call->getArg(0)), "[]", call);
   if (call->getOperator() != clang::OO_Equal || call->getNumArgs() != 2) return;
   const clang::Expr* from = call->getArg(1);
   if (from->isLValue() && is_stock_or_twin(from->getType())) return;
   const std::string holder = holders_.of(call->getArg(0));
   if (!from->isLValue()) give(from, holder, "moved to '" + unit_.text(call->getArg(0)) + "'");
-  hand_on(from, holder);
+  if (!hand_on(from, holder) && is_container) make_in(holder, "=", call);
 }
 
 /// A copy for a parameter, or for the caller.

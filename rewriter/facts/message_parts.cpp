@@ -16,8 +16,10 @@ const clang::Expr* same_object(const clang::Expr* expr) {
   if (const auto* made = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr)) return made->getSubExpr();
   if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(expr)) return bound->getSubExpr();
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr))
-    return op->getOpcode() == clang::UO_Deref || op->getOpcode() == clang::UO_AddrOf ? op->getSubExpr()
-                                                                                     : nullptr;
+    return op->getOpcode() == clang::UO_Deref || op->getOpcode() == clang::UO_AddrOf ||
+                   op->isIncrementDecrementOp()  // *at++: one of the messages that it leads to
+               ? op->getSubExpr()
+               : nullptr;
   const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expr);
   const bool is_pointer = made && !pointee_of(made->getType()).isNull();
   return is_pointer && written_arguments(made) == 1 ? made->getArg(0) : nullptr;
@@ -183,6 +185,9 @@ MessagePart MessageParts::part_of(const clang::Expr* expr, unsigned depth) const
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(expr)) return of_call(call, depth);
   if (const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr))
     return element_of(element->getBase(), element->getIdx(), depth);
+  if (const auto* sum = llvm::dyn_cast<clang::BinaryOperator>(expr);
+      sum && sum->isAdditiveOp() && sum->getLHS()->getType()->isPointerType())
+    return element_of(sum->getLHS(), sum->getRHS(), depth);
   const clang::Expr* same = same_object(expr);
   return same ? part_of(same, depth + 1) : MessagePart();
 }

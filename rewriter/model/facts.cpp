@@ -151,6 +151,8 @@ void Facts::merge(Facts&& other) {
   early.merge(other.early);
   for (auto& [usr, flow] : other.contents) add_content(usr, std::move(flow));
   append(given_messages, other.given_messages);
+  append(refills, other.refills);
+  emptied.merge(other.emptied);
   unite(handed_on, other.handed_on);
   unite(published_from, other.published_from);
   addressed.merge(other.addressed);

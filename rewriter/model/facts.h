@@ -296,7 +296,7 @@ struct TrustedCall {
 
 /// Another object gets the content of a message that outlives functions: a copy when it is made, or what is moved.
 struct GivenMessage {
-  MessagePart message;  ///< its root
+  MessagePart message;  ///< its root; empty: a new one
   std::string holder;   ///< the root of what has the content: a variable, a container, a function's result
   std::string how;      ///< "stored by 'push_back'"
   Location where;
@@ -314,6 +314,8 @@ struct EscapeFacts {
   std::set<std::string> early;  ///< functions that run before an object's members are all there, by USR
   std::map<std::string, ContentFlow> contents;  ///< of functions that touch messages' arrays, by USR
   std::vector<GivenMessage> given_messages;
+  std::vector<GivenMessage> refills;  ///< of containers: messages are new where others were taken out before
+  std::set<std::string> emptied;      ///< containers that messages are taken out of
   /// By the root of what holds a message: the roots of what is made from it afterwards.
   std::map<std::string, std::set<std::string>> handed_on;
   std::map<PublishPlace, std::set<std::string>> published_from;  ///< the roots of what holds the message

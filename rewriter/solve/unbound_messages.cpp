@@ -26,14 +26,20 @@ UnboundMessages::UnboundMessages(const Facts& facts) : facts_(facts) {
   for (const auto& [site, holders] : facts.published_from) published_.insert(holders.begin(), holders.end());
   add_what_is_passed();
   for (const GivenMessage& given : facts.given_messages)
-    if (!is_bound(given.message))
-      unbound_.emplace(
-          given.holder,
-          Obstacle{codes::TZC1022,
-                   "its elements come from a message that is never published itself (" + given.how +
-                       " in line " + std::to_string(given.where.line) + "), and lie outside shared memory",
-                   given.where});
+    if (!is_bound(given.message)) add(given);
+  for (const GivenMessage& given : facts.refills)
+    if (facts.emptied.count(given.holder) != 0) add(given);
   hand_on();
+}
+
+void UnboundMessages::add(const GivenMessage& given) {
+  const std::string line = "line " + std::to_string(given.where.line);
+  const std::string why = given.message.empty()
+                              ? line + " puts new messages into the container (" + given.how +
+                                    "), whose elements lie outside shared memory until they are published"
+                              : "its elements come from a message that is never published itself (" +
+                                    given.how + " in " + line + "), and lie outside shared memory";
+  unbound_.emplace(given.holder, Obstacle{codes::TZC1022, why, given.where});
 }
 
 /// What is made from such content lies outside shared memory, too.

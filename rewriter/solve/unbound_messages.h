@@ -23,6 +23,7 @@ class UnboundMessages {
  private:
   void read_contents();
   void add_what_is_passed();
+  void add(const GivenMessage& given);
   void hand_on();
   bool is_bound(const MessagePart& message) const;
 
