@@ -121,27 +121,11 @@ Expected<void> DemotionLoop::demote_by_bisection(const Attempt& failed) {
   return {};
 }
 
-/// Code that no compiler sees in this configuration cannot be verified: entities that it names stay as they
-/// are.
-bool DemotionLoop::demote_unseen(const Attempt& attempt) {
+/// What no parse would show.
+bool DemotionLoop::demote_for_others(const Attempt& attempt) {
   const std::size_t before = demotions_.size();
-  for (const auto& [component, branch] : unseen_.users_of(attempt.result.plan.edits))
-    demotions_.emplace(component, branch);
-  return demotions_.size() > before;
-}
-
-/// A program that links both packages takes one of the two definitions for both, so they have to stay the same.
-bool DemotionLoop::demote_copied(const Attempt& attempt) {
-  const std::size_t before = demotions_.size();
-  for (const Edit& edit : attempt.result.plan.edits)
-    for (const CopiedDefinition& copied : options_.others.copied)
-      if (edit.component && edit.file == copied.file && edit.offset >= copied.begin &&
-          edit.offset < copied.end)
-        demotions_.emplace(
-            *edit.component,
-            Obstacle{codes::TZC1005,
-                     "another package has the same definition, and one program may have both: " + copied.copy,
-                     Location{copied.file, 1, 1}});
+  for (const auto& [component, why] : others_.broken_by(attempt.result.plan))
+    demotions_.emplace(component, why);
   return demotions_.size() > before;
 }
 
@@ -170,7 +154,7 @@ Expected<DemotionLoop::Result> DemotionLoop::run() {
   for (;; ++round_) {
     Attempt attempt = planned(demotions_);
     const bool judged = options_.without_rules.count("verification") == 0;
-    if (judged && (demote_unseen(attempt) || demote_copied(attempt))) continue;
+    if (judged && demote_for_others(attempt)) continue;
     if (Expected<void> done = verify(attempt, {}, Judge::both); !done) return done.error();
     if (attempt.failures.empty() || !judged) return std::move(attempt.result);
     const Expected<bool> demoted = demote_some(attempt);

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "engine/options.h"
+#include "engine/other_code.h"
 #include "solve/port_edits.h"
 #include "solve/solution.h"
-#include "verify/unseen_branches.h"
+
 #include "verify/verify.h"
 
 namespace tzc::rewriter {
@@ -13,11 +14,11 @@ namespace tzc::rewriter {
 class DemotionLoop {
  public:
   DemotionLoop(const Facts& facts, const Components& components, const EngineOptions& options,
-               const UnseenBranches& unseen, Verifier& verifier, ReadFile read)
+               const OtherCodeLimits& others, Verifier& verifier, ReadFile read)
       : facts_(facts),
         components_(components),
         options_(options),
-        unseen_(unseen),
+        others_(others),
         verifier_(verifier),
         read_(std::move(read)) {}
 
@@ -45,8 +46,7 @@ class DemotionLoop {
   Expected<void> demote_by_bisection(const Attempt& failed);
   Expected<std::optional<ComponentId>> culprit_of(const Failure& failure) const;
   Expected<bool> is_gone_without(const Failure& failure, const std::vector<ComponentId>& components) const;
-  bool demote_unseen(const Attempt& attempt);
-  bool demote_copied(const Attempt& attempt);
+  bool demote_for_others(const Attempt& attempt);
   void demote(ComponentId component, const Failure& failure);
   bool is_message(ComponentId component) const;
   std::vector<ComponentId> ported_components(const Attempt& attempt) const;
@@ -54,7 +54,7 @@ class DemotionLoop {
   const Facts& facts_;
   const Components& components_;
   const EngineOptions& options_;
-  const UnseenBranches& unseen_;
+  const OtherCodeLimits& others_;
   Verifier& verifier_;
   ReadFile read_;
   Demotions demotions_;

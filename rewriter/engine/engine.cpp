@@ -51,6 +51,7 @@ class PortPlanner {
   std::optional<Error> sort_out(const CompileUnit& unit, const Diagnostic& error);
   std::vector<std::string> include_dirs() const;
   void step(const std::string& stage, unsigned done, std::size_t of, const std::string& what);
+  UnseenCode unseen_code() const;
   PortPlans finish(const Components& components, DemotionLoop::Result result) const;
 
   const EngineOptions& options_;
@@ -61,7 +62,8 @@ class PortPlanner {
   std::vector<UnitReading> readings_;  ///< of units_
   UnitReading reading_;                ///< of all together
   std::vector<CompileUnit> parsed_;
-  std::vector<Note> left_out_;  ///< units that do not parse
+  std::vector<Note> left_out_;      ///< units that do not parse
+  std::set<std::string> exported_;  ///< headers, or folders of headers, that other packages may include
 };
 
 /// In the words of Clang or GCC.
@@ -150,6 +152,7 @@ std::optional<Error> PortPlanner::collect() {
   for (const UnitReading& reading : readings_)
     options.hidden.insert(reading.facts.hidden.shown.begin(), reading.facts.hidden.shown.end());
   failure = read(units_that_miss(options.hidden), options, "parsing again");
+  exported_ = options.exported_dirs;
   for (std::size_t i = 0; i < units_.size(); ++i) {
     if (!readings_[i].errors.empty()) continue;
     parsed_.push_back(units_[i]);
@@ -226,6 +229,12 @@ std::optional<Error> PortPlanner::lacks_units() const {
   return {};
 }
 
+UnseenCode PortPlanner::unseen_code() const {
+  UnseenCode code{compiled_by_none(reading_.skipped, reading_.compiled), {}};
+  if (options_.others.unseen_files) code.files = options_.others.unseen_files(reading_.facts.units_of_file);
+  return code;
+}
+
 PortPlans PortPlanner::finish(const Components& components, DemotionLoop::Result result) const {
   std::vector<Site> sites = describe_sites(reading_.facts, components, options_, result.solution);
   mark_pending(sites, reading_.facts, components, result.plan.edits);
@@ -262,10 +271,11 @@ Expected<PortPlans> PortPlanner::run() {
   parse_options.accesses = options_.accesses;
   Verifier verifier({parsed_, reading_.facts, reading_.calls, components, options_.packages}, parse_options,
                     options_.jobs, read_file, options_.judges);
-  const UnseenBranches unseen(compiled_by_none(reading_.skipped, reading_.compiled), reading_.facts,
-                              components, read_file);
+  const UnseenCode code = unseen_code();
+  const UnseenUses unseen(code, reading_.facts, components, read_file);
+  const OtherCodeLimits others(options_.others, exported_, unseen);
   Expected<DemotionLoop::Result> result =
-      DemotionLoop(reading_.facts, components, options_, unseen, verifier, read_file).run();
+      DemotionLoop(reading_.facts, components, options_, others, verifier, read_file).run();
   if (!result) return result.error();
   PortPlans plans = finish(components, std::move(*result));
   if (options_.without_rules.count("completeness")) return plans;

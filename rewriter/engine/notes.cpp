@@ -9,7 +9,7 @@
 #include "buildfiles/compile_database.h"
 #include "edits/files.h"
 #include "model/codes.h"
-#include "verify/unseen_branches.h"
+#include "verify/unseen_uses.h"
 
 namespace tzc::rewriter {
 namespace {

@@ -13,6 +13,7 @@
 #include "model/judges.h"
 #include "model/progress.h"
 #include "model/solve_options.h"
+#include "model/unseen_file.h"
 
 namespace tzc::rewriter {
 
@@ -30,6 +31,9 @@ struct OtherCode {
   /// Names more of them, once it is known which units read which file. May be empty.
   std::function<std::set<std::string>(const UnitsOfFile&)> more_headers_in_use;
   std::vector<CopiedDefinition> copied;  ///< definitions that stay
+  FindUnseenFiles unseen_files;          ///< may be empty
+  /// Message packages whose twins are generated in the build folder of who uses them, where other packages do not see them.
+  std::set<std::string> unshared_twins;
 };
 
 struct EngineOptions : SolveOptions {

@@ -135,6 +135,7 @@ void EntityTable::check_exported(Entity& entity, const clang::ValueDecl* decl) {
   const auto* field = llvm::dyn_cast<clang::FieldDecl>(decl);
   const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
   if (field) entity.record = usr_of(field->getParent());
+  entity.is_private = field && decl->getAccess() == clang::AS_private;
   const bool lasts = field || (variable->hasGlobalStorage() && !variable->isStaticLocal());
   if (lasts && decl->getAccess() == clang::AS_private)
     note_friends(facts_, entity.id, friends_of(unit_, decl));

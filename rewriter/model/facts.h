@@ -54,8 +54,9 @@ struct Entity {
   PortedClass ported_as;  ///< of a publisher or filter
   bool plain =
       false;  ///< the message or publisher itself, not a pointer or reference to it or a container of it
-  bool holds = false;   ///< messages by value: it is one, or a container of them
-  bool ported = false;  ///< a publisher or filter that has TZC's class already
+  bool is_private = false;  ///< a private member
+  bool holds = false;       ///< messages by value: it is one, or a container of them
+  bool ported = false;      ///< a publisher or filter that has TZC's class already
   Location where;
   std::vector<Change> changes;  ///< its declared types
   std::vector<Obstacle> obstacles;

@@ -125,14 +125,26 @@ class Prover {
     std::set<std::string> unseen = package.units;
     for (const CompileCommand& command : commands)
       for (const std::string& file : sources_of(command, copy)) {
-        if (!package.units.count(file)) continue;
+        if (!package.units.count(file) && !package.users.count(file)) continue;
         unseen.erase(file);
-        if (const auto lack = lacks_for_tzc(command)) return about(command, file, *lack);
-        if (const CmakeTarget* target = linked_without_tzc(targets, command.target))
-          return about(command, file, {"the target " + target->name + " does not link TZC's libraries", ""});
+        const auto lack = lack_of(command, targets);
+        if (lack && package.units.count(file)) return about(command, file, *lack);
+        if (lack && includes_any(command, package.contents, copy.to_user()))
+          return about(command, file, as_user(*lack));
       }
     if (unseen.empty()) return {};
     return Error{"no target of the configured copy compiles it", *unseen.begin(), ""};
+  }
+
+  static Lack as_user(const Lack& lack) {
+    return {"it includes a header that the port changes, and " + lack.what, lack.hint};
+  }
+
+  static std::optional<Lack> lack_of(const CompileCommand& command, const std::vector<CmakeTarget>& targets) {
+    if (const auto lack = lacks_for_tzc(command)) return lack;
+    const CmakeTarget* target = linked_without_tzc(targets, command.target);
+    if (!target) return {};
+    return Lack{"the target " + target->name + " does not link TZC's libraries", ""};
   }
 
   static Error about(const CompileCommand& command, const std::string& file, const Lack& lack) {
@@ -155,6 +167,14 @@ class Prover {
 };
 
 }  // namespace
+
+std::optional<Error> outdated_user(const PortedPackage& package, const std::vector<CompileCommand>& users) {
+  for (const CompileCommand& command : users)
+    if (const auto lack = lacks_standard(command); lack && includes_any(command, package.contents, {}))
+      return Error{"another package includes a header that the port changes, and " + lack->what,
+                   command.canonical, lack->hint};
+  return {};
+}
 
 Failures unproved_packages(const UserBuild& user, const std::vector<PortedPackage>& packages,
                            const ProofOptions& options) {

@@ -3,10 +3,12 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "buildfiles/compile_database.h"
 #include "model/edit.h"
 #include "model/expected.h"
 #include "model/file_accesses.h"
@@ -20,6 +22,7 @@ struct PortedPackage {
   std::string package_dir;      ///< canonical
   FileContents contents;        ///< sources and build files
   std::set<std::string> units;  ///< main files that must see TZC, canonical
+  std::set<std::string> users;  ///< main files that must, too, if they include one of `contents`
 };
 
 struct ProofOptions {
@@ -29,6 +32,10 @@ struct ProofOptions {
   unsigned jobs = 0;
   std::function<void(const std::string& stage)> progress;  ///< may be empty
 };
+
+/// Why other packages, which have build trees of their own, could not be compiled any more; none: they can. `users`: commands that
+/// seem to include what is changed.
+std::optional<Error> outdated_user(const PortedPackage& package, const std::vector<CompileCommand>& users);
 
 /// The reasons why packages cannot be written, by folder. A package is proved when the scratch workspace can
 /// be configured with it, and when every command that compiles one of its units then finds TZC's headers,

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "edits/files.h"
 #include "edits/standard_flags.h"
+#include "proof/compiler_reads.h"
 #include "proof/process.h"
 
 namespace tzc::rewriter {
@@ -56,11 +58,10 @@ std::string standard_of(const CompileCommand& command) {
 
 }  // namespace
 
-std::optional<Lack> lacks_for_tzc(const CompileCommand& command) {
+std::optional<Lack> lacks_standard(const CompileCommand& command) {
   static const char* const raise_it =
       "raise the standard there to C++14 or later, as in set(CMAKE_CXX_STANDARD 14), and run tzc-rewrite "
       "again";
-  if (!sees_tzc(command)) return Lack{"TZC's headers are in none of its include folders", ""};
   const std::string standard = standard_of(command);
   if (is_old_standard(standard))
     return Lack{"it is compiled with " + standard + ", TZC's headers need C++14", raise_it};
@@ -69,6 +70,24 @@ std::optional<Lack> lacks_for_tzc(const CompileCommand& command) {
         "it is compiled as the compiler's default, which is older than the C++14 that TZC's headers need",
         raise_it};
   return {};
+}
+
+std::optional<Lack> lacks_for_tzc(const CompileCommand& command) {
+  if (!sees_tzc(command)) return Lack{"TZC's headers are in none of its include folders", ""};
+  return lacks_standard(command);
+}
+
+/// A header that is not found counts: it may be what the file is changed to include.
+bool includes_any(const CompileCommand& command, const FileContents& files, const PathMap& to_user) {
+  Command run{without_outputs(command.arguments), command.directory, {}};
+  run.arguments.push_back("-M");
+  const ProcessResult result = run_process(run);
+  if (result.status != 0) return true;
+  const std::vector<std::string> read = prerequisites_of(result.output);
+  return std::any_of(read.begin(), read.end(), [&](const std::string& file) {
+    const fs::path path = fs::path(command.directory) / file;
+    return files.count(canonical_path(to_user.in_word(path.lexically_normal().string()))) != 0;
+  });
 }
 
 const CmakeTarget* linked_without_tzc(const std::vector<CmakeTarget>& all, const std::string& target) {

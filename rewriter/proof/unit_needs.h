@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "buildfiles/compile_database.h"
+#include "model/edit.h"
 #include "proof/cmake_targets.h"
+#include "proof/paths.h"
 
 namespace tzc::rewriter {
 
@@ -14,10 +16,16 @@ struct Lack {
   std::string what, hint;  ///< as an Error has them
 };
 
+/// C++14 or later; none: it has it.
+std::optional<Lack> lacks_standard(const CompileCommand& command);
+
 /// What a command lacks to compile a ported unit; none: it lacks nothing.
 std::optional<Lack> lacks_for_tzc(const CompileCommand& command);
 
 /// A target that links the objects of `target` without TZC's libraries; none: there is none.
 const CmakeTarget* linked_without_tzc(const std::vector<CmakeTarget>& all, const std::string& target);
+
+/// Whether what the command compiles reads one of the files, by the compiler's own word. `to_user`: the files' names are the user's.
+bool includes_any(const CompileCommand& command, const FileContents& files, const PathMap& to_user);
 
 }  // namespace tzc::rewriter

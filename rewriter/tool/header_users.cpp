@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 #include <set>
 #include <sstream>
 
 #include "edits/files.h"
 #include "model/codes.h"
+#include "tool/package_headers.h"
 #include "tool/text_files.h"
 
 namespace tzc::rewriter {
@@ -19,64 +19,6 @@ std::string text_of(const fs::path& file) {
   Expected<std::string> text = read_file(file.string());
   return text ? std::move(*text) : "";
 }
-
-bool is_cmake_file(const fs::path& file) {
-  return file.filename() == "CMakeLists.txt" || file.extension() == ".cmake";
-}
-
-/// "../a/./b.h" as "a/b.h": where it is searched from is not known.
-std::string without_dots(const std::string& name) {
-  fs::path path;
-  for (const fs::path& part : fs::path(name).lexically_normal())
-    if (part != ".." && part != ".") path /= part;
-  return path.string();
-}
-
-/// The headers of packages, and which of them an include directive may mean.
-class PackageHeaders {
- public:
-  explicit PackageHeaders(const FolderSet& packages) {
-    TextFiles files([this](const std::string& file) { by_name_[fs::path(file).filename()].insert(file); });
-    for (const std::string& package : packages) files.walk(package);
-  }
-
-  /// `file`: where the directive stands. A quoted name that is found beside it means that file.
-  std::set<std::string> meant_by(const std::string& name, bool quoted, const std::string& file) const {
-    const auto known = by_name_.find(fs::path(name).filename());
-    if (known == by_name_.end()) return {};
-    if (quoted) {
-      const std::string beside = canonical_path((fs::path(file).parent_path() / name).string());
-      if (known->second.count(beside)) return {beside};
-      std::error_code failed;
-      if (fs::exists(beside, failed)) return {};
-    }
-    std::set<std::string> found;
-    const std::string end = "/" + without_dots(name);
-    for (const std::string& header : known->second)
-      if (header.size() > end.size() && header.compare(header.size() - end.size(), end.size(), end) == 0)
-        found.insert(header);
-    return found;
-  }
-
-  std::set<std::string> included_by(const std::string& file) const {
-    static const std::regex directive(R"(^\s*#\s*(?:include|include_next|import)\s*([<"])([^>"]+)[>"])");
-    static const std::regex name(
-        R"(([<"])([^<>"\s]+)[>"])");  // target_precompile_headers(node PRIVATE <lib/a.h>)
-    const bool is_cmake = is_cmake_file(file);
-    std::set<std::string> found;
-    std::istringstream stream(text_of(file));
-    for (std::string line; std::getline(stream, line);) {
-      if (!is_cmake && line.find('#') == std::string::npos) continue;
-      for (std::sregex_iterator match(line.begin(), line.end(), is_cmake ? name : directive), end;
-           match != end; ++match)
-        found.merge(meant_by((*match)[2], (*match)[1] == "\"", file));
-    }
-    return found;
-  }
-
- private:
-  std::map<std::string, std::set<std::string>> by_name_;  ///< last part of the path -> paths
-};
 
 /// Source spaces of a catkin workspace that was built into this prefix.
 std::vector<std::string> source_spaces(const fs::path& prefix) {

@@ -3,6 +3,8 @@
 
 #include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "buildfiles/package_xml.h"
 #include "edits/files.h"
@@ -32,7 +34,7 @@ std::map<std::string, Group> groups_of(std::vector<PackagePort>& ports) {
 }
 
 PortedPackage as_ported(const PackagePort& port) {
-  return {port.result.report.package, port.package_dir, port.contents, port.units};
+  return {port.result.report.package, port.package_dir, port.contents, port.units, port.users};
 }
 
 void note(PackagePort& port, const char* code, const std::string& file, const std::string& text) {
@@ -109,7 +111,11 @@ Failures failures_of(const Group& group, const PortInputs& inputs) {
   options.progress = [&](const std::string& stage) {
     if (inputs.progress) inputs.progress->step(stage, 0, 1, group.user->source);
   };
-  return unproved_packages(*group.user, packages, options);
+  failures = unproved_packages(*group.user, packages, options);
+  for (std::size_t i = 0; i < packages.size(); ++i)
+    if (std::optional<Error> why = outdated_user(packages[i], group.ports[i]->other_users))
+      failures.emplace(packages[i].package_dir, std::move(*why));
+  return failures;
 }
 
 /// What is right only together with a package that is not changed is not changed either.

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "buildfiles/compile_database.h"
 #include "engine/port_plan.h"
 #include "tool/port_inputs.h"
 
@@ -21,6 +23,9 @@ struct SourcePlans {
   PortPlans plans;
   std::map<std::string, std::string>
       workspace_messages;  ///< the workspace's message packages -> their folders
+  std::map<std::string, std::set<std::string>>
+      users;  ///< package -> compiled sources, also other packages', that seem to include what is changed of it
+  std::map<std::string, std::vector<CompileCommand>> other_users;  ///< likewise, in build trees of their own
 };
 
 /// With --exported-headers=change their headers may change where every file

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which components a preprocessor branch names that no unit compiles.
-#include "verify/unseen_branches.h"
+// Which components code names that no unit compiles.
+#include "verify/unseen_uses.h"
 
 #include <gtest/gtest.h>
 
@@ -29,9 +29,9 @@ class Branch {
     const auto begin = static_cast<unsigned>(text_.find("#if")),
                end = static_cast<unsigned>(text_.find("#endif"));
     const auto line = static_cast<unsigned>(1 + std::count(text_.begin(), text_.begin() + begin, '\n'));
-    const UnseenBranches branches({{branch_file, begin, end, line, 1}}, facts_.facts, components,
-                                  [this](const std::string&) { return text_; });
-    const auto found = branches.users_of({{branch_file, 0, 0, "x", component, "rule"}});
+    const UnseenCode code{{{branch_file, begin, end, line, 1}}, {}};
+    const UnseenUses uses(code, facts_.facts, components, [this](const std::string&) { return text_; });
+    const auto found = uses.users_of({{branch_file, 0, 0, "x", component, "rule"}});
     return found.empty() ? "" : found.at(component).code;
   }
 
@@ -44,54 +44,93 @@ std::string function_with(const std::string& branch) {
   return "void run() {\n  Image image;\n" + branch + "}\nvoid other() {}\n";
 }
 
-TEST(UnseenBranches, a_local_that_the_branch_names_keeps_its_type) {
+TEST(UnseenUses, a_local_that_the_branch_names_keeps_its_type) {
   EXPECT_EQ(Branch(function_with("#ifdef X\n use(image);\n#endif\n"), entity("image", EntityRole::message))
                 .obstacle(),
             "TZC3007");
 }
 
-TEST(UnseenBranches, another_name_does_not_count) {
+TEST(UnseenUses, another_name_does_not_count) {
   EXPECT_EQ(Branch(function_with("#ifdef X\n use(images);  // image\n#endif\n"),
                    entity("image", EntityRole::message))
                 .obstacle(),
             "");
 }
 
-TEST(UnseenBranches, dead_code_does_not_count) {
+TEST(UnseenUses, dead_code_does_not_count) {
   EXPECT_EQ(
       Branch(function_with("#if 0\n use(image);\n#endif\n"), entity("image", EntityRole::message)).obstacle(),
       "");
 }
 
-TEST(UnseenBranches, a_branch_that_one_unit_compiles_does_not_count) {
+TEST(UnseenUses, a_branch_that_one_unit_compiles_does_not_count) {
   const Place first{branch_file, 10, 40, 2, 1}, second{branch_file, 60, 80, 5, 1};
   const std::vector<Place> unseen = compiled_by_none({first, second, first}, {{branch_file, 2}});
   ASSERT_EQ(unseen.size(), 1u);
   EXPECT_EQ(unseen[0].begin, 60u);
 }
 
-TEST(UnseenBranches, what_follows_an_elif_that_one_unit_compiles_does_not_count) {
+TEST(UnseenUses, what_follows_an_elif_that_one_unit_compiles_does_not_count) {
   const Place to_endif{branch_file, 10, 80, 2, 1}, to_elif{branch_file, 10, 40, 2, 1};
   const std::vector<Place> unseen = compiled_by_none({to_endif, to_elif}, {{branch_file, 4}});
   ASSERT_EQ(unseen.size(), 1u);
   EXPECT_EQ(unseen[0].end, 40u);
 }
 
-TEST(UnseenBranches, a_local_of_another_function_does_not_count) {
+TEST(UnseenUses, a_local_of_another_function_does_not_count) {
   const std::string text =
       "void run() {\n  Image image;\n}\nvoid other() {\n#ifdef X\n use(image);\n#endif\n}\n";
   EXPECT_EQ(Branch(text, entity("image", EntityRole::message)).obstacle(), "");
 }
 
-TEST(UnseenBranches, a_member_counts_in_every_function) {
+TEST(UnseenUses, a_member_counts_in_every_function) {
   const std::string text =
       "class A {\n  Image image_;\n};\nvoid A::run() {\n#ifdef X\n use(image_);\n#endif\n}\n";
   EXPECT_EQ(Branch(text, entity("image_", EntityRole::message, Storage::member)).obstacle(), "TZC3007");
 }
 
-TEST(UnseenBranches, a_call_of_the_function_counts_for_its_parameter) {
+TEST(UnseenUses, a_call_of_the_function_counts_for_its_parameter) {
   const std::string text = "void use(\n  Image image);\nvoid run() {\n#ifdef X\n use(stock);\n#endif\n}\n";
   EXPECT_EQ(Branch(text, entity("image", EntityRole::message, Storage::parameter)).obstacle(), "TZC3007");
+}
+
+/// The code of the obstacle of an entity of a header that a file which is not compiled includes; empty: it has none.
+std::string obstacle_by_file(const std::string& text, Entity member,
+                             const std::string& included = "/p/node.h") {
+  FactsBuilder facts;
+  member.where = {"/p/node.h", 2, 3};
+  facts.facts.units_of_file = {{"/p/node.h", {"/p/node.cpp"}}};
+  facts.add(member);
+  const Components components(facts.facts);
+  const ComponentId component = components.all().front().id;
+  const UnseenCode code{{}, {{"/p/test.cpp", {included}}}};
+  const UnseenUses uses(code, facts.facts, components, [&](const std::string& file) {
+    return file == "/p/test.cpp" ? text : "struct Node {\n  ros::Publisher pub;\n};\n";
+  });
+  const auto found = uses.users_of({{"/p/node.h", 0, 0, "x", component, "rule"}});
+  return found.empty() ? "" : found.at(component).code;
+}
+
+Entity member_of_node(bool is_private = false) {
+  Entity member = entity("pub", EntityRole::publisher);
+  member.storage = Storage::member;
+  member.record = "c:@N@robot@S@Node";
+  member.is_private = is_private;
+  return member;
+}
+
+TEST(UnseenUses, a_member_that_a_file_names_keeps_its_type) {
+  EXPECT_EQ(obstacle_by_file("void test(Node& n) { send(n.pub); }", member_of_node()), "TZC3007");
+  EXPECT_EQ(obstacle_by_file("void test(Node& n) { send(n.publisher); }  // pub", member_of_node()), "");
+}
+
+TEST(UnseenUses, a_file_that_does_not_include_the_header_does_not_count) {
+  EXPECT_EQ(obstacle_by_file("void test(Node& n) { send(n.pub); }", member_of_node(), "/p/other.h"), "");
+}
+
+TEST(UnseenUses, a_private_member_counts_where_its_class_is_named) {
+  EXPECT_EQ(obstacle_by_file("void Node::test() { send(pub); }", member_of_node(true)), "TZC3007");
+  EXPECT_EQ(obstacle_by_file("void test() { ros::Publisher pub; }", member_of_node(true)), "");
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/other_code.h"
+
+#include <algorithm>
+
+#include "model/codes.h"
+#include "model/folder_set.h"
+
+namespace tzc::rewriter {
+
+std::map<ComponentId, Obstacle> OtherCodeLimits::broken_by(const PortEdits& plan) const {
+  std::map<ComponentId, Obstacle> found = unseen_.users_of(plan.edits);
+  add_copied(plan, found);
+  add_unshared(plan, found);
+  return found;
+}
+
+/// A program that links both packages takes one of the two definitions for both, so they have to stay the same.
+void OtherCodeLimits::add_copied(const PortEdits& plan, std::map<ComponentId, Obstacle>& found) const {
+  for (const Edit& edit : plan.edits)
+    for (const CopiedDefinition& copied : others_.copied)
+      if (edit.component && edit.file == copied.file && edit.offset >= copied.begin &&
+          edit.offset < copied.end)
+        found.emplace(
+            *edit.component,
+            Obstacle{codes::TZC1005,
+                     "another package has the same definition, and one program may have both: " + copied.copy,
+                     Location{copied.file, 1, 1}});
+}
+
+/// Who includes an exported header has to find what the port makes it include.
+void OtherCodeLimits::add_unshared(const PortEdits& plan, std::map<ComponentId, Obstacle>& found) const {
+  for (const auto& [file, headers] : plan.headers) {
+    const std::string header = unshared_in(headers);
+    if (header.empty() || !is_exported(file)) continue;
+    for (const Edit& edit : plan.edits)
+      if (edit.component && edit.file == file)
+        found.emplace(*edit.component,
+                      Obstacle{codes::TZC1005,
+                               "other packages may include this header, and <" + header +
+                                   "> would be generated in this package's build folder only",
+                               Location{file, 1, 1}});
+  }
+}
+
+/// "tzc/my_msgs/Scan.h"; empty: all are there for everybody.
+std::string OtherCodeLimits::unshared_in(const std::set<std::string>& headers) const {
+  for (const std::string& header : headers) {
+    const std::size_t begin = header.find('/'), end = header.find('/', begin + 1);
+    if (end != std::string::npos &&
+        others_.unshared_twins.count(header.substr(begin + 1, end - begin - 1)) != 0)
+      return header;
+  }
+  return {};
+}
+
+bool OtherCodeLimits::is_exported(const std::string& file) const {
+  return std::any_of(exported_.begin(), exported_.end(),
+                     [&](const std::string& path) { return file == path || is_below(file, path); });
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/package_headers.h"
+
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "edits/files.h"
+#include "tool/text_files.h"
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_cmake_file(const fs::path& file) {
+  return file.filename() == "CMakeLists.txt" || file.extension() == ".cmake";
+}
+
+/// "../a/./b.h" as "a/b.h": where it is searched from is not known.
+std::string without_dots(const std::string& name) {
+  fs::path path;
+  for (const fs::path& part : fs::path(name).lexically_normal())
+    if (part != ".." && part != ".") path /= part;
+  return path.string();
+}
+
+}  // namespace
+
+PackageHeaders::PackageHeaders(const FolderSet& packages) {
+  TextFiles files([this](const std::string& file) { by_name_[fs::path(file).filename()].insert(file); });
+  for (const std::string& package : packages) files.walk(package);
+}
+
+/// `file`: where the directive stands. A quoted name that is found beside it means that file.
+std::set<std::string> PackageHeaders::meant_by(const std::string& name, bool quoted,
+                                               const std::string& file) const {
+  const auto known = by_name_.find(fs::path(name).filename());
+  if (known == by_name_.end()) return {};
+  if (quoted) {
+    const std::string beside = canonical_path((fs::path(file).parent_path() / name).string());
+    if (known->second.count(beside)) return {beside};
+    std::error_code failed;
+    if (fs::exists(beside, failed)) return {};
+  }
+  std::set<std::string> found;
+  const std::string end = "/" + without_dots(name);
+  for (const std::string& header : known->second)
+    if (header.size() > end.size() && header.compare(header.size() - end.size(), end.size(), end) == 0)
+      found.insert(header);
+  return found;
+}
+
+std::set<std::string> PackageHeaders::included_by(const std::string& file) const {
+  static const std::regex directive(R"(^\s*#\s*(?:include|include_next|import)\s*([<"])([^>"]+)[>"])");
+  static const std::regex name(
+      R"(([<"])([^<>"\s]+)[>"])");  // target_precompile_headers(node PRIVATE <lib/a.h>)
+  const bool is_cmake = is_cmake_file(file);
+  std::set<std::string> found;
+  const Expected<std::string> text = read_file(file);
+  std::istringstream stream(text ? *text : "");
+  for (std::string line; std::getline(stream, line);) {
+    if (!is_cmake && line.find('#') == std::string::npos) continue;
+    for (std::sregex_iterator match(line.begin(), line.end(), is_cmake ? name : directive), end; match != end;
+         ++match)
+      found.merge(meant_by((*match)[2], (*match)[1] == "\"", file));
+  }
+  return found;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool/unseen_files.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "edits/files.h"
+#include "tool/package_headers.h"
+#include "tool/text_files.h"
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+/// Also `node.cpp.in`, which configure_file() turns into one.
+bool is_code(fs::path file) {
+  static const std::set<std::string> headers = {".h",   ".hpp", ".hh",  ".hxx", ".H",   ".h++", ".ipp",
+                                                ".tpp", ".tcc", ".txx", ".icc", ".inl", ".inc", ".cu"};
+  if (file.extension() == ".in") file = file.stem();
+  return is_cpp_source(file.string()) || headers.count(file.extension().string()) != 0;
+}
+
+}  // namespace
+
+IncludeGraph::IncludeGraph(const FolderSet& spaces, const std::set<std::string>& others) {
+  const PackageHeaders headers(spaces);
+  const auto add = [&](const std::string& file) {
+    if (is_code(file)) code_.insert(file);
+    if (std::set<std::string> included = headers.included_by(file); !included.empty())
+      included_.emplace(file, std::move(included));
+  };
+  TextFiles files(add);
+  for (const std::string& space : spaces) files.walk(space);
+  for (const std::string& other : others)
+    if (!spaces.hold(other) || code_.count(other) == 0) add(other);
+}
+
+std::set<std::string> IncludeGraph::reached_from(const std::string& file) const {
+  std::set<std::string> reached;
+  std::vector<std::string> open{file};
+  while (!open.empty()) {
+    const auto found = included_.find(open.back());
+    open.pop_back();
+    if (found == included_.end()) continue;
+    for (const std::string& header : found->second)
+      if (reached.insert(header).second) open.push_back(header);
+  }
+  return reached;
+}
+
+std::vector<UnseenFile> unseen_files(const IncludeGraph& graph, const FolderSet& packages,
+                                     const std::map<std::string, std::set<std::string>>& units_of_file) {
+  std::vector<UnseenFile> found;
+  for (const std::string& file : graph.code()) {
+    if (units_of_file.count(file) != 0) continue;
+    UnseenFile unseen{file, {}};
+    for (const std::string& header : graph.reached_from(file))
+      if (packages.hold(header)) unseen.headers.insert(header);
+    if (!unseen.headers.empty()) found.push_back(std::move(unseen));
+  }
+  return found;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verify/unseen_uses.h"
+
+#include <algorithm>
+#include <regex>
+#include <utility>
+
+#include "edits/dual.h"
+#include "edits/source_text.h"
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+/// Code that no configuration compiles.
+bool is_dead(const std::string& branch) {
+  static const std::regex zero("^\\s*#\\s*(el)?if\\s+(0|false)\\b");
+  return std::regex_search(branch, zero, std::regex_constants::match_continuous);
+}
+
+}  // namespace
+
+std::vector<Place> compiled_by_none(const std::vector<Place>& skipped,
+                                    const std::set<BranchDirective>& compiled) {
+  // Where a unit stops skipping earlier than another one, at an #elif or #else, it compiles the rest.
+  std::map<std::pair<std::string, unsigned>, Place> shortest;
+  for (const Place& place : skipped) {
+    if (compiled.count({place.file, place.line})) continue;
+    Place& known = shortest.emplace(std::pair(place.file, place.begin), place).first->second;
+    if (place.end < known.end) known = place;
+  }
+  std::vector<Place> places;
+  for (auto& item : shortest) places.push_back(std::move(item.second));
+  return places;
+}
+
+UnseenUses::UnseenUses(const UnseenCode& unseen, const Facts& facts, const Components& components,
+                       const ReadFile& read)
+    : facts_(facts), components_(components) {
+  for (const Place& place : unseen.branches) add_branch(place, read);
+  for (const UnseenFile& file : unseen.files) add_file(file, read);
+  if (parts_.empty()) return;
+  for (const Component& component : components.all())
+    for (const Entity* entity : component.entities)
+      if (!texts_.count(entity->where.file))
+        texts_[entity->where.file] = without_comments(read(entity->where.file).value_or(""));
+}
+
+void UnseenUses::add_branch(const Place& place, const ReadFile& read) {
+  const std::string text = read(place.file).value_or("");
+  if (place.end > text.size() || place.begin >= place.end || in_dual_branch(text, place.line + 1)) return;
+  const std::string branch = text.substr(place.begin, place.end - place.begin);
+  if (is_dead(branch)) return;
+  parts_.push_back({place, identifiers_in(without_comments(branch)), nullptr});
+  texts_[place.file] = without_comments(text);
+}
+
+void UnseenUses::add_file(const UnseenFile& file, const ReadFile& read) {
+  Place whole;
+  whole.file = file.file;
+  whole.line = whole.column = 1;
+  parts_.push_back({whole, identifiers_in(without_comments(read(file.file).value_or(""))), &file});
+}
+
+bool UnseenUses::compiled_together(const std::string& file, const std::string& other) const {
+  const auto one = facts_.units_of_file.find(file), two = facts_.units_of_file.find(other);
+  if (one == facts_.units_of_file.end() || two == facts_.units_of_file.end()) return false;
+  return std::any_of(one->second.begin(), one->second.end(),
+                     [&](const std::string& unit) { return two->second.count(unit) != 0; });
+}
+
+/// Whether the compiler would see the entity's declaration there. A private member is named in functions of its class only, and
+/// in friends, which name the class as well.
+bool UnseenUses::may_name(const Part& part, const Entity& entity) const {
+  if (!part.file) return compiled_together(part.where.file, entity.where.file);
+  const std::string record = entity.record.substr(entity.record.find_last_of('@') + 1);
+  if (entity.is_private && !record.empty() && part.words.count(record) == 0) return false;
+  return part.file->headers.count(entity.where.file) != 0 ||
+         std::any_of(entity.changes.begin(), entity.changes.end(),
+                     [&](const Change& change) { return part.file->headers.count(change.where.file) != 0; });
+}
+
+std::string UnseenUses::named_in(const Part& part, const Entity& entity) const {
+  if (!may_name(part, entity)) return "";
+  const std::string& text = texts_.at(entity.where.file);
+  const std::size_t at = offset_of(text, entity.where.line, entity.where.column);
+  const bool local = entity.storage == Storage::local || entity.storage == Storage::static_local,
+             parameter = entity.storage == Storage::parameter;
+  const std::string function = parameter ? function_around(text, at) : "";
+  if (!function.empty() && part.words.count(function)) return function;
+  if (entity.name.empty() || !part.words.count(entity.name)) return "";
+  if (!local && !parameter) return entity.name;
+  const std::size_t end = local ? end_of_block(text, at) : end_of_function(text, at);
+  const bool in_scope =
+      part.where.file == entity.where.file && at < part.where.begin && part.where.begin < end;
+  return in_scope ? entity.name : "";
+}
+
+std::optional<Obstacle> UnseenUses::user_of(const Entity& entity) const {
+  for (const Part& part : parts_)
+    if (const std::string name = named_in(part, entity); !name.empty())
+      return Obstacle{codes::TZC3007,
+                      std::string(part.file ? "a file that is not analysed"
+                                            : "a preprocessor branch that is not compiled here") +
+                          " names '" + name + "'",
+                      location_of(part.where)};
+  return {};
+}
+
+std::map<ComponentId, Obstacle> UnseenUses::users_of(const Edits& edits) const {
+  std::set<ComponentId> edited;
+  for (const Edit& edit : edits)
+    if (edit.component) edited.insert(*edit.component);
+  std::map<ComponentId, Obstacle> found;
+  if (parts_.empty()) return found;
+  for (const Component& component : components_.all()) {
+    if (!edited.count(component.id)) continue;
+    for (const Entity* entity : component.entities)
+      if (const std::optional<Obstacle> obstacle = user_of(*entity)) found.emplace(component.id, *obstacle);
+  }
+  return found;
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "model/edit.h"
+#include "model/facts.h"
+#include "model/unseen_file.h"
+#include "parse/parse.h"
+#include "solve/components.h"
+
+namespace tzc::rewriter {
+
+/// The skipped branches that no unit compiles, each once.
+std::vector<Place> compiled_by_none(const std::vector<Place>& skipped,
+                                    const std::set<BranchDirective>& compiled);
+
+/// Code that no unit compiles in this configuration.
+struct UnseenCode {
+  std::vector<Place> branches;  ///< of the preprocessor
+  std::vector<UnseenFile> files;
+};
+
+/// No compiler sees such code here, so entities that it names keep their types. Dead code (`#if 0`) and the branches
+/// without TZC of --dual do not count.
+class UnseenUses {
+ public:
+  UnseenUses(const UnseenCode& unseen, const Facts& facts, const Components& components,
+             const ReadFile& read);
+
+  /// The components with an edit whose variables or functions such code names, and where.
+  std::map<ComponentId, Obstacle> users_of(const Edits& edits) const;
+
+ private:
+  /// A branch, or a file.
+  struct Part {
+    Place where;
+    std::set<std::string> words;       ///< identifiers
+    const UnseenFile* file = nullptr;  ///< null: a branch of a file that is compiled
+  };
+  void add_branch(const Place& place, const ReadFile& read);
+  void add_file(const UnseenFile& file, const ReadFile& read);
+  std::optional<Obstacle> user_of(const Entity& entity) const;
+  /// The variable or function of the entity that the part names; empty: none.
+  std::string named_in(const Part& part, const Entity& entity) const;
+  bool may_name(const Part& part, const Entity& entity) const;
+  bool compiled_together(const std::string& file, const std::string& other) const;
+
+  const Facts& facts_;
+  const Components& components_;
+  std::map<std::string, std::string> texts_;  ///< of files with an entity or such a branch
+  std::vector<Part> parts_;
+};
+
+}  // namespace tzc::rewriter
