@@ -158,6 +158,7 @@ MessagePart MessageParts::of_call(const clang::CallExpr* call, unsigned depth) c
   if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call)) {
     if (op->getOperator() == clang::OO_Arrow || op->getOperator() == clang::OO_Star)
       return part_of(op->getArg(0), depth + 1);
+    if (op->getOperator() == clang::OO_Call && unit_.declares(function)) return of_result(function, depth);
     return op->getOperator() == clang::OO_Subscript ? element_of(op->getArg(0), op->getArg(1), depth)
                                                     : MessagePart();
   }

@@ -1,4 +1,4 @@
-// Members that hold messages which are new each time: the first publish of each copies it.
+// Members that hold messages which are new each time, or are given a vector's elements: their publish copies them.
 #include <deque>
 #include <map>
 #include <vector>
@@ -69,16 +69,32 @@ class Stepped {
   sensor_msgs::Image frames_[2];
 };
 
+class ByClosure {
+ public:
+  explicit ByClosure(ros::NodeHandle& nh) : pub_(nh.advertise<sensor_msgs::Image>("by_closure", 1)) {}
+  void step(int k) {
+    auto next = [&]() -> sensor_msgs::Image& { return frames_[k++ % 2]; };
+    next().data = std::vector<unsigned char>(5000, k);
+    pub_.publish(next());
+  }
+
+ private:
+  ros::Publisher pub_;
+  sensor_msgs::Image frames_[2];
+};
+
 void run(ros::NodeHandle& nh) {
   Queued queued(nh);
   Resized resized(nh);
   Named named(nh);
   Stepped stepped(nh);
+  ByClosure by_closure(nh);
   for (int k = 0; ros::ok(); ++k) {
     queued.step(k);
     resized.step(k);
     named.step(k);
     stepped.step(k);
+    by_closure.step(k);
   }
 }
 //--- expected
@@ -90,6 +106,8 @@ void run(ros::NodeHandle& nh) {
 // publish src/node.cpp:49 sensor_msgs/Image one_copy 'named' TZC1022 line 48 puts new messages into the container ('[]'), whose elements lie outside shared memory until they are published
 // advertise src/node.cpp:60 sensor_msgs/Image one_copy 'stepped'
 // publish src/node.cpp:64 sensor_msgs/Image one_copy 'stepped' TZC1022 line 63 gives it elements that lie outside shared memory
+// advertise src/node.cpp:74 sensor_msgs/Image one_copy 'by_closure'
+// publish src/node.cpp:78 sensor_msgs/Image one_copy 'by_closure' TZC1022 line 77 gives it elements that lie outside shared memory
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
@@ -120,6 +138,14 @@ void run(ros::NodeHandle& nh) {
 // +  explicit Stepped(ros::NodeHandle& nh) : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh, "stepped", 1)) {}
 // -    sensor_msgs::Image* at = frames_;
 // +    tzc::sensor_msgs::Image* at = frames_;
+// -  ros::Publisher pub_;
+// -  sensor_msgs::Image frames_[2];
+// +  tzc::Publisher pub_;
+// +  tzc::sensor_msgs::Image frames_[2];
+// -  explicit ByClosure(ros::NodeHandle& nh) : pub_(nh.advertise<sensor_msgs::Image>("by_closure", 1)) {}
+// +  explicit ByClosure(ros::NodeHandle& nh) : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh, "by_closure", 1)) {}
+// -    auto next = [&]() -> sensor_msgs::Image& { return frames_[k++ % 2]; };
+// +    auto next = [&]() -> tzc::sensor_msgs::Image& { return frames_[k++ % 2]; };
 // -  ros::Publisher pub_;
 // -  sensor_msgs::Image frames_[2];
 // +  tzc::Publisher pub_;
