@@ -12,8 +12,14 @@ namespace tzc::rewriter {
 /// A C++ file that is not analysed: no target of this configuration compiles it, the build generates it, or it is another
 /// package's.
 struct UnseenFile {
+  enum class Place {
+    package,
+    other_package,
+    elsewhere
+  };  ///< elsewhere: where the build generates it, or a link leads
   std::string file;
   std::set<std::string> headers;  ///< of the packages that it includes, through others, too
+  Place place = Place::package;
 };
 
 /// Finds them once it is known which files were analysed, and by which units.

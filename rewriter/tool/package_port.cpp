@@ -189,8 +189,7 @@ Expected<std::vector<PackagePort>> port_packages(const std::vector<std::string>&
     Porter porter(port, std::move(sources->plans.at(port.package_dir)), sources->workspace_messages,
                   inputs.options.dual);
     if (Expected<void> done = porter.run(); !done) return done.error();
-    port.users = sources->users[port.package_dir];
-    port.other_users = sources->other_users[port.package_dir];
+    port.users = std::move(sources->users[port.package_dir]);
   }
   return all_of(std::move(ports), std::move(idle));
 }

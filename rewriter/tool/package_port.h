@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "buildfiles/compile_database.h"
 #include "edits/files.h"
 #include "report/output.h"
 #include "tool/port_inputs.h"
+#include "tool/workspace_code.h"
 
 namespace tzc::rewriter {
 
@@ -18,14 +18,13 @@ struct PackagePort {
   FileContents contents;  ///< absolute path -> new content
   Snapshot before;        ///< what was analysed
   PackageReport result;
-  std::string build_dir;        ///< holds compile_commands.json, or configured a package without units
-  bool has_units = false;       ///< something of it is compiled
-  std::set<std::string> units;  ///< main files that must see TZC
-  std::set<std::string> users;  ///< compiled sources that must, too, if they really include what is changed
-  std::vector<CompileCommand> other_users;  ///< likewise, in build trees of their own
-  std::vector<Note> hints;                  ///< build file edits that the user must make
-  std::set<std::string> joined;             ///< folders of other packages: all of them are written, or none
-  bool refused = false;                     ///< its build files were not proved: nothing of it is changed
+  std::string build_dir;         ///< holds compile_commands.json, or configured a package without units
+  bool has_units = false;        ///< something of it is compiled
+  std::set<std::string> units;   ///< main files that must see TZC
+  HeaderChangeUsers users;       ///< that must see TZC, too, if they really include what is changed
+  std::vector<Note> hints;       ///< build file edits that the user must make
+  std::set<std::string> joined;  ///< folders of other packages: all of them are written, or none
+  bool refused = false;          ///< its build files were not proved: nothing of it is changed
 };
 
 /// Analyses packages as one, sources and build files. A package that compiles nothing is ported with those that

@@ -11,6 +11,7 @@
 #include "engine/port_plan.h"
 #include "model/expected.h"
 #include "tool/options.h"
+#include "tool/unseen_files.h"
 
 namespace tzc::rewriter {
 
@@ -27,6 +28,7 @@ struct PortInputs {
   const Options& options;
   const Engine& engine;
   const std::map<std::string, std::uint64_t>& measured_sizes;
+  IncludeGraphs& graphs;
   Progress* progress = nullptr;
   FileAccesses* accesses = nullptr;  ///< told what the result depends on; null: it is not kept
 };

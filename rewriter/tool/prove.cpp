@@ -34,7 +34,7 @@ std::map<std::string, Group> groups_of(std::vector<PackagePort>& ports) {
 }
 
 PortedPackage as_ported(const PackagePort& port) {
-  return {port.result.report.package, port.package_dir, port.contents, port.units, port.users};
+  return {port.result.report.package, port.package_dir, port.contents, port.units, port.users.sources};
 }
 
 void note(PackagePort& port, const char* code, const std::string& file, const std::string& text) {
@@ -60,8 +60,8 @@ class Refuser {
   Expected<void> refuse(PackagePort& port, const Error& why) {
     Options options = inputs_.options;
     options.level = Level::plain;
-    const PortInputs unported{options, inputs_.engine, inputs_.measured_sizes, inputs_.progress,
-                              inputs_.accesses};
+    const PortInputs unported{options,        inputs_.engine,   inputs_.measured_sizes,
+                              inputs_.graphs, inputs_.progress, inputs_.accesses};
     Expected<std::vector<PackagePort>> unchanged = port_packages({port.package_dir}, unported);
     if (!unchanged) return unchanged.error();
     const std::vector<Note> hints = port.hints;
@@ -113,7 +113,7 @@ Failures failures_of(const Group& group, const PortInputs& inputs) {
   };
   failures = unproved_packages(*group.user, packages, options);
   for (std::size_t i = 0; i < packages.size(); ++i)
-    if (std::optional<Error> why = outdated_user(packages[i], group.ports[i]->other_users))
+    if (std::optional<Error> why = outdated_user(packages[i], group.ports[i]->users.commands))
       failures.emplace(packages[i].package_dir, std::move(*why));
   return failures;
 }

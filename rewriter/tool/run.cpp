@@ -123,7 +123,7 @@ class Run {
   }
 
   void port_group(const std::vector<std::string>& packages) {
-    PortInputs inputs{options_, engine_, measured_, &progress_};
+    PortInputs inputs{options_, engine_, measured_, graphs_, &progress_};
     PortCache cache(packages, inputs);
     std::optional<std::vector<PackagePort>> known = cache.find();
     std::vector<PackagePort> ports = known ? std::move(*known) : analysed(packages, inputs, cache);
@@ -237,6 +237,7 @@ class Run {
   TerminalProgress progress_;
   std::vector<std::string> packages_;
   std::map<std::string, std::uint64_t> measured_;
+  IncludeGraphs graphs_;
   std::optional<Baseline> baseline_;
   std::optional<ReportFiles> reports_;
   std::optional<PortWriter> writer_;

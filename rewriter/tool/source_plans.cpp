@@ -7,8 +7,6 @@
 #include <memory>
 #include <set>
 
-#include "buildfiles/compile_database.h"
-#include "buildfiles/package_xml.h"
 #include "buildfiles/plan.h"
 #include "edits/dual.h"
 #include "edits/files.h"
@@ -19,7 +17,7 @@
 #include "tool/header_users.h"
 #include "tool/own_messages.h"
 #include "tool/places.h"
-#include "tool/unseen_files.h"
+#include "tool/workspace_code.h"
 
 namespace tzc::rewriter {
 namespace fs = std::filesystem;
@@ -61,15 +59,16 @@ class SourcePlanner {
     engine.judges = judges(compiler);
     engine.others.copied = copies();
     engine.others.unshared_twins = unshared_twins(*messages);
-    const IncludeGraph graph(FolderSet(neighbours()), compiled());
+    const WorkspaceCode workspace_code(packages_, inputs_);
     engine.others.unseen_files = [&](const UnitsOfFile& units_of_file) {
-      return unseen_files(graph, engine.packages, units_of_file);
+      return unseen_files(workspace_code.includes(), engine.packages, units_of_file);
     };
     Expected<PortPlans> plans =
         inputs_.options.change_exported ? plan_with_headers(engine) : inputs_.engine.plan(engine);
     if (!plans) return plans.error();
-    SourcePlans result{std::move(*plans), messages->packages(), {}, {}};
-    add_users(graph, result);
+    SourcePlans result{std::move(*plans), messages->packages(), {}};
+    for (const auto& [folder, plan] : result.plans)
+      result.users.emplace(folder, workspace_code.users_of(plan.contents));
     return result;
   }
 
@@ -167,31 +166,6 @@ class SourcePlanner {
     return plans;
   }
 
-  std::vector<std::string> source_spaces() const {
-    std::set<std::string> spaces;
-    for (const SourcePackage& package : packages_) spaces.insert(source_space(package.dir));
-    return {spaces.begin(), spaces.end()};
-  }
-
-  /// The packages of the workspace, these among them.
-  std::vector<std::string> neighbours() const {
-    std::set<std::string> all;
-    for (const auto& item : build_dirs_) all.insert(item.first);
-    for (const std::string& space : source_spaces())
-      if (const Expected<std::vector<std::string>> packages = find_packages_at(space))
-        all.insert(packages->begin(), packages->end());
-    return {all.begin(), all.end()};
-  }
-
-  /// All that the build trees compile: other packages' sources, and those that the build generates, too.
-  std::set<std::string> compiled() const {
-    std::set<std::string> all;
-    for (const auto& item : build_dirs_)
-      if (const Expected<std::set<std::string>> files = compiled_files(item.second))
-        all.insert(files->begin(), files->end());
-    return all;
-  }
-
   /// Packages of the workspace whose messages have no TZC headers but those that their users generate for themselves.
   std::set<std::string> unshared_twins(const OwnMessages& messages) const {
     std::set<std::string> names;
@@ -201,42 +175,9 @@ class SourcePlanner {
     return names;
   }
 
-  /// The compiled sources that include what is changed have to be built with TZC, whosever they are.
-  void add_users(const IncludeGraph& graph, SourcePlans& result) const {
-    const std::vector<CompileCommand> others = commands_of_others();
-    for (const auto& [package, plan] : result.plans) {
-      const auto seems_to_use = [&, &edited = plan.contents](const std::string& source) {
-        const std::set<std::string> reached = graph.reached_from(source);
-        return std::any_of(edited.begin(), edited.end(),
-                           [&](const auto& item) { return reached.count(item.first) != 0; });
-      };
-      if (plan.contents.empty()) continue;
-      for (const std::string& source : compiled())
-        if (seems_to_use(source)) result.users[package].insert(source);
-      for (const CompileCommand& command : others)
-        if (seems_to_use(command.canonical)) result.other_users[package].push_back(command);
-    }
-  }
-
-  /// Of the workspace's packages that other build trees compile, as catkin build and catkin_make_isolated make them.
-  std::vector<CompileCommand> commands_of_others() const {
-    std::set<std::string> known;
-    for (const auto& item : build_dirs_) known.insert(item.second);
-    std::vector<CompileCommand> all;
-    for (const std::string& folder : neighbours()) {
-      const Expected<PackageXml> package = read_package_xml(folder);
-      if (!package) continue;
-      const Expected<std::string> build_dir = find_build_dir({folder, package->name}, "", {});
-      if (!build_dir || !known.insert(*build_dir).second) continue;
-      if (Expected<std::vector<CompileCommand>> commands = read_compile_commands(*build_dir))
-        std::move(commands->begin(), commands->end(), std::back_inserter(all));
-    }
-    return all;
-  }
-
   std::vector<CopiedDefinition> copies() const {
     std::vector<CopiedDefinition> all;
-    for (const std::string& space : source_spaces())
+    for (const std::string& space : source_spaces(packages_))
       for (CopiedDefinition& copied : copied_definitions(FolderSet(folders()), space))
         all.push_back(std::move(copied));
     return all;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "edits/files.h"
-#include "tool/package_headers.h"
 #include "tool/text_files.h"
 
 namespace tzc::rewriter {
@@ -22,17 +21,23 @@ bool is_code(fs::path file) {
 
 }  // namespace
 
-IncludeGraph::IncludeGraph(const FolderSet& spaces, const std::set<std::string>& others) {
-  const PackageHeaders headers(spaces);
-  const auto add = [&](const std::string& file) {
-    if (is_code(file)) code_.insert(file);
-    if (std::set<std::string> included = headers.included_by(file); !included.empty())
-      included_.emplace(file, std::move(included));
-  };
-  TextFiles files(add);
-  for (const std::string& space : spaces) files.walk(space);
-  for (const std::string& other : others)
-    if (!spaces.hold(other) || code_.count(other) == 0) add(other);
+IncludeGraph::IncludeGraph(const FolderSet& packages) : packages_(packages), headers_(packages) {
+  TextFiles files([this](const std::string& file) { add(file); });
+  for (const std::string& package : packages) files.walk(package);
+}
+
+void IncludeGraph::add(const std::string& file) {
+  if (is_code(file)) code_.insert(file);
+  if (included_.count(file) != 0) return;
+  if (std::set<std::string> included = headers_.included_by(file); !included.empty())
+    included_.emplace(file, std::move(included));
+}
+
+const IncludeGraph& IncludeGraphs::of(const std::set<std::string>& packages) {
+  const auto known = graphs_.find(packages);
+  if (known != graphs_.end()) return known->second;
+  const FolderSet folders(std::vector<std::string>(packages.begin(), packages.end()));
+  return graphs_.emplace(packages, IncludeGraph(folders)).first->second;
 }
 
 std::set<std::string> IncludeGraph::reached_from(const std::string& file) const {
@@ -50,10 +55,14 @@ std::set<std::string> IncludeGraph::reached_from(const std::string& file) const 
 
 std::vector<UnseenFile> unseen_files(const IncludeGraph& graph, const FolderSet& packages,
                                      const std::map<std::string, std::set<std::string>>& units_of_file) {
+  const auto place_of = [&](const std::string& file) {
+    if (packages.hold(file)) return UnseenFile::Place::package;
+    return graph.packages().hold(file) ? UnseenFile::Place::other_package : UnseenFile::Place::elsewhere;
+  };
   std::vector<UnseenFile> found;
   for (const std::string& file : graph.code()) {
     if (units_of_file.count(file) != 0) continue;
-    UnseenFile unseen{file, {}};
+    UnseenFile unseen{file, {}, place_of(file)};
     for (const std::string& header : graph.reached_from(file))
       if (packages.hold(header)) unseen.headers.insert(header);
     if (!unseen.headers.empty()) found.push_back(std::move(unseen));

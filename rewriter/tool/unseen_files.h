@@ -8,23 +8,39 @@
 
 #include "model/folder_set.h"
 #include "model/unseen_file.h"
+#include "tool/package_headers.h"
 
 namespace tzc::rewriter {
 
-/// The text files of source spaces, and which of their files each includes.
+/// The text files of packages, and which of their files each includes.
 class IncludeGraph {
  public:
-  /// `others`: files that lie elsewhere, as those that a build generates.
-  IncludeGraph(const FolderSet& spaces, const std::set<std::string>& others);
+  explicit IncludeGraph(const FolderSet& packages);
 
+  /// A file that lies elsewhere, as those that a build generates.
+  void add(const std::string& file);
+
+  const FolderSet& packages() const { return packages_; }
   /// C++ sources, headers, and templates of such.
   const std::set<std::string>& code() const { return code_; }
   /// What a file includes, through others, too.
   std::set<std::string> reached_from(const std::string& file) const;
 
  private:
+  FolderSet packages_;
+  PackageHeaders headers_;
   std::map<std::string, std::set<std::string>> included_;
   std::set<std::string> code_;
+};
+
+/// The graphs of a run: reading a workspace takes longer than porting a package of it. A port does not change what
+/// the files of packages include of each other.
+class IncludeGraphs {
+ public:
+  const IncludeGraph& of(const std::set<std::string>& packages);
+
+ private:
+  std::map<std::set<std::string>, IncludeGraph> graphs_;
 };
 
 /// The code that includes a header of the packages and is not among the analysed files.

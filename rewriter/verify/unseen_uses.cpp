@@ -70,9 +70,10 @@ bool UnseenUses::compiled_together(const std::string& file, const std::string& o
 }
 
 /// Whether the compiler would see the entity's declaration there. A private member is named in functions of its class only, and
-/// in friends, which name the class as well.
+/// in friends, which name the class as well; friends in other packages have refused it before.
 bool UnseenUses::may_name(const Part& part, const Entity& entity) const {
   if (!part.file) return compiled_together(part.where.file, entity.where.file);
+  if (entity.is_private && part.file->place == UnseenFile::Place::other_package) return false;
   const std::string record = entity.record.substr(entity.record.find_last_of('@') + 1);
   if (entity.is_private && !record.empty() && part.words.count(record) == 0) return false;
   return part.file->headers.count(entity.where.file) != 0 ||

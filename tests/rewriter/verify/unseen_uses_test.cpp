@@ -96,14 +96,15 @@ TEST(UnseenUses, a_call_of_the_function_counts_for_its_parameter) {
 
 /// The code of the obstacle of an entity of a header that a file which is not compiled includes; empty: it has none.
 std::string obstacle_by_file(const std::string& text, Entity member,
-                             const std::string& included = "/p/node.h") {
+                             const std::string& included = "/p/node.h",
+                             UnseenFile::Place place = UnseenFile::Place::package) {
   FactsBuilder facts;
   member.where = {"/p/node.h", 2, 3};
   facts.facts.units_of_file = {{"/p/node.h", {"/p/node.cpp"}}};
   facts.add(member);
   const Components components(facts.facts);
   const ComponentId component = components.all().front().id;
-  const UnseenCode code{{}, {{"/p/test.cpp", {included}}}};
+  const UnseenCode code{{}, {{"/p/test.cpp", {included}, place}}};
   const UnseenUses uses(code, facts.facts, components, [&](const std::string& file) {
     return file == "/p/test.cpp" ? text : "struct Node {\n  ros::Publisher pub;\n};\n";
   });
@@ -131,6 +132,13 @@ TEST(UnseenUses, a_file_that_does_not_include_the_header_does_not_count) {
 TEST(UnseenUses, a_private_member_counts_where_its_class_is_named) {
   EXPECT_EQ(obstacle_by_file("void Node::test() { send(pub); }", member_of_node(true)), "TZC3007");
   EXPECT_EQ(obstacle_by_file("void test() { ros::Publisher pub; }", member_of_node(true)), "");
+}
+
+TEST(UnseenUses, another_package_cannot_name_a_private_member) {
+  const std::string text = "struct Mine : Node { ros::Publisher pub; };";
+  const auto place = UnseenFile::Place::other_package;
+  EXPECT_EQ(obstacle_by_file(text, member_of_node(true), "/p/node.h", place), "");
+  EXPECT_EQ(obstacle_by_file(text, member_of_node(), "/p/node.h", place), "TZC3007");
 }
 
 }  // namespace

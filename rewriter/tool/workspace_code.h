@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "buildfiles/compile_database.h"
+#include "model/edit.h"
+#include "tool/port_inputs.h"
+#include "tool/unseen_files.h"
+
+namespace tzc::rewriter {
+
+struct SourcePackage {
+  std::string dir, name;
+  std::string build_dir;
+  bool has_units = true;  ///< `build_dir` holds their compile_commands.json; false: it compiles nothing
+};
+
+/// What seems to include changed files, as text.
+struct HeaderChangeUsers {
+  std::set<std::string> sources;         ///< that the packages' build trees compile, also other packages'
+  std::vector<CompileCommand> commands;  ///< of other packages that have build trees of their own
+};
+
+/// The source spaces that packages lie in.
+std::set<std::string> source_spaces(const std::vector<SourcePackage>& packages);
+
+/// The code of the workspace around packages that are ported, and what is compiled of it.
+class WorkspaceCode {
+ public:
+  WorkspaceCode(const std::vector<SourcePackage>& packages, const PortInputs& inputs);
+
+  const IncludeGraph& includes() const { return includes_; }
+  HeaderChangeUsers users_of(const FileContents& changed) const;
+
+ private:
+  const std::set<std::string> compiled_;
+  IncludeGraph includes_;
+  const std::vector<CompileCommand> commands_of_others_;
+};
+
+}  // namespace tzc::rewriter
