@@ -71,6 +71,7 @@ void ContentReader::array_method(const clang::Expr* array, const clang::CXXMembe
   if (keeps.count(name) == 0) add(Kind::write, parts_.part_of(array), call->getExprLoc());
 }
 
+/// An exchange also where something is moved: nothing is left there, and its subscribers go along.
 void ContentReader::pair(Kind kind, MessagePart part, MessagePart other, clang::SourceLocation where) {
   if (part.empty() || other.empty()) return;
   add(kind, std::move(part), where);
@@ -82,12 +83,7 @@ void ContentReader::replaced(const clang::Expr* array, const clang::Expr* source
   const MessagePart part = parts_.part_of(array);
   const bool of_message = is_of_message(parts_.part_of(source));
   add(of_message || is_made_empty(source) ? Kind::reset : Kind::take, part, array->getExprLoc());
-  if (of_message) moved(part, source, array->getExprLoc());
-}
-
-/// Nothing is left where a message or an array is moved from; its subscribers go along.
-void ContentReader::moved(const MessagePart& part, const clang::Expr* source, clang::SourceLocation where) {
-  pair(Kind::exchange, part, parts_.part_of(source), where);
+  if (of_message) pair(Kind::exchange, part, parts_.part_of(source), array->getExprLoc());
 }
 
 /// Messages, arrays, or pointers to messages.
@@ -153,7 +149,7 @@ void ContentReader::declaration(const clang::DeclStmt* stmt) {
     const bool has_result = is_call(variable->getInit()) && is_result(parts_.part_of(variable->getInit()));
     if (variable->getType()->isReferenceType() && !has_result) continue;
     add(Kind::reset, root, variable->getLocation());
-    if (has_result) moved(root, variable->getInit(), variable->getLocation());
+    if (has_result) pair(Kind::exchange, root, parts_.part_of(variable->getInit()), variable->getLocation());
     if (variable->getType()->isPointerType() && variable->getInit() &&
         is_message_or_pointer(variable->getType()))
       pair(Kind::alias, root, parts_.part_of(variable->getInit()), variable->getLocation());
@@ -161,7 +157,7 @@ void ContentReader::declaration(const clang::DeclStmt* stmt) {
     if (!made || !is_message_or_pointer(variable->getType())) continue;
     const bool is_pointer = !pointee_of(variable->getType()).isNull();
     if (made->getConstructor()->isMoveConstructor())
-      moved(root, made->getArg(0), variable->getLocation());
+      pair(Kind::exchange, root, parts_.part_of(made->getArg(0)), variable->getLocation());
     else if (is_pointer && made->getConstructor()->isCopyConstructor())
       pair(Kind::alias, root, parts_.part_of(made->getArg(0)), variable->getLocation());
   }
@@ -179,7 +175,7 @@ void ContentReader::assignment(const clang::CXXOperatorCallExpr* call) {
     events_.back().empties = !is_pointer && is_made_empty(source);
   }
   if (moves)
-    moved(part, source, call->getExprLoc());
+    pair(Kind::exchange, part, parts_.part_of(source), call->getExprLoc());
   else if (is_pointer)
     pair(Kind::alias, part, other, call->getExprLoc());
 }

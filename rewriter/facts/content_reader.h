@@ -30,7 +30,6 @@ class ContentReader {
   void array(const clang::Expr* expr);
   void array_of_messages(const clang::Expr* expr);
   void replaced(const clang::Expr* array, const clang::Expr* source);
-  void moved(const MessagePart& part, const clang::Expr* source, clang::SourceLocation where);
   void exchanged(const clang::Expr* one, const clang::Expr* other, clang::SourceLocation where);
   void pair(ContentEvent::Kind kind, MessagePart part, MessagePart other, clang::SourceLocation where);
   void array_method(const clang::Expr* array, const clang::CXXMemberCallExpr* call, const std::string& name);

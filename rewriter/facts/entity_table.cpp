@@ -134,8 +134,8 @@ void EntityTable::connect_overrides(const EntityId& id, const clang::FunctionDec
 void EntityTable::check_exported(Entity& entity, const clang::ValueDecl* decl) {
   const auto* field = llvm::dyn_cast<clang::FieldDecl>(decl);
   const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
-  if (field) entity.record = usr_of(field->getParent());
-  entity.is_private = field && decl->getAccess() == clang::AS_private;
+  if (field) entity.member_of.record = usr_of(field->getParent());
+  entity.member_of.is_private = field && decl->getAccess() == clang::AS_private;
   const bool lasts = field || (variable->hasGlobalStorage() && !variable->isStaticLocal());
   if (lasts && decl->getAccess() == clang::AS_private)
     note_friends(facts_, entity.id, friends_of(unit_, decl));
@@ -192,8 +192,10 @@ EntityId EntityTable::declare(const clang::ValueDecl* decl) {
   });
   check_type(entity, *carried);
   const clang::CXXRecordDecl* record = decl->getType().getNonReferenceType()->getAsCXXRecordDecl();
-  entity.plain = record && unit_.rules.find_class_or_ported(qualified_name_of(record)) != nullptr;
-  entity.holds = holds_messages(decl->getType());
+  if (record && unit_.rules.find_class_or_ported(qualified_name_of(record)))
+    entity.form = Form::itself;
+  else if (!decl->getType()->isReferenceType() && holds_messages(decl->getType()))
+    entity.form = Form::contained;
   for (const clang::Decl* redeclaration : decl->redecls()) {
     const auto* written = llvm::cast<clang::DeclaratorDecl>(redeclaration);
     if (written->getTypeSourceInfo()) respell(entity, written->getTypeSourceInfo()->getTypeLoc());
@@ -203,7 +205,7 @@ EntityId EntityTable::declare(const clang::ValueDecl* decl) {
   check_exported(entity, decl);
   if (!decl->getType()->isReferenceType() && message_of(decl->getType())) {
     facts_.objects.insert(id);
-    entity.plain = true;
+    entity.form = Form::itself;
   }
   const auto* parameter = llvm::dyn_cast<clang::ParmVarDecl>(decl);
   const auto* function =

@@ -85,7 +85,7 @@ void GivenMessages::give(const clang::Expr* message, const std::string& holder, 
   if (holder.empty() || !is_stock_or_twin(message->getType())) return;
   const MessagePart part = parts_.part_of(message);
   if (!outlives_functions(part) || !is_root(part) || part == holder) return;
-  facts_.given_messages.push_back({part, holder, how, unit_.location(message->getBeginLoc())});
+  facts_.given.messages.push_back({part, holder, how, unit_.location(message->getBeginLoc())});
 }
 
 /// What is made from a message, or from what leads to one. False: it is made from none that has a name.
@@ -102,7 +102,7 @@ bool GivenMessages::hand_on(const clang::Expr* from, const std::string& holder) 
     if (!origins.empty() || !leads_to_messages(expr->getType())) continue;
     std::string source = holders_.of(expr);
     has_source |= !source.empty();
-    if (!source.empty() && source != holder) facts_.handed_on[std::move(source)].insert(holder);
+    if (!source.empty() && source != holder) facts_.given.handed_on[std::move(source)].insert(holder);
   }
   return has_source;
 }
@@ -129,7 +129,7 @@ void GivenMessages::member_call(const clang::CXXMemberCallExpr* call) {
     const Place place = unit_.source.where(call->getExprLoc());
     for (const clang::Expr* argument : call->arguments())
       if (std::string holder = holders_.of(argument); !holder.empty())
-        facts_.published_from[{place.file, place.begin}].insert(std::move(holder));
+        facts_.given.published_from[{place.file, place.begin}].insert(std::move(holder));
   } else if (is_library_container(unit_, call)) {
     container_call(call);
   }
@@ -139,7 +139,7 @@ void GivenMessages::member_call(const clang::CXXMemberCallExpr* call) {
 void GivenMessages::make_in(const std::string& container, const std::string& how, const clang::Expr* at) {
   static const std::set<std::string> where_taken_out = {"resize", "assign", "[]"};
   if (container.empty() || llvm::isa<clang::CXXConstructorDecl>(view_.function())) return;
-  auto& made = where_taken_out.count(how) != 0 ? facts_.refills : facts_.given_messages;
+  auto& made = where_taken_out.count(how) != 0 ? facts_.given.refills : facts_.given.messages;
   made.push_back({{}, container, "'" + how + "'", unit_.location(at->getBeginLoc())});
 }
 
@@ -158,7 +158,7 @@ void GivenMessages::container_call(const clang::CXXMemberCallExpr* call) {
   }
   if (!holds_messages(object->getType()) || is_in_message(object)) return;
   if (makes.count(name) != 0 && !has_source) make_in(holder, name, call);
-  if (takes_out.count(name) != 0) facts_.emptied.insert(holder);
+  if (takes_out.count(name) != 0) facts_.given.emptied.insert(holder);
 }
 
 /// A message that is assigned keeps its memory; what is moved, or a pointer, brings its own.

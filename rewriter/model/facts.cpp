@@ -150,11 +150,11 @@ void Facts::merge(Facts&& other) {
   lasting.merge(other.lasting);
   early.merge(other.early);
   for (auto& [usr, flow] : other.contents) add_content(usr, std::move(flow));
-  append(given_messages, other.given_messages);
-  append(refills, other.refills);
-  emptied.merge(other.emptied);
-  unite(handed_on, other.handed_on);
-  unite(published_from, other.published_from);
+  append(given.messages, other.given.messages);
+  append(given.refills, other.given.refills);
+  given.emptied.merge(other.given.emptied);
+  unite(given.handed_on, other.given.handed_on);
+  unite(given.published_from, other.given.published_from);
   addressed.merge(other.addressed);
   hidden.shown.merge(other.hidden.shown);
   hidden.missed.merge(other.hidden.missed);

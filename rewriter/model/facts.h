@@ -36,6 +36,14 @@ struct Obstacle {
 enum class EntityRole { message, publisher, filter };
 enum class Storage { local, static_local, member, global, parameter, result, temporary };
 
+/// Where the message, publisher or filter is: the entity itself, an element of it by value, or what it points or refers to.
+enum class Form { itself, contained, elsewhere };
+
+struct MemberOf {
+  std::string record;  ///< USR of the class
+  bool is_private = false;
+};
+
 /// TZC's class in place of another package's.
 struct PortedClass {
   std::string name;    ///< "tzc::Publisher"
@@ -50,13 +58,10 @@ struct Entity {
   Storage storage = Storage::local;
   std::string type;       ///< "sensor_msgs/Image", empty for publishers
   std::string name;       ///< as written
-  std::string record;     ///< USR of the class of a member
+  MemberOf member_of;     ///< of a member
   PortedClass ported_as;  ///< of a publisher or filter
-  bool plain =
-      false;  ///< the message or publisher itself, not a pointer or reference to it or a container of it
-  bool is_private = false;  ///< a private member
-  bool holds = false;       ///< messages by value: it is one, or a container of them
-  bool ported = false;      ///< a publisher or filter that has TZC's class already
+  Form form = Form::elsewhere;
+  bool ported = false;  ///< a publisher or filter that has TZC's class already
   Location where;
   std::vector<Change> changes;  ///< its declared types
   std::vector<Obstacle> obstacles;
@@ -303,6 +308,16 @@ struct GivenMessage {
   Location where;
 };
 
+/// Where the content of messages goes that outlive functions, for the levels.
+struct GivenFacts {
+  std::vector<GivenMessage> messages;
+  std::vector<GivenMessage> refills;  ///< of containers: messages are new where others were taken out before
+  std::set<std::string> emptied;      ///< containers that messages are taken out of
+  /// By the root of what holds a message: the roots of what is made from it afterwards.
+  std::map<std::string, std::set<std::string>> handed_on;
+  std::map<PublishPlace, std::set<std::string>> published_from;  ///< the roots of what holds the message
+};
+
 /// Pointers into messages' data, and what they must not live across.
 struct EscapeFacts {
   std::vector<DataEscape> escapes;
@@ -314,12 +329,7 @@ struct EscapeFacts {
   std::set<EntityId> lasting;                                ///< static locals, and what closures hold
   std::set<std::string> early;  ///< functions that run before an object's members are all there, by USR
   std::map<std::string, ContentFlow> contents;  ///< of functions that touch messages' arrays, by USR
-  std::vector<GivenMessage> given_messages;
-  std::vector<GivenMessage> refills;  ///< of containers: messages are new where others were taken out before
-  std::set<std::string> emptied;      ///< containers that messages are taken out of
-  /// By the root of what holds a message: the roots of what is made from it afterwards.
-  std::map<std::string, std::set<std::string>> handed_on;
-  std::map<PublishPlace, std::set<std::string>> published_from;  ///< the roots of what holds the message
+  GivenFacts given;
   std::set<std::string> addressed;  ///< functions that something else than a call names, by USR
 };
 

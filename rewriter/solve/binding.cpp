@@ -76,7 +76,7 @@ bool Binder::may_be_missing(const AllocationSite& site, const Entity& publisher)
 bool Binder::visible(const AllocationSite& site, const Entity& publisher) {
   if (std::count(site.later.begin(), site.later.end(), publisher.id) != 0) return false;
   if (may_be_missing(site, publisher)) return false;
-  if (publisher.storage == Storage::member) return inherits(site.record, publisher.record);
+  if (publisher.storage == Storage::member) return inherits(site.record, publisher.member_of.record);
   return publisher.storage == Storage::global && publisher.where.file == site.where.file &&
          publisher.where.line < site.where.line;
 }
@@ -105,7 +105,7 @@ std::optional<BoundAllocation> Binder::available_at(const AllocationSite& site) 
     }
   for (const ComponentId id : publishers_)
     for (const Entity* entity : components_[id].entities)
-      if (entity->plain && visible(site, *entity) && !may_change_under_lock(id))
+      if (entity->form == Form::itself && visible(site, *entity) && !may_change_under_lock(id))
         return bound(site, {entity->id, entity->name, false, false, {}, {}}, entity);
   return {};
 }

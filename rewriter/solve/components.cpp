@@ -134,7 +134,7 @@ void Components::add_entities(const Facts& facts, bool all_or_nothing) {
 
 bool Component::has_lasting_message() const {
   return std::any_of(entities.begin(), entities.end(),
-                     [](const Entity* entity) { return entity->holds && entity->lasts(); });
+                     [](const Entity* entity) { return entity->form != Form::elsewhere && entity->lasts(); });
 }
 
 const Component* Components::of(const EntityId& entity) const {

@@ -60,7 +60,7 @@ bool ConcurrentReads::guards(const std::string& lock, const Component& component
     if (!message->lasts()) return true;
     const bool is_member = message->storage == Storage::member;
     return !of_function &&
-           (!of_object || (is_member && is_part_of(lock.substr(own.size()), message->record)));
+           (!of_object || (is_member && is_part_of(lock.substr(own.size()), message->member_of.record)));
   });
 }
 

@@ -23,12 +23,13 @@ bool replaces(const ContentEvent& event) {
 
 UnboundMessages::UnboundMessages(const Facts& facts) : facts_(facts) {
   read_contents();
-  for (const auto& [site, holders] : facts.published_from) published_.insert(holders.begin(), holders.end());
+  for (const auto& [site, holders] : facts.given.published_from)
+    published_.insert(holders.begin(), holders.end());
   add_what_is_passed();
-  for (const GivenMessage& given : facts.given_messages)
+  for (const GivenMessage& given : facts.given.messages)
     if (!is_bound(given.message)) add(given);
-  for (const GivenMessage& given : facts.refills)
-    if (facts.emptied.count(given.holder) != 0) add(given);
+  for (const GivenMessage& given : facts.given.refills)
+    if (facts.given.emptied.count(given.holder) != 0) add(given);
   hand_on();
 }
 
@@ -49,8 +50,8 @@ void UnboundMessages::hand_on() {
   while (!open.empty()) {
     const std::string holder = std::move(open.back());
     open.pop_back();
-    const auto next = facts_.handed_on.find(holder);
-    if (next == facts_.handed_on.end()) continue;
+    const auto next = facts_.given.handed_on.find(holder);
+    if (next == facts_.given.handed_on.end()) continue;
     for (const std::string& other : next->second)
       if (unbound_.emplace(other, unbound_.at(holder)).second) open.push_back(other);
   }
@@ -84,8 +85,8 @@ bool UnboundMessages::is_bound(const MessagePart& message) const {
 }
 
 std::optional<Obstacle> UnboundMessages::why_copied(const SiteId& site) const {
-  const auto holders = facts_.published_from.find({site.file, site.begin});
-  if (holders == facts_.published_from.end()) return {};
+  const auto holders = facts_.given.published_from.find({site.file, site.begin});
+  if (holders == facts_.given.published_from.end()) return {};
   for (const std::string& holder : holders->second) {
     if (const auto found = unbound_.find(holder); found != unbound_.end()) return found->second;
     const auto passed = given_.find(holder);

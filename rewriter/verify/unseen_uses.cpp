@@ -73,9 +73,9 @@ bool UnseenUses::compiled_together(const std::string& file, const std::string& o
 /// in friends, which name the class as well; friends in other packages have refused it before.
 bool UnseenUses::may_name(const Part& part, const Entity& entity) const {
   if (!part.file) return compiled_together(part.where.file, entity.where.file);
-  if (entity.is_private && part.file->place == UnseenFile::Place::other_package) return false;
-  const std::string record = entity.record.substr(entity.record.find_last_of('@') + 1);
-  if (entity.is_private && !record.empty() && part.words.count(record) == 0) return false;
+  if (entity.member_of.is_private && part.file->place == UnseenFile::Place::other_package) return false;
+  const std::string record = entity.member_of.record.substr(entity.member_of.record.find_last_of('@') + 1);
+  if (entity.member_of.is_private && !record.empty() && part.words.count(record) == 0) return false;
   return part.file->headers.count(entity.where.file) != 0 ||
          std::any_of(entity.changes.begin(), entity.changes.end(),
                      [&](const Change& change) { return part.file->headers.count(change.where.file) != 0; });

@@ -18,7 +18,7 @@ inline Entity entity(const std::string& name, EntityRole role, Storage storage =
   entity.role = role;
   entity.storage = storage;
   entity.where = {"/p/node.cpp", 1, 1};
-  entity.plain = true;
+  entity.form = Form::itself;
   if (role == EntityRole::publisher) entity.ported_as = {"tzc::Publisher", "tzc/ros.h"};
   return entity;
 }

@@ -115,8 +115,8 @@ std::string obstacle_by_file(const std::string& text, Entity member,
 Entity member_of_node(bool is_private = false) {
   Entity member = entity("pub", EntityRole::publisher);
   member.storage = Storage::member;
-  member.record = "c:@N@robot@S@Node";
-  member.is_private = is_private;
+  member.member_of.record = "c:@N@robot@S@Node";
+  member.member_of.is_private = is_private;
   return member;
 }
 
