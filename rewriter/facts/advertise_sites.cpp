@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/advertise_sites.h"
 
+#include <llvm/ADT/StringExtras.h>
+
 #include "facts/argument_order.h"
 #include "facts/ast_walk.h"
+#include "facts/call_place.h"
 #include "facts/calls.h"
 #include "facts/library_advertise.h"
 #include "model/codes.h"
@@ -23,9 +26,20 @@ clang::QualType advertised_type(const Unit& unit, const clang::CXXMemberCallExpr
 
 std::optional<Place> behind_argument(const Unit& unit, const clang::CallExpr* call, unsigned index) {
   if (written_arguments(call) <= index) return {};
-  std::optional<Place> place = unit.source.place(call->getArg(index)->getSourceRange());
+  std::optional<Place> place = argument_place(unit, call, index);
   if (place) place->begin = place->end;
   return place;
+}
+
+/// The queue size: its number, also of a macro or a constant, where the compiler knows it; else as it is written.
+std::optional<std::string> queue_size(const Unit& unit, const clang::CallExpr* call, unsigned index) {
+  if (written_arguments(call) <= index) return {};
+  const clang::Expr* argument = call->getArg(index);
+  clang::Expr::EvalResult value;
+  if (argument->isValueDependent() || !argument->getType()->isIntegerType() ||
+      !argument->EvaluateAsInt(value, unit.ast()))
+    return unit.text(argument);
+  return llvm::toString(value.Val.getInt(), 10);
 }
 
 /// Whether an argument that follows the queue size is told from a memory size: a bool, or a callback that is no 0.
@@ -88,14 +102,14 @@ void AdvertiseCollector::change(Advertise& site, const clang::CXXMemberCallExpr*
   if (rule.role == MethodCall::Role::advertise) {
     const std::string written = written_template_arguments(unit_, call);
     site.stock_type = written.empty() ? stock_name(site.type) : written;
-    const bool as_written = site.no_twin || takes_template_parameter(call);
+    const bool as_written = site.no_twin || takes_template_parameter(call) || is_type_by_macro(unit_, call);
     site.twin_type = as_written ? site.stock_type : twin_name(site.type);
     to += "<$TYPE>";
   }
   site.changes = receiver_first(unit_, call, {to, rule.rule, rule.header});
   if (site.changes.empty()) {
     site.obstacles.push_back(
-        {codes::TZC1006, "the advertise call comes from a macro", location_of(site.where)});
+        {codes::TZC1006, macro_reason(unit_, call, "the advertise call"), location_of(site.where)});
     return;
   }
   if (order_matters(unit_, call))
@@ -113,7 +127,8 @@ void AdvertiseCollector::add_memory(Advertise& site, const clang::CXXMemberCallE
   if (const auto memory = behind_argument(unit_, call, last))
     site.changes.push_back({*memory, "$MEM", rule.rule, {}});
   else
-    site.obstacles.push_back({codes::TZC1006, "an argument comes from a macro", location_of(site.where)});
+    site.obstacles.push_back(
+        {codes::TZC1006, macro_reason(unit_, call, "the advertise call"), location_of(site.where)});
 }
 
 Advertise AdvertiseCollector::of_call(const clang::CXXMemberCallExpr* call, const MethodCall& rule) {
@@ -127,7 +142,7 @@ Advertise AdvertiseCollector::of_call(const clang::CXXMemberCallExpr* call, cons
           {codes::TZC1012, "the options of this call say what is advertised", location_of(site.where)});
   }
   if (written_arguments(call) > 0) site.topic = constant_string(call->getArg(0));
-  site.queue = written_text(unit_, call, 1);
+  site.queue = queue_size(unit_, call, 1);
   site.publisher = entities_.declare_temporary(call);
   change(site, call, rule);
   for (const Obstacle& obstacle : site.obstacles) entities_.add_obstacle(site.publisher, obstacle);
@@ -147,7 +162,7 @@ Advertise AdvertiseCollector::of_ported_call(const clang::CallExpr* call, const 
 void AdvertiseCollector::describe_topic(Advertise& site, const clang::CallExpr* call) const {
   for (unsigned i = 0; i < written_arguments(call) && !site.topic; ++i) {
     site.topic = constant_string(call->getArg(i));
-    if (site.topic) site.queue = written_text(unit_, call, i + 1);
+    if (site.topic) site.queue = queue_size(unit_, call, i + 1);
   }
 }
 

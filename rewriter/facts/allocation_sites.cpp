@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "facts/ast_walk.h"
+#include "facts/call_place.h"
 #include "facts/calls.h"
 #include "facts/containing_object.h"
 #include "model/codes.h"
@@ -252,7 +253,7 @@ std::optional<AllocationDraft> AllocationCollector::of_adapter(const clang::CXXM
                                                                const EntityId& id, const MethodCall& rule) {
   AdapterAllocation how{receiver_first(unit_, call, {rule.to, rule.rule, rule.header}, "$PUB")};
   if (how.changes.empty()) {
-    entities_.add_obstacle(id, codes::TZC1006, "the call comes from a macro", call->getBeginLoc());
+    entities_.add_obstacle(id, codes::TZC1006, macro_reason(unit_, call, "the call"), call->getBeginLoc());
     return {};
   }
   AllocationDraft draft = draft_at(unit_, entities_, id, *call);

@@ -3,6 +3,7 @@
 
 #include "facts/ast_walk.h"
 #include "facts/bound_calls.h"
+#include "facts/call_place.h"
 #include "facts/calls.h"
 #include "facts/type_blind.h"
 #include "model/codes.h"
@@ -93,7 +94,7 @@ void CallEffects::use_rule(const EntityId& id, const clang::CXXMemberCallExpr* c
   const std::vector<Change> changes = receiver_first(unit_, call, {rule.to, rule.rule, rule.header});
   for (const Change& change : changes) entities_.add_use(id, change);
   if (changes.empty())
-    entities_.add_obstacle(id, codes::TZC1006, "the call comes from a macro", call->getBeginLoc());
+    entities_.add_obstacle(id, codes::TZC1006, macro_reason(unit_, call, "the call"), call->getBeginLoc());
 }
 
 CallEffect CallEffects::into_package(const EntityId& id, const Passed& passed) {

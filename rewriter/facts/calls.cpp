@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "facts/call_place.h"
 #include "facts/message_type.h"
 
 namespace tzc::rewriter {
@@ -25,12 +26,6 @@ Place span(const Place& from, unsigned begin, unsigned end) {
   place.begin = begin;
   place.end = end;
   return place;
-}
-
-/// The parenthesis that opens the arguments, behind the function's name.
-unsigned first_paren(const Unit& unit, const Place& call, unsigned from) {
-  const std::string text = unit.source.text(span(call, from, call.end));
-  return from + static_cast<unsigned>(text.find('('));
 }
 
 /// Whether what is const in one type is not in the other, at any depth of raw and smart pointers.
@@ -75,28 +70,19 @@ std::string written_template_arguments(const Unit& unit, const clang::CXXMemberC
 std::vector<Change> receiver_first(const Unit& unit, const clang::CXXMemberCallExpr* call,
                                    const Callee& callee, const std::string& last) {
   const Receiver receiver = receiver_of(call);
-  if (!receiver.expr) return {};
-  const auto* self = llvm::dyn_cast<clang::CXXThisExpr>(receiver.expr);
-  const std::optional<Place> whole = unit.source.place(call->getSourceRange());
-  if (!whole) return {};
-  const bool implicit = self && self->isImplicit();
-  const std::optional<Place> object =
-      implicit ? unit.source.before(call->getBeginLoc()) : unit.source.place(receiver.expr->getSourceRange());
-  if (!object) return {};
+  const std::optional<CallPlace> place = call_place(unit, call);
+  if (!receiver.expr || !place) return {};
+  const Place &object = place->object, &head = place->head;
   const unsigned count = written_arguments(call);
-  const std::optional<Place> first = count > 0 ? unit.source.place(call->getArg(0)->getSourceRange())
-                                               : unit.source.before(call->getRParenLoc());
-  if (!first || first->begin < object->end || object->begin != whole->begin) return {};
-  const std::optional<Place> name = unit.source.place(callee_of(call)->getSourceRange());
-  if (!name) return {};
-  const unsigned open_paren = first_paren(unit, *whole, name->end);
-  const Place between = span(*whole, object->end, open_paren + 1);
-  std::string separator = (count > 0 || !last.empty() ? "," : "") + comments_in(unit.source.text(between));
-  const std::string behind = unit.source.text(span(*whole, open_paren + 1, open_paren + 2));
+  const std::optional<Place> first = count > 0 ? argument_place(unit, call, 0) : head;
+  if (!first || first->begin < object.end) return {};
+  const bool implicit = object.begin == object.end;
+  std::string separator = (count > 0 || !last.empty() ? "," : "") + comments_in(unit.source.text(head));
+  const std::string behind = unit.source.text(span(head, head.end, head.end + 1));
   if (!separator.empty() && count > 0 && behind != " " && behind != "\n" && behind != "\r") separator += " ";
   const std::string open = callee.to + "(" + (receiver.pointer ? "*" : "") + (implicit ? "this" : "");
-  return {{span(*whole, object->begin, object->begin), open, callee.rule, {callee.header}},
-          {between, separator + (last.empty() ? "" : (count > 0 ? "" : " ") + last), callee.rule, {}}};
+  return {{span(object, object.begin, object.begin), open, callee.rule, {callee.header}},
+          {head, separator + (last.empty() ? "" : (count > 0 ? "" : " ") + last), callee.rule, {}}};
 }
 
 unsigned written_arguments(const clang::CallExpr* call) {

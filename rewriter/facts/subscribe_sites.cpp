@@ -3,6 +3,7 @@
 
 #include "facts/argument_order.h"
 #include "facts/ast_walk.h"
+#include "facts/call_place.h"
 #include "facts/callback_functions.h"
 #include "facts/callback_parameter.h"
 #include "facts/calls.h"
@@ -60,7 +61,7 @@ Subscribe SubscribeCollector::of_call(const clang::CXXMemberCallExpr* call, cons
     site.obstacles.push_back(
         {codes::TZC2011, "evaluating the node handle may change what the arguments read", here});
   if (site.changes.empty())
-    site.obstacles.push_back({codes::TZC2003, "the subscribe call comes from a macro", here});
+    site.obstacles.push_back({codes::TZC2003, macro_reason(unit_, call, "the subscribe call"), here});
   return site;
 }
 
