@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/advertise_sites.h"
 
-#include <llvm/ADT/StringExtras.h>
-
 #include "facts/argument_order.h"
 #include "facts/ast_walk.h"
 #include "facts/call_place.h"
 #include "facts/calls.h"
 #include "facts/library_advertise.h"
+#include "facts/number_values.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -34,12 +33,8 @@ std::optional<Place> behind_argument(const Unit& unit, const clang::CallExpr* ca
 /// The queue size: its number, also of a macro or a constant, where the compiler knows it; else as it is written.
 std::optional<std::string> queue_size(const Unit& unit, const clang::CallExpr* call, unsigned index) {
   if (written_arguments(call) <= index) return {};
-  const clang::Expr* argument = call->getArg(index);
-  clang::Expr::EvalResult value;
-  if (argument->isValueDependent() || !argument->getType()->isIntegerType() ||
-      !argument->EvaluateAsInt(value, unit.ast()))
-    return unit.text(argument);
-  return llvm::toString(value.Val.getInt(), 10);
+  const std::optional<std::string> number = constant_integer(unit, call->getArg(index));
+  return number ? number : unit.text(call->getArg(index));
 }
 
 /// Whether an argument that follows the queue size is told from a memory size: a bool, or a callback that is no 0.

@@ -20,6 +20,11 @@ std::string text_of(const Unit& unit, const clang::Expr* expr) {
   return unit.squeezed(expr->IgnoreParenImpCasts());
 }
 
+/// Of a number that the compiler knows, its value: a macro of the same name may have another one by now.
+std::string size_of(const Unit& unit, const clang::Expr* expr) {
+  return constant_integer(unit, expr).value_or(text_of(unit, expr));
+}
+
 /// Whether the name occurs as a word: the loop's variable would hide it.
 bool mentions(const std::string& text, llvm::StringRef name) {
   const auto is_part = [&](std::size_t at) {
@@ -34,7 +39,7 @@ bool mentions(const std::string& text, llvm::StringRef name) {
 bool has_kept_its_value(const Unit& unit, const ResizedArray& array) {
   const clang::Expr* size = array.size->IgnoreParenImpCasts();
   if (!size->getType()->isIntegerType() || !NumberValues(unit, Calls::sizes).is_number(size)) return false;
-  if (array.is_fresh || llvm::isa<clang::IntegerLiteral>(size)) return true;
+  if (array.is_fresh || constant_integer(unit, size)) return true;
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(size);
   return reference && reference->getType().isConstQualified();
 }
@@ -93,9 +98,9 @@ bool reaches_the_end(const Unit& unit, const clang::Expr* condition, const clang
   if (!op || (op->getOpcode() != clang::BO_LT && op->getOpcode() != clang::BO_NE) ||
       !is_use_of(op->getLHS(), counter))
     return false;
-  const std::string end = text_of(unit, op->getRHS());
+  const std::string end = size_of(unit, op->getRHS());
   return end == array.name + ".size()" ||
-         (!end.empty() && end == text_of(unit, array.size) && has_kept_its_value(unit, array));
+         (!end.empty() && end == size_of(unit, array.size) && has_kept_its_value(unit, array));
 }
 
 /// The array whose element at the counter is written; null: something else is.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/number_values.h"
 
+#include <llvm/ADT/StringExtras.h>
+
 #include "facts/calls.h"
 #include "facts/known_functions.h"
 #include "facts/library_calls.h"
@@ -153,6 +155,14 @@ bool NumberValues::is_number(const clang::Expr* expr) const {
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(expr)) return is_call(call);
   return llvm::isa<clang::IntegerLiteral, clang::FloatingLiteral, clang::CharacterLiteral,
                    clang::CXXBoolLiteralExpr>(expr);
+}
+
+std::optional<std::string> constant_integer(const Unit& unit, const clang::Expr* expr) {
+  clang::Expr::EvalResult value;
+  if (expr->isValueDependent() || !expr->getType()->isIntegerType() ||
+      !expr->EvaluateAsInt(value, unit.ast()))
+    return {};
+  return llvm::toString(value.Val.getInt(), 10);
 }
 
 }  // namespace tzc::rewriter

@@ -3,6 +3,9 @@
 
 #include <clang/AST/ExprCXX.h>
 
+#include <optional>
+#include <string>
+
 #include "facts/unit.h"
 
 namespace tzc::rewriter {
@@ -36,5 +39,8 @@ class NumberValues {
   const Unit& unit_;
   const Calls calls_;
 };
+
+/// An integer that the compiler knows, in decimal digits, whatever names or macros write it.
+std::optional<std::string> constant_integer(const Unit& unit, const clang::Expr* expr);
 
 }  // namespace tzc::rewriter

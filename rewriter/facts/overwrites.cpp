@@ -7,6 +7,7 @@
 #include "facts/overwrites.h"
 
 #include "facts/ast_walk.h"
+#include "facts/call_place.h"
 #include "facts/calls.h"
 #include "facts/element_loops.h"
 #include "facts/library_calls.h"
@@ -33,6 +34,11 @@ std::string text_of(const Unit& unit, const clang::Expr* expr) {
   return unit.squeezed(bare(unit, expr));
 }
 
+/// Of a number that the compiler knows, its value: a macro of the same name may have another one by now.
+std::string size_of(const Unit& unit, const clang::Expr* expr) {
+  return constant_integer(unit, expr).value_or(text_of(unit, expr));
+}
+
 /// &x[0], x.data(), &x.front(): where the array begins.
 bool is_begin_of(const Unit& unit, const clang::Expr* expr, const std::string& array) {
   const std::string text = text_of(unit, expr);
@@ -42,14 +48,14 @@ bool is_begin_of(const Unit& unit, const clang::Expr* expr, const std::string& a
 
 bool is_all_bytes(const Unit& unit, const clang::Expr* count, const std::string& array,
                   const std::string& size, bool bytes) {
-  const std::string text = text_of(unit, count);
+  const std::string text = size_of(unit, count);
   return bytes && !text.empty() && (text == size || text == array + ".size()");
 }
 
-/// Only names and literals have the same value a few statements later.
+/// Only constants have the same value a few statements later.
 bool is_stable(const Unit& unit, const clang::Expr* size) {
+  if (constant_integer(unit, size)) return true;
   const clang::Expr* expr = bare(unit, size);
-  if (llvm::isa<clang::IntegerLiteral>(expr)) return true;
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr);
   const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
   return variable && variable->getType().isConstQualified();
@@ -109,8 +115,9 @@ bool reads_elements(const NumberValues& values, const clang::Stmt* stmt) {
 /// What memcpy or memset writes: elements that are not the array's by its own name (by another, memcpy would be given memory that
 /// overlaps), or a number.
 bool are_others(const Unit& unit, const clang::Expr* written, const std::string& array) {
-  return is_plain_value(unit, written) && !reads_elements({unit, Calls::known}, written) &&
-         unit.squeezed(written).find(array) == std::string::npos;
+  const std::string text = unit.squeezed(written);
+  return is_plain_value(unit, written) && !reads_elements({unit, Calls::known}, written) && !text.empty() &&
+         text.find(array) == std::string::npos;
 }
 
 bool overwrites(const Unit& unit, const clang::Stmt* statement, const std::string& array,
@@ -145,16 +152,22 @@ bool is_harmless(const Unit& unit, const clang::Stmt* statement, const clang::Ex
          values.is_path(op->getLHS()) && values.is_number(op->getRHS()) && !depends_on_number(array);
 }
 
+/// A size that a macro begins is compared by its value only.
+std::optional<Place> size_place(const Unit& unit, const clang::CXXMemberCallExpr* resize) {
+  const bool is_known = constant_integer(unit, resize->getArg(0)).has_value();
+  return is_known ? argument_place(unit, resize, 0) : unit.source.place(resize->getArg(0)->getSourceRange());
+}
+
 }  // namespace
 
 std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMemberCallExpr* resize) {
   const auto* block = parent_as<clang::CompoundStmt>(unit.ast(), *resize);
-  const auto behind = unit.source.place(resize->getArg(0)->getSourceRange());
+  const auto behind = size_place(unit, resize);
   if (!block || !behind || written_arguments(resize) != 1) return {};
   const clang::Expr* object = resize->getImplicitObjectArgument();
   const std::string array = unit.squeezed(object);
   if (array.empty() || !is_steady_name(unit, object)) return {};
-  const std::string size = text_of(unit, resize->getArg(0));
+  const std::string size = size_of(unit, resize->getArg(0));
   const auto* vector = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
       object->getType().getCanonicalType()->getAsCXXRecordDecl());
   const bool bytes = vector && unit.ast().getTypeSize(vector->getTemplateArgs()[0].getAsType()) == 8;

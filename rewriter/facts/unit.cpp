@@ -9,6 +9,16 @@
 #include "facts/message_type.h"
 
 namespace tzc::rewriter {
+namespace {
+
+bool has_macro(const clang::Stmt* stmt) {
+  if (!stmt) return false;
+  const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
+  return stmt->getBeginLoc().isMacroID() || stmt->getEndLoc().isMacroID() ||
+         (expr && expr->getExprLoc().isMacroID()) || llvm::any_of(stmt->children(), has_macro);
+}
+
+}  // namespace
 
 bool Unit::declares(const clang::FunctionDecl* function) const {
   return function && source.in_package(pattern_of(function)->getLocation());
@@ -42,6 +52,7 @@ bool Unit::has_twin(const std::string& message) const {
 }
 
 std::string Unit::squeezed(const clang::Stmt* stmt) const {
+  if (has_macro(stmt)) return "";
   std::string result = text(stmt);
   llvm::erase_if(result, [](char c) { return clang::isWhitespace(c); });
   return result;

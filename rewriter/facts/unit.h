@@ -46,7 +46,7 @@ struct Unit {
   /// The offset in its file, macros expanded.
   unsigned offset(clang::SourceLocation where) const { return source.where(where).begin; }
   std::string text(const clang::Stmt* stmt) const { return source.text(stmt->getSourceRange()); }
-  /// The same without white space, to compare expressions. Empty where a macro's body writes it.
+  /// The same without white space, to compare expressions. Empty where a macro writes any of it.
   std::string squeezed(const clang::Stmt* stmt) const;
 };
 

@@ -158,7 +158,7 @@ struct SiteFact {
 
 struct Advertise : SiteFact {
   std::optional<std::string> topic;
-  std::optional<std::string> queue;  ///< as written
+  std::optional<std::string> queue;  ///< its number where it is known, else as written
   EntityId publisher;                ///< empty: kept in no entity
   std::vector<Change> changes;  ///< `$TYPE` stands for one of the types, `$MEM` for the memory size argument
   std::string stock_type;       ///< as it is written
