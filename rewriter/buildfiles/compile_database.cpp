@@ -6,7 +6,6 @@
 #include <regex>
 
 #include "edits/files.h"
-#include "model/codes.h"
 
 namespace tzc::rewriter {
 namespace fs = std::filesystem;
@@ -121,10 +120,6 @@ Expected<std::set<std::string>> compiled_files(const std::string& build_dir) {
     for (const std::string& source : unity_sources(command.file)) files.insert(source);
   }
   return files;
-}
-
-Note not_compiled(const std::string& file) {
-  return {codes::TZC3001, Location{file, 1, 1}, "no target of this configuration compiles this file"};
 }
 
 std::vector<std::string> unity_sources(const std::string& file) {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/expected.h"
-#include "model/report.h"
 
 namespace tzc::rewriter {
 
@@ -31,9 +30,6 @@ Expected<std::map<std::string, std::set<std::string>>> targets_of_files(const st
 
 /// Canonical paths of the files that are compiled.
 Expected<std::set<std::string>> compiled_files(const std::string& build_dir);
-
-/// Says that a source is in no compile command.
-Note not_compiled(const std::string& file);
 
 /// The sources that a file of a unity build includes, canonical; empty: it is no such file.
 std::vector<std::string> unity_sources(const std::string& file);

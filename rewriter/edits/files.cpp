@@ -29,11 +29,10 @@ bool write_all(int descriptor, std::string_view content) {
 }
 
 bool is_analysed(const fs::path& path) {
-  static const std::set<std::string> extensions = {".c",   ".C",   ".c++", ".cc",     ".cpp",  ".cxx",
-                                                   ".h",   ".hh",  ".hpp", ".hxx",    ".inl",  ".ipp",
-                                                   ".tpp", ".msg", ".srv", ".action", ".cmake"};
+  static const std::set<std::string> extensions = {".c", ".msg", ".srv", ".action", ".cmake"};
   const std::string name = path.filename().string();
-  return extensions.count(path.extension().string()) || name == "CMakeLists.txt" || name == "package.xml";
+  return extensions.count(path.extension().string()) || name == "CMakeLists.txt" || name == "package.xml" ||
+         is_cpp_source(path) || is_cpp_header(path);
 }
 
 bool is_hidden(const fs::path& path) {
@@ -44,6 +43,12 @@ bool is_hidden(const fs::path& path) {
 
 bool is_cpp_source(const std::string& path) {
   static const std::set<std::string> extensions = {".cpp", ".cc", ".cxx", ".c++", ".C", ".cp"};
+  return extensions.count(fs::path(path).extension()) != 0;
+}
+
+bool is_cpp_header(const std::string& path) {
+  static const std::set<std::string> extensions = {".h",   ".hh",  ".hpp", ".hxx", ".h++", ".H",  ".icc",
+                                                   ".inc", ".inl", ".ipp", ".tcc", ".tpp", ".txx"};
   return extensions.count(fs::path(path).extension()) != 0;
 }
 

@@ -6,10 +6,11 @@
 #include <fstream>
 #include <mutex>
 #include <numeric>
-#include <regex>
 #include <sstream>
 
+#include "buildfiles/build_trees.h"
 #include "buildfiles/cmake_edits.h"
+#include "buildfiles/unread_files.h"
 #include "edits/in_parallel.h"
 #include "engine/completeness.h"
 #include "engine/demotion_loop.h"
@@ -93,20 +94,11 @@ std::set<std::string> exported_dirs(const FolderSet& packages) {
   return folders;
 }
 
-FolderSet build_dirs(const EngineOptions& options) {
+FolderSet generated_in_packages(const EngineOptions& options) {
   std::vector<std::string> folders;
-  for (const auto& item : options.build_dirs) folders.push_back(item.second);
+  for (const auto& [package, build_dir] : options.build_dirs)
+    for (const std::string& folder : generated_folders(build_dir, package)) folders.push_back(folder);
   return FolderSet(std::move(folders));
-}
-
-/// Lines that look like a site, for a file that was not parsed.
-std::string lines_with_sites(const std::string& file) {
-  static const std::regex site("\\b(publish|advertise|subscribe)\\w*\\s*[<(]");
-  std::istringstream stream(read_file(file).value_or(""));
-  std::string lines, line;
-  for (unsigned number = 1; std::getline(stream, line); ++number)
-    if (std::regex_search(line, site)) lines += (lines.empty() ? "" : ", ") + std::to_string(number);
-  return lines;
 }
 
 void PortPlanner::step(const std::string& stage, unsigned done, std::size_t of, const std::string& what) {
@@ -138,7 +130,7 @@ std::optional<Error> PortPlanner::collect() {
   readings_.resize(units_.size());
   CollectOptions options{
       options_.packages,
-      build_dirs(options_),
+      generated_in_packages(options_),
       options_.others.headers_in_use ? *options_.others.headers_in_use : exported_dirs(options_.packages),
       &rules_,
       include_dirs(),

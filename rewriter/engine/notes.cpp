@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/notes.h"
 
-#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
 
+#include "buildfiles/build_trees.h"
 #include "buildfiles/compile_database.h"
-#include "edits/files.h"
+#include "buildfiles/unread_files.h"
 #include "model/codes.h"
 #include "verify/unseen_uses.h"
 
 namespace tzc::rewriter {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string text_of(const Place& place) {
   std::ifstream file(place.file, std::ios::binary);
@@ -39,28 +37,19 @@ void note_branches(const std::vector<Place>& unseen, std::vector<Note>& notes) {
   }
 }
 
-std::set<std::string> compiled_by(const std::vector<CompileUnit>& units) {
-  std::set<std::string> compiled;
-  for (const CompileUnit& unit : units) {
-    compiled.insert(unit.file);
-    for (const std::string& source : unity_sources(unit.file)) compiled.insert(source);
-  }
-  return compiled;
+void append(std::vector<Note>& notes, const std::vector<Note>& more) {
+  notes.insert(notes.end(), more.begin(), more.end());
 }
 
-void note_sources(const std::string& package, const std::string& build_dir,
-                  const std::set<std::string>& compiled, std::vector<Note>& notes) {
-  std::error_code failed;
-  fs::recursive_directory_iterator entry(package, failed), end;
-  for (; !failed && entry != end; entry.increment(failed)) {
-    const std::string path = entry->path().string();
-    const std::string name = entry->path().filename().string();
-    if (entry->is_directory() && (path == build_dir || name[0] == '.')) {
-      entry.disable_recursion_pending();
-    } else if (entry->is_regular_file() && is_cpp_source(path) && compiled.count(path) == 0) {
-      notes.push_back(not_compiled(path));
-    }
+/// Canonical paths of the files that were read, and of units that were to be: these have notes of their own.
+std::set<std::string> read_files(const UnitReading& reading, const std::vector<CompileUnit>& units) {
+  std::set<std::string> read;
+  for (const auto& item : reading.facts.units_of_file) read.insert(item.first);
+  for (const CompileUnit& unit : units) {
+    read.insert(unit.file);
+    for (const std::string& source : unity_sources(unit.file)) read.insert(source);
   }
+  return read;
 }
 
 }  // namespace
@@ -69,9 +58,14 @@ std::vector<Note> notes_of(const UnitReading& reading, const std::vector<Compile
                            const EngineOptions& options) {
   std::vector<Note> notes;
   note_branches(compiled_by_none(reading.skipped, reading.compiled), notes);
-  const std::set<std::string> compiled = compiled_by(units);
-  for (const auto& [package, build_dir] : options.build_dirs)
-    note_sources(package, build_dir, compiled, notes);
+  const std::set<std::string> read = read_files(reading, units);
+  for (const std::string& package : options.packages) {
+    const auto build = options.build_dirs.find(package);
+    const bool has_units = build != options.build_dirs.end();
+    const FolderSet generated = generated_folders(has_units ? build->second : "", package);
+    if (has_units) append(notes, unread_sources(package, generated, read));
+    append(notes, unread_headers(package, generated, read));
+  }
   return notes;
 }
 

@@ -9,7 +9,7 @@
 
 namespace tzc::rewriter {
 
-/// Remarks that belong to no site: sources that are not compiled, branches that were not seen.
+/// Remarks that belong to no site: files that are not compiled, branches that were not seen.
 std::vector<Note> notes_of(const UnitReading& reading, const std::vector<CompileUnit>& units,
                            const EngineOptions& options);
 

@@ -13,7 +13,7 @@ namespace {
 std::vector<Place> skipped_in_packages(const ParseResult& parsed, const CollectOptions& options) {
   std::vector<Place> skipped;
   for (const SkippedBranch& branch : parsed.skipped)
-    if (options.packages.hold(branch.file) && !options.build_dirs.hold(branch.file))
+    if (options.packages.hold(branch.file) && !options.generated.hold(branch.file))
       skipped.push_back({branch.file, branch.begin, branch.end, branch.line, 1});
   return skipped;
 }

@@ -62,6 +62,17 @@ bool takes_template_parameter(const clang::CXXMemberCallExpr* call) {
          is_template_parameter(callee->getTemplateArgs()[0].getArgument());
 }
 
+/// Whether the code around the call is an instance of a template: its function, or a class or function around that.
+bool is_instance(const clang::FunctionDecl* function) {
+  for (const clang::DeclContext* at = function; at; at = at->getParent()) {
+    const auto* around = llvm::dyn_cast<clang::FunctionDecl>(at);
+    if ((around && around->isTemplateInstantiation()) ||
+        llvm::isa<clang::ClassTemplateSpecializationDecl>(at))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 /// An image unless the call names another type.
@@ -72,7 +83,9 @@ Advertise AdvertiseCollector::site_at(const clang::CallExpr* call, const char* r
   site.rule = rule;
   site.type = "sensor_msgs/Image";
   const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *call);
-  site.for_callers = function && advertises_for_callers(unit_, function);
+  if (is_instance(function)) site.around = Advertise::Around::template_instance;
+  if (function && advertises_for_callers(unit_, function))
+    site.around = Advertise::Around::function_for_callers;
   return site;
 }
 

@@ -55,6 +55,21 @@ std::optional<Place> object_place(const Unit& unit, const clang::CXXMemberCallEx
   return is_implied ? unit.source.before(call->getBeginLoc()) : unit.source.place(object->getSourceRange());
 }
 
+/// Comments between the object and the arguments stay.
+std::string comments_in(const std::string& text) {
+  std::string comments;
+  for (std::size_t at = text.find("/*"); at != std::string::npos; at = text.find("/*", at + 2))
+    comments += " " + text.substr(at, text.find("*/", at) + 2 - at);
+  return comments;
+}
+
+Place span(const Place& from, unsigned begin, unsigned end) {
+  Place place = from;
+  place.begin = begin;
+  place.end = end;
+  return place;
+}
+
 }  // namespace
 
 std::optional<CallPlace> call_place(const Unit& unit, const clang::CXXMemberCallExpr* call) {
@@ -94,6 +109,24 @@ bool is_type_by_macro(const Unit& unit, const clang::CXXMemberCallExpr* call) {
 std::string macro_reason(const Unit& unit, const clang::CXXMemberCallExpr* call, const std::string& name) {
   const bool arguments_only = call_place(unit, call) && !is_macro_argument(unit, call);
   return arguments_only ? "a macro reaches across the arguments" : name + " comes from a macro";
+}
+
+std::vector<Change> receiver_first(const Unit& unit, const clang::CXXMemberCallExpr* call,
+                                   const Callee& callee, const std::string& last) {
+  const Receiver receiver = receiver_of(call);
+  const std::optional<CallPlace> place = call_place(unit, call);
+  if (!receiver.expr || !place) return {};
+  const Place &object = place->object, &head = place->head;
+  const unsigned count = written_arguments(call);
+  const std::optional<Place> first = count > 0 ? argument_place(unit, call, 0) : head;
+  if (!first || first->begin < object.end) return {};
+  const bool implicit = object.begin == object.end;
+  std::string separator = (count > 0 || !last.empty() ? "," : "") + comments_in(unit.source.text(head));
+  const std::string behind = unit.source.text(span(head, head.end, head.end + 1));
+  if (!separator.empty() && count > 0 && behind != " " && behind != "\n" && behind != "\r") separator += " ";
+  const std::string open = callee.to + "(" + (receiver.pointer ? "*" : "") + (implicit ? "this" : "");
+  return {{span(object, object.begin, object.begin), open, callee.rule, {callee.header}},
+          {head, separator + (last.empty() ? "" : (count > 0 ? "" : " ") + last), callee.rule, {}}};
 }
 
 }  // namespace tzc::rewriter

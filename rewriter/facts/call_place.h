@@ -8,8 +8,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "facts/unit.h"
+#include "model/facts.h"
 
 namespace tzc::rewriter {
 
@@ -29,5 +31,15 @@ bool is_type_by_macro(const Unit& unit, const clang::CXXMemberCallExpr* call);
 
 /// Why there is no place for a call, or for an argument of it.
 std::string macro_reason(const Unit& unit, const clang::CXXMemberCallExpr* call, const std::string& name);
+
+/// A call that replaces another: its name, the rule that asks for it, the header that declares it.
+struct Callee {
+  std::string to;
+  const char* rule;
+  const char* header;
+};
+/// The edits that turn `object.method<T>(a)` into `to<T>(object, a, last)`; empty: they cannot be made.
+std::vector<Change> receiver_first(const Unit& unit, const clang::CXXMemberCallExpr* call,
+                                   const Callee& callee, const std::string& last = "");
 
 }  // namespace tzc::rewriter

@@ -3,7 +3,6 @@
 
 #include <set>
 
-#include "facts/call_place.h"
 #include "facts/message_type.h"
 
 namespace tzc::rewriter {
@@ -11,21 +10,6 @@ namespace {
 
 const clang::MemberExpr* callee_of(const clang::CXXMemberCallExpr* call) {
   return llvm::dyn_cast<clang::MemberExpr>(call->getCallee()->IgnoreParens());
-}
-
-/// Comments between the object and the arguments stay.
-std::string comments_in(const std::string& text) {
-  std::string comments;
-  for (std::size_t at = text.find("/*"); at != std::string::npos; at = text.find("/*", at + 2))
-    comments += " " + text.substr(at, text.find("*/", at) + 2 - at);
-  return comments;
-}
-
-Place span(const Place& from, unsigned begin, unsigned end) {
-  Place place = from;
-  place.begin = begin;
-  place.end = end;
-  return place;
 }
 
 /// Whether what is const in one type is not in the other, at any depth of raw and smart pointers.
@@ -65,24 +49,6 @@ std::string written_template_arguments(const Unit& unit, const clang::CXXMemberC
       callee->getTemplateArgs()[0].getSourceRange().getBegin(),
       callee->getTemplateArgs()[callee->getNumTemplateArgs() - 1].getSourceRange().getEnd());
   return unit.source.text(range);
-}
-
-std::vector<Change> receiver_first(const Unit& unit, const clang::CXXMemberCallExpr* call,
-                                   const Callee& callee, const std::string& last) {
-  const Receiver receiver = receiver_of(call);
-  const std::optional<CallPlace> place = call_place(unit, call);
-  if (!receiver.expr || !place) return {};
-  const Place &object = place->object, &head = place->head;
-  const unsigned count = written_arguments(call);
-  const std::optional<Place> first = count > 0 ? argument_place(unit, call, 0) : head;
-  if (!first || first->begin < object.end) return {};
-  const bool implicit = object.begin == object.end;
-  std::string separator = (count > 0 || !last.empty() ? "," : "") + comments_in(unit.source.text(head));
-  const std::string behind = unit.source.text(span(head, head.end, head.end + 1));
-  if (!separator.empty() && count > 0 && behind != " " && behind != "\n" && behind != "\r") separator += " ";
-  const std::string open = callee.to + "(" + (receiver.pointer ? "*" : "") + (implicit ? "this" : "");
-  return {{span(object, object.begin, object.begin), open, callee.rule, {callee.header}},
-          {head, separator + (last.empty() ? "" : (count > 0 ? "" : " ") + last), callee.rule, {}}};
 }
 
 unsigned written_arguments(const clang::CallExpr* call) {

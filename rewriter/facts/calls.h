@@ -44,16 +44,6 @@ struct Receiver {
 };
 Receiver receiver_of(const clang::CXXMemberCallExpr* call);
 
-/// A call that replaces another: its name, the rule that asks for it, the header that declares it.
-struct Callee {
-  std::string to;
-  const char* rule;
-  const char* header;
-};
-/// The edits that turn `object.method<T>(a)` into `to<T>(object, a, last)`; empty: they cannot be made.
-std::vector<Change> receiver_first(const Unit& unit, const clang::CXXMemberCallExpr* call,
-                                   const Callee& callee, const std::string& last = "");
-
 std::optional<std::string> constant_string(const clang::Expr* expr);
 /// The calls of this function that fill ros::AdvertiseOptions or SubscribeOptions.
 std::vector<const clang::CallExpr*> options_calls(const Unit& unit, const clang::Expr* options);

@@ -20,7 +20,7 @@ std::set<std::string> files_of(const Unit& unit, const CollectOptions& options) 
     if (!entry.isFile()) continue;
     const std::string path =
         unit.source.file_of(clang::SourceLocation::getFromRawEncoding(entry.getOffset()));
-    if (options.packages.hold(path) && !options.build_dirs.hold(path)) files.insert(path);
+    if (options.packages.hold(path) && !options.generated.hold(path)) files.insert(path);
   }
   return files;
 }

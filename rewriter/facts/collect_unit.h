@@ -19,7 +19,7 @@ namespace tzc::rewriter {
 
 struct CollectOptions {
   FolderSet packages;
-  FolderSet build_dirs;
+  FolderSet generated;                  ///< what lies in these is no source
   std::set<std::string> exported_dirs;  ///< folders and headers that others may include
   const RuleSet* rules;
   std::vector<std::string> include_dirs;  ///< TZC's: the package may already be ported, but not built since

@@ -157,6 +157,8 @@ struct SiteFact {
 };
 
 struct Advertise : SiteFact {
+  /// function_for_callers: exported, returns the publisher, and stays as it is.
+  enum class Around { function, template_instance, function_for_callers };
   std::optional<std::string> topic;
   std::optional<std::string> queue;  ///< its number where it is known, else as written
   EntityId publisher;                ///< empty: kept in no entity
@@ -167,7 +169,7 @@ struct Advertise : SiteFact {
   bool needs_memory = false;          ///< the argument that follows could be taken for a memory size
   std::optional<std::string> memory;  ///< as written; set where the call is ported already
   bool pcl = false;                   ///< advertised as a pcl::PointCloud
-  bool for_callers = false;  ///< in an exported function that returns the publisher, and stays as it is
+  Around around = Around::function;
   std::string rule;
 };
 

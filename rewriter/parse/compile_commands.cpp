@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "buildfiles/build_trees.h"
 #include "buildfiles/compile_database.h"
 #include "edits/dual.h"
 #include "edits/files.h"
@@ -31,12 +32,12 @@ std::vector<std::string> adjusted(const CompileCommand& command) {
 }
 
 /// A unit of a unity build lies in the build folder and includes the package's sources.
-bool belongs_to(const CompileCommand& command, const std::string& package_dir, const std::string& build_dir) {
+bool belongs_to(const CompileCommand& command, const std::string& package_dir, const FolderSet& generated) {
   const auto in_package = [&](const std::string& file) { return is_below(file, package_dir); };
   const std::vector<std::string> sources = unity_sources(command.file);
   if (!sources.empty()) return std::any_of(sources.begin(), sources.end(), in_package);
   return is_cpp_source(command.canonical) && in_package(command.canonical) &&
-         !is_below(command.canonical, build_dir);
+         !generated.hold(command.canonical);
 }
 
 }  // namespace
@@ -48,10 +49,11 @@ Expected<std::vector<CompileUnit>> load_units(const std::string& package_dir, co
     return Error{
         "no compile commands: " + commands.error().what, path,
         "Build the package once with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON and name its build folder with -p."};
+  const FolderSet generated = generated_folders(build_dir, package_dir);
   std::vector<CompileUnit> units;
   std::set<std::vector<std::string>> known;
   for (const CompileCommand& command : *commands) {
-    if (!belongs_to(command, package_dir, build_dir)) continue;
+    if (!belongs_to(command, package_dir, generated)) continue;
     CompileUnit unit{command.canonical, command.directory, adjusted(command)};
     if (!unit.arguments.empty() && known.insert(unit.arguments).second) units.push_back(std::move(unit));
   }

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "buildfiles/build_trees.h"
 #include "edits/files.h"
 #include "proof/process.h"
 
@@ -87,7 +88,7 @@ Expected<void> Configuration::prepare() {
   Expected<ScratchFolder> folder = ScratchFolder::make();
   if (!folder) return folder.error();
   folder_ = std::make_unique<ScratchFolder>(std::move(*folder));
-  std::vector<std::string> omitted = {user_.build_dir};
+  std::vector<std::string> omitted = build_paths(user_.build_dir, packages_);
   for (const char* name : {"CATKIN_DEVEL_PREFIX", "CMAKE_INSTALL_PREFIX"})
     if (const std::string tree = user_.cache.value(name); is_below(tree, user_.source))
       omitted.push_back(tree);
@@ -96,10 +97,11 @@ Expected<void> Configuration::prepare() {
 }
 
 /// The user's build, devel and install folders, and what stands for them. Packages that are configured one by
-/// one find each other in the user's devel space, so only what such a package writes is moved.
+/// one find each other in the user's devel space, so only what such a package writes is moved. An in-source
+/// build folder is no tree of its own: its paths lead to sources.
 PathMap Configuration::user_trees() const {
   PathMap map;
-  map.add(user_.build_dir, build_dir());
+  if (!builds_in_source(user_.build_dir, user_.source)) map.add(user_.build_dir, build_dir());
   if (!user_.is_workspace()) return map;
   if (const std::string devel = user_.cache.value("CATKIN_DEVEL_PREFIX"); !devel.empty())
     map.add(devel, *folder_ / "devel");

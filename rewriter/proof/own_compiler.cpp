@@ -9,6 +9,7 @@
 #include <mutex>
 #include <utility>
 
+#include "buildfiles/build_trees.h"
 #include "edits/files.h"
 #include "edits/in_parallel.h"
 #include "edits/standard_flags.h"
@@ -88,8 +89,10 @@ Expected<void> OwnCompiler::make_copy() {
   Expected<ScratchFolder> folder = ScratchFolder::make();
   if (!folder) return folder.error();
   folder_ = std::make_unique<ScratchFolder>(std::move(*folder));
-  copy_ =
-      std::make_unique<ScratchWorkspace>(setup_.root, setup_.packages, *folder_ / "src", setup_.build_dirs);
+  std::vector<std::string> omitted;
+  for (const std::string& build_dir : setup_.build_dirs)
+    for (std::string& path : build_paths(build_dir, setup_.packages)) omitted.push_back(std::move(path));
+  copy_ = std::make_unique<ScratchWorkspace>(setup_.root, setup_.packages, *folder_ / "src", omitted);
   return copy_->make();
 }
 

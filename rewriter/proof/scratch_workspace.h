@@ -22,7 +22,7 @@ namespace tzc::rewriter {
 class ScratchWorkspace {
  public:
   /// `root`: the folder that holds the packages, or a package itself. `packages`: canonical folders.
-  /// `omitted`: folders that are not part of the sources (build trees).
+  /// `omitted`: folders and files that are not part of the sources (build trees).
   ScratchWorkspace(const std::string& root, const std::vector<std::string>& packages, std::string folder,
                    const std::vector<std::string>& omitted);
 

@@ -194,7 +194,7 @@ Site SiteDescriber::describe(const Advertise& fact) const {
     site.rule = fact.rule;
     site.memory_note = memory_size(fact, options_).note;
     site.level = publishes_without_copy(fact) ? Level::zero_copy : Level::one_copy;
-  } else if (publisher && fact.for_callers) {
+  } else if (publisher && fact.around == Advertise::Around::function_for_callers) {
     site.level = Level::not_needed;
     site.reason = "who calls this function attaches shared memory to what it returns";
   } else if (publisher) {

@@ -128,7 +128,8 @@ Decision Solver::decide_publisher(const Component& component) const {
   return contradicted(component).value_or(Decision{Outcome::ported, {}, {}});
 }
 
-/// One advertise call of a template that each instance would need changed differently.
+/// One advertise call that would need to be changed in several ways: in a template each instance has a type of its own, and
+/// so may have each target that a file is compiled for.
 std::optional<Decision> Solver::contradicted(const Component& component) const {
   std::map<std::tuple<std::string, unsigned, unsigned>, std::string> texts;
   for (const Advertise* site : sites_.advertised(component))
@@ -137,7 +138,10 @@ std::optional<Decision> Solver::contradicted(const Component& component) const {
       const auto [known, is_new] =
           texts.emplace(std::make_tuple(change.where.file, change.where.begin, change.where.end), text);
       if (is_new || known->second == text) continue;
-      return refused({codes::TZC1007, "the instances of a template advertise different types here",
+      return refused({codes::TZC1007,
+                      site->around == Advertise::Around::template_instance
+                          ? "the instances of a template advertise different types here"
+                          : "the file is compiled in several ways, which advertise different types here",
                       location_of(site->where)});
     }
   return {};

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "buildfiles/build_trees.h"
 #include "buildfiles/package_xml.h"
 #include "edits/files.h"
 #include "proof/compiler_reads.h"
@@ -112,12 +113,17 @@ class Collector {
     const std::string build_dir = build_dir_of({package, xml ? xml->name : ""});
     say("build of " + package, build_dir);
     if (build_dir.empty()) return;
-    found_.omitted.insert(build_dir);
+    omit(build_dir, package);
     depend_on(build_dir + "/compile_commands.json");
     for (fs::path folder = build_dir; folder.has_relative_path(); folder = folder.parent_path())
       depend_on(folder / "CMakeCache.txt");
     add_messages(package, build_dir);
-    if (options_.verify != Verify::source) add_configuration(build_dir);
+    if (options_.verify != Verify::source) add_configuration(build_dir, package);
+  }
+
+  /// Where sources and results share folders, only what is surely none of the sources is left out.
+  void omit(const std::string& build_dir, const std::string& package) {
+    for (const std::string& path : build_paths(build_dir, {package})) found_.omitted.insert(path);
   }
 
   std::string build_dir_of(const PackagePlace& package) const {
@@ -133,11 +139,12 @@ class Collector {
   }
 
   /// What CMake looks at and does not list: where packages, libraries and programs are searched for.
-  void add_configuration(const std::string& build_dir) {
+  void add_configuration(const std::string& build_dir, const std::string& package) {
     const std::unique_ptr<UserBuild> user = UserBuild::find(build_dir);
-    if (!user || !configured_.insert(user->build_dir).second) return;
+    if (!user) return;
+    omit(user->build_dir, package);
+    if (!configured_.insert(user->build_dir).second) return;
     found_.trees.insert(user->source);
-    found_.omitted.insert(user->build_dir);
     for (const char* tree : {"CATKIN_DEVEL_PREFIX", "CMAKE_INSTALL_PREFIX"})
       if (const std::string folder = user->cache.value(tree); !folder.empty())
         found_.omitted.insert(canonical_path(folder));

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/next_steps.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
-#include <vector>
 
+#include "edits/files.h"
+#include "proof/cmake_cache.h"
 #include "tool/places.h"
 #include "tool/shell_word.h"
 
@@ -28,10 +30,53 @@ fs::path workspace_of(const fs::path& package_dir) {
   return package_dir.parent_path();
 }
 
-std::string builder(const fs::path& workspace) {
-  if (is_there(workspace / ".catkin_tools")) return "catkin build";
+std::string in_folder(const fs::path& folder, const std::string& command) {
+  return "(cd " + shell_word(folder.string()) + " && " + command + ")";
+}
+
+/// Of a build folder that CMake did not configure, only what lies around it tells.
+std::string likely_command(const fs::path& workspace) {
+  if (is_there(workspace / ".catkin_tools")) return in_folder(workspace, "catkin build");
   const bool isolated = is_there(workspace / "build_isolated") && !is_there(workspace / "build");
-  return isolated ? "catkin_make_isolated" : "catkin_make";
+  return in_folder(workspace, isolated ? "catkin_make_isolated" : "catkin_make");
+}
+
+/// catkin_make configures WORKSPACE/src in WORKSPACE/build, and marks both.
+bool is_of_catkin_make(const fs::path& tree, const fs::path& source) {
+  const fs::path workspace = tree.parent_path();
+  return tree.filename() == "build" && source == canonical_path(workspace / "src") &&
+         (is_there(tree / ".built_by") || is_there(workspace / ".catkin_workspace"));
+}
+
+/// The command that builds what CMake has configured there. The tools of catkin are told by where they put a package; whoever
+/// configured it otherwise builds it with CMake.
+std::string command_of(const CmakeCache& cache) {
+  const fs::path tree = cache.folder(), above = tree.parent_path(), workspace = above.parent_path();
+  if (is_of_catkin_make(tree, canonical_path(cache.value("CMAKE_HOME_DIRECTORY")))) {
+    const bool ninja = cache.value("CMAKE_GENERATOR") == "Ninja";
+    return in_folder(above, ninja ? "catkin_make --use-ninja" : "catkin_make");
+  }
+  if (above.filename() == "build_isolated") return in_folder(workspace, "catkin_make_isolated");
+  if (is_there(workspace / ".catkin_tools")) return in_folder(workspace, "catkin build");
+  return "cmake --build " + shell_word(tree.string());
+}
+
+std::string build_command(const BuiltPackage& package) {
+  const CmakeCache cache = CmakeCache::nearest(package.build_dir);
+  return cache.empty() ? likely_command(workspace_of(package.dir)) : command_of(cache);
+}
+
+/// Each once; packages of one workspace are built together.
+std::string build_commands(const std::vector<BuiltPackage>& packages) {
+  std::vector<std::string> commands;
+  std::string lines;
+  for (const BuiltPackage& package : packages) {
+    std::string command = build_command(package);
+    if (std::find(commands.begin(), commands.end(), command) != commands.end()) continue;
+    lines += "  " + command + "\n";
+    commands.push_back(std::move(command));
+  }
+  return lines;
 }
 
 bool has_tzc(const fs::path& prefix) {
@@ -71,21 +116,21 @@ std::string own_setup_file() {
 
 }  // namespace
 
-std::string next_steps(const std::string& package_dir) {
-  const fs::path workspace = workspace_of(package_dir);
-  const std::string build = "(cd " + shell_word(workspace.string()) + " && " + builder(workspace) + ")\n";
+std::string next_steps(const std::vector<BuiltPackage>& packages) {
+  const std::string build = build_commands(packages);
   const char* prefixes = std::getenv("CMAKE_PREFIX_PATH");
-  if (environment_has_tzc(prefixes) || workspace_has_tzc(workspace) || system_has_tzc())
-    return "ported; build the workspace again:\n  " + build;
+  if (environment_has_tzc(prefixes) || workspace_has_tzc(workspace_of(packages.front().dir)) ||
+      system_has_tzc())
+    return "ported; build again:\n" + build;
   const std::string setup = own_setup_file();
   if (setup.empty())
     return "ported; catkin will not find tzc in this shell: source the setup.bash of the folder that tzc is "
-           "installed in, then\n  " +
+           "installed in, then\n" +
            build;
   // Without --extend a setup file forgets the workspaces that were sourced before it.
   const bool others = prefixes && *prefixes;
   return "ported; catkin will not find tzc in this shell, so type\n  source " + setup +
-         (others ? " --extend" : "") + "\n  " + build;
+         (others ? " --extend" : "") + "\n" + build;
 }
 
 }  // namespace tzc::rewriter

@@ -2,11 +2,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace tzc::rewriter {
 
-/// The commands that follow the port of a package: how to build it again, and before that, where needed, how
-/// to make catkin find tzc. Reads the environment and the workspace's folders; one or more whole lines.
-std::string next_steps(const std::string& package_dir);
+struct BuiltPackage {
+  std::string dir;
+  std::string build_dir;  ///< empty: unknown
+};
+
+/// The commands that follow the port of packages (at least one): how to build them again, and before that, where needed,
+/// how to make catkin find tzc. Reads the environment and what lies in the build folders and around them; whole lines.
+std::string next_steps(const std::vector<BuiltPackage>& packages);
 
 }  // namespace tzc::rewriter

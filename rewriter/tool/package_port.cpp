@@ -5,9 +5,11 @@
 #include <iterator>
 #include <set>
 
+#include "buildfiles/build_trees.h"
 #include "buildfiles/compile_database.h"
 #include "buildfiles/package_xml.h"
 #include "buildfiles/plan.h"
+#include "buildfiles/unread_files.h"
 #include "edits/apply.h"
 #include "edits/dual.h"
 #include "model/codes.h"
@@ -29,16 +31,24 @@ bool is_about_dual_branch(const Note& note) {
   return content && in_dual_branch(*content, note.where->line);
 }
 
-std::vector<std::string> sources_of(const PackagePort& port) {
-  std::vector<std::string> sources;
-  for (const auto& entry : port.before)
-    if (is_cpp_source(entry.first)) sources.push_back(entry.first);
-  return sources;
+void append(std::vector<Note>& notes, const std::vector<Note>& more) {
+  notes.insert(notes.end(), more.begin(), more.end());
+}
+
+/// Notes on its sources when no unit is read.
+std::vector<Note> sources_of(const PackagePort& port) {
+  return unread_sources(port.package_dir, generated_folders(port.build_dir, port.package_dir), {});
+}
+
+/// Of a package of which nothing is read the headers are not either.
+void note_headers(PackagePort& port) {
+  append(port.result.report.notes,
+         unread_headers(port.package_dir, generated_folders(port.build_dir, port.package_dir), {}));
 }
 
 /// Where its compile commands are; none: it compiles nothing. Its sources may be tests that are not configured.
 Expected<void> find_build(PackagePort& port, const PackagePlace& place, const Options& options) {
-  const std::vector<std::string> sources = sources_of(port);
+  const std::vector<Note> sources = sources_of(port);
   if (sources.empty()) return {};
   const Expected<std::string> build_dir = find_build_dir(place, options.build_dir, options.packages);
   if (build_dir) {
@@ -47,7 +57,7 @@ Expected<void> find_build(PackagePort& port, const PackagePlace& place, const Op
     return {};
   }
   if (find_configured_dir(place, options.build_dir, options.packages).empty()) return build_dir.error();
-  for (const std::string& source : sources) port.result.report.notes.push_back(not_compiled(source));
+  append(port.result.report.notes, sources);
   return {};
 }
 
@@ -178,8 +188,11 @@ Expected<std::vector<PackagePort>> port_packages(const std::vector<std::string>&
     if (!port) return port.error();
     (port->build_dir.empty() ? idle : ports).push_back(std::move(*port));
   }
-  if (std::none_of(ports.begin(), ports.end(), [](auto& port) { return port.has_units; }))
+  std::for_each(idle.begin(), idle.end(), note_headers);
+  if (std::none_of(ports.begin(), ports.end(), [](auto& port) { return port.has_units; })) {
+    std::for_each(ports.begin(), ports.end(), note_headers);
     return all_of(std::move(ports), std::move(idle));
+  }
   std::vector<SourcePackage> packages;
   for (const PackagePort& port : ports)
     packages.push_back({port.package_dir, port.result.report.package, port.build_dir, port.has_units});

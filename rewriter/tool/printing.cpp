@@ -14,15 +14,21 @@
 namespace tzc::rewriter {
 namespace {
 
+std::vector<BuiltPackage> changed_packages(const std::vector<PackagePort>& ports) {
+  std::vector<BuiltPackage> packages;
+  for (const PackagePort& port : ports)
+    if (!port.contents.empty()) packages.push_back({port.package_dir, port.build_dir});
+  return packages;
+}
+
 std::string closing_line(const Options& options, const std::vector<PackagePort>& ports,
                          const Outcome& outcome) {
-  const auto changed =
-      std::count_if(ports.begin(), ports.end(), [](auto& port) { return !port.contents.empty(); });
+  const std::vector<BuiltPackage> changed = changed_packages(ports);
   const bool open = std::any_of(ports.begin(), ports.end(), has_refusal);
-  if (changed == 0) return open ? "no change; some sites stay on TCPROS\n" : "nothing to port\n";
+  if (changed.empty()) return open ? "no change; some sites stay on TCPROS\n" : "nothing to port\n";
   switch (options.action) {
     case Action::apply:
-      return next_steps(ports.front().package_dir) +
+      return next_steps(changed) +
              (outcome.undo.empty() ? "" : "the port is taken back by\n  " + outcome.undo + "\n");
     case Action::out_dir:
       return "ported copies are in " + options.out_dir + "\n";

@@ -31,8 +31,11 @@ void TextFiles::walk(const std::string& folder) {
   std::error_code failed;
   const fs::path here = fs::canonical(folder, failed);
   if (failed || is_left_out(here) || !seen_.insert(here).second) return;
+  // An in-source build shares its folder with the sources.
   const bool is_built_in = fs::exists(here / "CMakeCache.txt", failed);
-  if (is_built_in && !fs::exists(here / "package.xml", failed)) return;
+  const bool has_sources =
+      fs::exists(here / "package.xml", failed) || fs::exists(here / "CMakeLists.txt", failed);
+  if (is_built_in && !has_sources) return;
   for (const auto& entry : fs::directory_iterator(here, failed)) {
     const std::string name = entry.path().filename();
     if (name.front() == '.') continue;

@@ -13,10 +13,8 @@ namespace {
 
 /// Also `node.cpp.in`, which configure_file() turns into one.
 bool is_code(fs::path file) {
-  static const std::set<std::string> headers = {".h",   ".hpp", ".hh",  ".hxx", ".H",   ".h++", ".ipp",
-                                                ".tpp", ".tcc", ".txx", ".icc", ".inl", ".inc", ".cu"};
   if (file.extension() == ".in") file = file.stem();
-  return is_cpp_source(file.string()) || headers.count(file.extension().string()) != 0;
+  return is_cpp_source(file.string()) || is_cpp_header(file.string());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "buildfiles/build_trees.h"
 #include "edits/diff.h"
 #include "transaction/swap.h"
 
@@ -35,12 +36,21 @@ Error not_written(const std::string& path, const std::error_code& failed) {
   return {"cannot be written: " + failed.message(), path, "name a folder that can be written with --out-dir"};
 }
 
-Expected<void> copy_package(const std::string& from, const fs::path& to, const std::string& out_dir) {
+/// CMake refuses a folder whose cache was made elsewhere, so of an in-source build only the sources are copied.
+std::set<std::string> uncopied(const PackagePort& port) {
+  if (port.build_dir.empty() || !builds_in_source(port.build_dir, port.package_dir)) return {};
+  const std::vector<std::string> paths = build_paths(port.build_dir, {port.package_dir});
+  return {paths.begin(), paths.end()};
+}
+
+Expected<void> copy_package(const PackagePort& port, const fs::path& to, const std::string& out_dir) {
+  const std::string& from = port.package_dir;
+  const std::set<std::string> without = uncopied(port);
   std::error_code failed;
   fs::create_directories(to, failed);
   for (const auto& entry : fs::directory_iterator(from, failed)) {
     const std::string name = entry.path().filename();
-    if (name == ".git" || name == ".tzc-rewrite" || entry.path() == out_dir) continue;
+    if (name == ".git" || name == ".tzc-rewrite" || entry.path() == out_dir || without.count(entry.path())) continue;
     fs::copy(entry.path(), to / name, fs::copy_options::copy_symlinks | fs::copy_options::recursive, failed);
     if (failed) return Error{"cannot be copied: " + failed.message(), entry.path(), ""};
   }
@@ -166,7 +176,7 @@ OutDir::~OutDir() {
 
 Expected<void> OutDir::stage(const PackagePort& port) const {
   const fs::path staged = fs::path(staging_.folder()) / places_.at(port.package_dir);
-  if (Expected<void> copied = copy_package(port.package_dir, staged, folder_); !copied) return copied;
+  if (Expected<void> copied = copy_package(port, staged, folder_); !copied) return copied;
   for (const auto& [file, content] : port.contents)
     if (Expected<void> done = write_file(staged / file.substr(port.package_dir.size() + 1), content); !done)
       return done;

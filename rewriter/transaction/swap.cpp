@@ -40,14 +40,18 @@ class Lock {
     constexpr int attempts = 50;
     for (int i = 0; i < attempts; ++i) {
       Lock lock(folder);
-      if (lock.descriptor_ < 0) return Error{"cannot be written: " + system_text(), folder, ""};
+      if (lock.descriptor_ < 0) return lock.failure(folder);
       if (lock.is_held()) return lock;
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     return Error{"another tzc-rewrite is working on this package", fs::path(folder).parent_path(),
                  "wait until it has finished"};
   }
-  Lock(Lock&& other) noexcept : path_(std::move(other.path_)), descriptor_(other.descriptor_) {
+  Lock(Lock&& other) noexcept
+      : path_(std::move(other.path_)),
+        no_folder_(other.no_folder_),
+        no_file_(other.no_file_),
+        descriptor_(other.descriptor_) {
     other.descriptor_ = -1;
   }
   Lock& operator=(Lock&&) = delete;
@@ -57,9 +61,16 @@ class Lock {
 
  private:
   explicit Lock(const std::string& folder) : path_(folder + "/lock") {
-    std::error_code failed;
-    fs::create_directory(folder, failed);
+    fs::create_directory(folder, no_folder_);
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (descriptor_ < 0) no_file_ = std::error_code(errno, std::generic_category());
+  }
+
+  /// Where the folder cannot be made, that no file can be made in it says nothing.
+  Error failure(const std::string& folder) const {
+    const std::string where = no_folder_ ? fs::path(folder).parent_path().string() : folder;
+    return {"cannot be written: " + (no_folder_ ? no_folder_ : no_file_).message(), where,
+            "make the folder writable for this user, or name another one for a ported copy with --out-dir"};
   }
 
   /// Locked, and still the file of that name: the run that held it before may have removed it.
@@ -70,6 +81,7 @@ class Lock {
   }
 
   std::string path_;
+  std::error_code no_folder_, no_file_;
   int descriptor_ = -1;
 };
 

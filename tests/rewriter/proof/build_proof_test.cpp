@@ -43,7 +43,7 @@ class BuildProof : public ::testing::Test {
   void configure(const std::string& cmake, const std::string& options = "") const {
     put("CMakeLists.txt", head + cmake);
     const std::string command =
-        "cmake -S " + (folder / "demo") + " -B " + (folder / "build") +
+        "cmake -S " + (folder / "demo") + " -B " + (folder / build_dir) +
         " -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_INSTALL_PREFIX=" + (folder / "install") + " " +
         options + " > " + (folder / "log") + " 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0) << folder.read("log");
@@ -55,7 +55,7 @@ class BuildProof : public ::testing::Test {
     PortedPackage package{"demo", folder / "demo", {}, {}};
     for (const auto& [name, content] : files) package.contents[folder / ("demo/" + name)] = content;
     for (const std::string& unit : units) package.units.insert(folder / ("demo/" + unit));
-    const std::unique_ptr<UserBuild> user = UserBuild::find(folder / "build");
+    const std::unique_ptr<UserBuild> user = UserBuild::find(folder / build_dir);
     if (!user) return "no build";
     const auto failures = unproved_packages(*user, {package}, {{folder / "tzc"}, build, nullptr, 1, {}});
     return failures.empty() ? "" : to_string(failures.at(folder / "demo"));
@@ -72,6 +72,7 @@ class BuildProof : public ::testing::Test {
   }
 
   TempDir folder;
+  std::string build_dir = "build";
   const std::string plain = "add_executable(node src/node.cpp)\n";
   const std::string with_tzc =
       "find_package(tzc REQUIRED)\nadd_executable(node src/node.cpp)\n"
@@ -102,6 +103,46 @@ TEST_F(BuildProof, nothing_of_the_users_trees_is_touched) {
   EXPECT_EQ(files_in("build"), build);
   EXPECT_EQ(files_in("install"), install);
   EXPECT_EQ(files_in("demo"), package);
+}
+
+/// The cache of an in-source build lies among the sources, and so does what the build made.
+TEST_F(BuildProof, nothing_of_an_in_source_build_is_touched) {
+  build_dir = "demo";
+  configure(
+      "set(SOURCE ${CMAKE_SOURCE_DIR}/src/node.cpp CACHE FILEPATH \"\")\n"
+      "configure_file(package.xml ${CMAKE_BINARY_DIR}/copy.xml)\n" +
+      plain);
+  const auto package = files_in("demo");
+  ASSERT_EQ(package.count(folder / "demo/CMakeCache.txt"), 1u);
+  const std::string port = "if(NOT EXISTS ${SOURCE} OR SOURCE STREQUAL \"" + (folder / "demo/src/node.cpp") +
+                           "\" OR EXISTS ${CMAKE_SOURCE_DIR}/CMakeCache.txt)\n"
+                           "  message(FATAL_ERROR ${SOURCE})\nendif()\n"
+                           "configure_file(package.xml ${CMAKE_BINARY_DIR}/copy.xml)\n";
+  EXPECT_EQ(prove_cmake(port + with_tzc), "");
+  EXPECT_EQ(prove({{"CMakeLists.txt", head + port + with_tzc}}, true), "");
+  EXPECT_THAT(prove_cmake(port + plain), HasSubstr("TZC's headers are in none of its include folders"));
+  EXPECT_EQ(files_in("demo"), package);
+}
+
+/// The same for a workspace whose source folder is its build folder: the packages that are not tried are links.
+TEST_F(BuildProof, nothing_of_a_workspace_that_is_built_in_source_is_touched) {
+  build_dir = "demo";
+  put("package.xml", "");
+  fs::remove(folder / "demo/package.xml");
+  put("one/package.xml", "<package/>");
+  put("one/CMakeLists.txt", plain);
+  put("one/src/node.cpp", "int main() {}\n");
+  put("two/package.xml", "<package/>");
+  put("two/CMakeLists.txt", "configure_file(package.xml ${CMAKE_CURRENT_BINARY_DIR}/copy.xml)\n");
+  configure("add_subdirectory(one)\nadd_subdirectory(two)\n");
+  const auto before = files_in("demo");
+  const std::string one = folder / "demo/one";
+  const auto failures =
+      unproved_packages(*UserBuild::find(folder / "demo"),
+                        {{"one", one, {{one + "/CMakeLists.txt", with_tzc}}, {one + "/src/node.cpp"}}},
+                        {{folder / "tzc"}, false, nullptr, 1, {}});
+  EXPECT_TRUE(failures.empty()) << to_string(failures.begin()->second);
+  EXPECT_EQ(files_in("demo"), before);
 }
 
 TEST_F(BuildProof, the_users_cache_counts) {

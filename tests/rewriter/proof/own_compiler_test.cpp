@@ -38,13 +38,13 @@ class OwnCompilerTest : public ::testing::Test {
 
   /// What the compiler says about the original with these files in place of its own; "" for none.
   std::string check(const std::map<std::string, std::string>& files) {
-    folder.write("ws/build/compile_commands.json",
-                 json::array({{{"directory", folder / "ws/build"},
+    folder.write(build_dir + "/compile_commands.json",
+                 json::array({{{"directory", folder / build_dir},
                                {"file", file.empty() ? unit() : file},
                                {"command", compiler + " " + flags + " -MD -MF x.d -o x.o -c " +
                                                (file.empty() ? unit() : file)}}})
                      .dump());
-    OwnCompiler compiler({{package()}, folder / "ws/src", {folder / "ws/build"}, {tzc_headers}, {}, 1});
+    OwnCompiler compiler({{package()}, folder / "ws/src", {folder / build_dir}, {tzc_headers}, {}, 1});
     FileContents contents;
     for (const auto& [name, content] : files) contents[package() + "/" + name] = content;
     const auto errors = compiler.check(contents, {file.empty() ? unit() : canonical_path(file)});
@@ -57,12 +57,26 @@ class OwnCompilerTest : public ::testing::Test {
   }
 
   TempDir folder;
-  std::string compiler = "g++", flags, file, tzc_headers = folder / "tzc";
+  std::string compiler = "g++", flags, file, build_dir = "ws/build", tzc_headers = folder / "tzc";
 };
 
 TEST_F(OwnCompilerTest, accepts_what_compiles) {
   put("src/node.cpp", "#include <demo/a.h>\nint main() { return a(); }\n");
   EXPECT_EQ(check({{"include/demo/a.h", "#include <tzc/ros.h>\ninline int a() { return 2; }\n"}}), "");
+}
+
+/// What the build made, such as headers of messages, is read where it is; sources are those of the port.
+TEST_F(OwnCompilerTest, the_package_may_be_its_own_build_folder) {
+  build_dir = "ws/src/demo";
+  put("CMakeCache.txt", "");
+  put("devel/.catkin", "");
+  put("devel/include/demo/made.h", "#include <demo/a.h>\ninline int made() { return a(); }\n");
+  put("CMakeFiles/node.dir/pch.hxx", "#include \"" + package() + "/include/demo/a.h\"\n");
+  flags += " -Idevel/include -include CMakeFiles/node.dir/pch.hxx";
+  put("src/node.cpp", "#include <demo/made.h>\nint main() { return made() + a(); }\n");
+  EXPECT_EQ(check({{"include/demo/a.h", "#pragma once\nint a();\n"}}), "");
+  EXPECT_THAT(check({{"include/demo/a.h", "#pragma once\nint b();\n"}}),
+              HasSubstr("demo/src/node.cpp:2 'a' was not declared"));
 }
 
 TEST_F(OwnCompilerTest, names_the_users_file_and_line) {

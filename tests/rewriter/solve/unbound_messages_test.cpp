@@ -12,8 +12,8 @@ const char* const row_of_messages = "c:@S@Node@FI@queue_";
 /// A member is filled and stored in a queue, which is published from at the place 100.
 Facts member_in_queue() {
   Facts facts;
-  facts.given_messages.push_back({filled, row_of_messages, "stored by 'push_back'", {"/p/node.cpp", 8, 1}});
-  facts.published_from[{"/p/node.cpp", 100}] = {row_of_messages};
+  facts.given.messages.push_back({filled, row_of_messages, "stored by 'push_back'", {"/p/node.cpp", 8, 1}});
+  facts.given.published_from[{"/p/node.cpp", 100}] = {row_of_messages};
   return facts;
 }
 
@@ -70,7 +70,7 @@ TEST(UnboundMessages, are_none_that_get_another_message_as_a_whole) {
 TEST(UnboundMessages, cost_a_function_that_publishes_what_it_is_passed) {
   Facts facts = member_in_queue();
   const std::string parameter = parameter_root("send", 0);
-  facts.published_from = {{{"/p/node.cpp", 300}, {parameter}}};
+  facts.given.published_from = {{{"/p/node.cpp", 300}, {parameter}}};
   ContentEvent call = happening(ContentEvent::Kind::call, "");
   call.callee = "send";
   call.passed = {{parameter, std::string(row_of_messages) + "[front]"}};

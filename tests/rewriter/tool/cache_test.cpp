@@ -114,6 +114,17 @@ TEST_F(Cache, every_kind_of_change_is_seen) {
   });
 }
 
+TEST_F(Cache, sources_count_where_the_build_folder_is_theirs) {
+  ws.database("ws/src/demo");
+  ws.folder().write("ws/src/demo/CMakeFiles/x.h", "");
+  expect_seen("a source",
+              [&] { ws.folder().write("ws/src/demo/src/node.cpp", "ros::Publisher pub; // x\n"); });
+  expect_seen("a header that is found earlier", [&] { ws.folder().write("ws/src/demo/include/lib.h", ""); });
+  check();
+  ws.folder().write("ws/src/demo/CMakeFiles/x.h", "// made again\n");
+  EXPECT_TRUE(is_hit(check())) << "what CMake makes";
+}
+
 /// Same size, same modification time: the content counts.
 TEST_F(Cache, a_change_that_hides_is_seen) {
   expect_seen("same size and time", [&] {

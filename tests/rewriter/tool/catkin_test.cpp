@@ -28,6 +28,31 @@ TEST_F(Catkin, is_ported_and_the_users_build_stays_as_it_is) {
   EXPECT_EQ(files_in("ws/devel"), devel);
 }
 
+/// `cmake .` in the package's folder.
+TEST_F(Catkin, a_package_that_is_its_own_build_folder) {
+  put("demo/CMakeLists.txt", "cmake_minimum_required(VERSION 3.0.2)\nproject(demo)\n" + find +
+                                 "include_directories(${catkin_INCLUDE_DIRS})\n" + target +
+                                 "target_link_libraries(node ${catkin_LIBRARIES})\n");
+  const std::string demo = folder_ / "ws/src/demo";
+  const ProcessResult configured = run_process(
+      Command{{"cmake", ".", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", "-DPYTHON_EXECUTABLE=/usr/bin/python3"},
+              demo,
+              {}});
+  ASSERT_EQ(configured.status, 0) << configured.errors;
+  auto before = files_in("ws/src/demo");
+  const ProcessResult result = rewrite({"--apply"});
+  EXPECT_EQ(result.status, 0) << result.errors << result.output;
+  EXPECT_THAT(source(), HasSubstr("tzc::Publisher pub"));
+  EXPECT_THAT(result.output, Not(HasSubstr("TZC3001")));
+  EXPECT_THAT(result.output, HasSubstr("cmake --build " + demo + "\n"));
+  auto after = files_in("ws/src/demo");
+  for (const char* ported : {"CMakeLists.txt", "package.xml", "src/node.cpp"})
+    EXPECT_NE(after[demo + "/" + ported], before[demo + "/" + ported]) << ported;
+  for (const char* ported : {"CMakeLists.txt", "package.xml", "src/node.cpp"})
+    after[demo + "/" + ported] = before[demo + "/" + ported];
+  EXPECT_EQ(after, before);
+}
+
 /// A robot's prefix, whatever it is called, into which this workspace is installed as well.
 TEST_F(Catkin, what_was_found_in_the_prefix_of_installation_is_found_there_again) {
   folder_.write("robot/bin/robot_tool", "");

@@ -67,6 +67,18 @@ TEST_F(Cli, out_dir_gets_a_whole_copy) {
   EXPECT_THAT(ws.folder().read("out/demo/plan.json"), Not(IsEmpty()));
 }
 
+/// With the cache of another folder CMake would refuse the copy.
+TEST_F(Cli, out_dir_gets_no_build_that_lies_among_the_sources) {
+  ws.database("ws/src/demo");
+  ws.folder().write("ws/src/demo/CMakeCache.txt", "x");
+  ws.folder().write("ws/src/demo/CMakeFiles/x.cpp", "x");
+  EXPECT_EQ(ws.rewrite({"--out-dir", ws.folder() / "out"}).status, 0);
+  EXPECT_THAT(ws.folder().read("out/demo/src/node.cpp"), HasSubstr("tzc::Publisher"));
+  EXPECT_THAT(ws.folder().read("out/demo/plan.json"), Not(IsEmpty()));
+  EXPECT_FALSE(std::filesystem::exists(ws.folder() / "out/demo/CMakeCache.txt"));
+  EXPECT_FALSE(std::filesystem::exists(ws.folder() / "out/demo/CMakeFiles"));
+}
+
 TEST_F(Cli, out_dir_keeps_the_folders_of_the_repository) {
   ws.rewrite({});
   const std::string repository = ws.folder() / "ws/src/repository";

@@ -94,6 +94,20 @@ TEST_F(Cli, a_package_of_which_nothing_is_compiled_is_no_error_where_it_was_conf
   EXPECT_THAT(result.errors, HasSubstr("TZC3001 src/node.cpp:1:1: no target of this configuration compiles"));
 }
 
+TEST_F(Cli, headers_of_a_package_without_sources_are_not_passed_over) {
+  std::filesystem::remove(ws.package() + "/src/node.cpp");
+  ws.folder().write("ws/src/demo/include/demo/out.hpp", "\npublisher.publish(message);\n");
+  ws.folder().write("ws/src/demo/build2/CMakeCache.txt", "");
+  ws.folder().write("ws/src/demo/build2/CMakeFiles/3.25/CMakeCXXCompilerId.cpp", "");
+  const auto result = ws.rewrite({});
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(
+      result.errors,
+      HasSubstr("TZC3001 include/demo/out.hpp:1:1: no unit of the package that was read includes this "
+                "header; possible sites in lines 2"));
+  EXPECT_THAT(result.errors, Not(HasSubstr("CMakeCXXCompilerId")));
+}
+
 TEST_F(Cli, without_a_configured_build_nothing_is_written) {
   const auto result = ws.rewrite({"--verify=syntax", "--apply", "--report", ws.folder() / "r.json"});
   EXPECT_EQ(result.status, 1);

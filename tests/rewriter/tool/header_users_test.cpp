@@ -114,6 +114,13 @@ TEST_F(HeaderUsers, data_is_not_searched_but_a_package_in_which_somebody_ran_cma
   EXPECT_EQ(in_use(), "api.h ");
 }
 
+TEST_F(HeaderUsers, a_workspace_that_is_built_in_its_source_folder_is_searched) {
+  folder.write("ws/src/CMakeCache.txt", "");
+  folder.write("ws/src/CMakeLists.txt", "");
+  folder.write("ws/src/node/main.cpp", "#include <lib/api.h>\n");
+  EXPECT_EQ(in_use(), "api.h ");
+}
+
 TEST_F(HeaderUsers, build_folders_are_not_searched) {
   folder.write("ws/build/CMakeCache.txt", "");
   folder.write("ws/build/unity.cxx", "#include \"/x/lib/api.h\"\n");

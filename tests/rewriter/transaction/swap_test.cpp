@@ -66,6 +66,35 @@ TEST_F(SwapTest, replaces_all) {
   EXPECT_TRUE(clean());
 }
 
+/// Takes another user's rights for a while; root may write everywhere.
+class AsNobody {
+ public:
+  AsNobody() : is_one_(::geteuid() != 0 || ::seteuid(65534) == 0) {}
+  ~AsNobody() {
+    if (::getuid() == 0) (void)!::seteuid(0);
+  }
+  explicit operator bool() const { return is_one_; }
+
+ private:
+  bool is_one_;
+};
+
+TEST_F(SwapTest, a_folder_of_somebody_else_is_named_with_the_reason) {
+  chmod(package_.path().c_str(), 0555);
+  Expected<void> done = Error{"", "", ""};
+  {
+    const AsNobody nobody;
+    ASSERT_TRUE(nobody);
+    done = swap(contents_);
+  }
+  chmod(package_.path().c_str(), 0755);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().what, "cannot be written: Permission denied");
+  EXPECT_EQ(done.error().where, package_.path());
+  EXPECT_NE(done.error().hint.find("--out-dir"), std::string::npos) << done.error().hint;
+  EXPECT_EQ(state(), "old old old");
+}
+
 TEST_F(SwapTest, keeps_modes) {
   chmod((package_ / "src/node.cpp").c_str(), 0751);
   ASSERT_TRUE(swap(contents_));

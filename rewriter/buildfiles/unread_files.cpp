@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "buildfiles/unread_files.h"
+
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "edits/files.h"
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace fs = std::filesystem;
+namespace {
+
+/// Sorted. Without what is hidden, and without links to files of the package, which are among them by their own names.
+std::set<std::string> files_of(const std::string& package_dir, const FolderSet& generated) {
+  std::set<std::string> files;
+  std::error_code failed, ignored;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator at(package_dir, options, failed), end; !failed && at != end;
+       at.increment(failed)) {
+    const std::string path = at->path();
+    if (at->is_directory(ignored)) {
+      if (at->path().filename().string().front() == '.') at.disable_recursion_pending();
+    } else if (at->is_regular_file(ignored) && !generated.hold(path) &&
+               !(at->is_symlink(ignored) && is_below(canonical_path(path), package_dir))) {
+      files.insert(path);
+    }
+  }
+  return files;
+}
+
+Note note_on_source(const std::string& file, const std::string& package_dir) {
+  const bool leads_out = !is_below(canonical_path(file), package_dir);
+  return {codes::TZC3001, Location{file, 1, 1},
+          leads_out ? "this link leads to a file outside of the package, which was not looked at"
+                    : "no target of this configuration compiles this file"};
+}
+
+/// A line of a comment, as documentation has them.
+bool is_comment(const std::string& line) {
+  static const std::regex comment("^\\s*(//|/\\*|\\* )");
+  return std::regex_search(line, comment);
+}
+
+}  // namespace
+
+std::vector<Note> unread_sources(const std::string& package_dir, const FolderSet& generated,
+                                 const std::set<std::string>& read) {
+  std::vector<Note> notes;
+  for (const std::string& file : files_of(package_dir, generated))
+    if (is_cpp_source(file) && read.count(canonical_path(file)) == 0)
+      notes.push_back(note_on_source(file, package_dir));
+  return notes;
+}
+
+std::vector<Note> unread_headers(const std::string& package_dir, const FolderSet& generated,
+                                 const std::set<std::string>& read) {
+  std::vector<Note> notes;
+  for (const std::string& file : files_of(package_dir, generated)) {
+    if (!is_cpp_header(file) || read.count(canonical_path(file)) != 0) continue;
+    if (const std::string lines = lines_with_sites(file); !lines.empty())
+      notes.push_back(
+          {codes::TZC3001, Location{file, 1, 1},
+           "no unit of the package that was read includes this header; possible sites in lines " + lines});
+  }
+  return notes;
+}
+
+std::string lines_with_sites(const std::string& file) {
+  static const std::regex site("\\b(publish|advertise|subscribe)\\w*\\s*[<(]");
+  const Expected<std::string> text = read_file(file);
+  std::istringstream stream(text ? *text : "");
+  std::string lines, line;
+  for (unsigned number = 1; std::getline(stream, line); ++number)
+    if (std::regex_search(line, site) && !is_comment(line))
+      lines += (lines.empty() ? "" : ", ") + std::to_string(number);
+  return lines;
+}
+
+}  // namespace tzc::rewriter
