@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 
 #include "buildfiles/compile_database.h"
@@ -137,17 +138,30 @@ Expected<std::vector<std::string>> find_packages_at(const std::string& argument)
   return packages;
 }
 
+namespace {
+
+/// By catkin_make, catkin build or catkin_make_isolated, beside the source space.
+bool is_marked(const fs::path& space) {
+  const char* const marks[] = {".catkin_workspace", ".catkin_tools", "build_isolated"};
+  return std::any_of(std::begin(marks), std::end(marks),
+                     [&](const char* mark) { return fs::exists(space.parent_path() / mark); });
+}
+
+}  // namespace
+
 std::string source_space(const std::string& package_dir) {
   fs::path marked, named;
   for (fs::path folder = fs::path(package_dir).parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {
-    const fs::path beside = folder.parent_path();
-    for (const char* mark : {".catkin_workspace", ".catkin_tools", "build_isolated"})
-      if (fs::exists(beside / mark)) marked = folder;
+    if (is_marked(folder)) marked = folder;
     if (named.empty() && folder.filename() == "src") named = folder;
   }
   if (marked.empty() && named.empty()) return fs::path(package_dir).parent_path();
   return marked.empty() ? named : marked;
+}
+
+bool is_workspace(const std::string& source_space) {
+  return fs::path(source_space).filename() == "src" || is_marked(source_space);
 }
 
 Expected<std::string> find_build_dir(const PackagePlace& package, const std::string& given,

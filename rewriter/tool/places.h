@@ -19,6 +19,8 @@ Expected<std::vector<std::string>> find_packages_at(const std::string& argument)
 /// The folder that holds the packages of the package's workspace: the highest one above it beside which catkin's tools have left
 /// their marks, else the next one that is called src, else the package's parent.
 std::string source_space(const std::string& package_dir);
+/// Whether such a folder belongs to a workspace, and is not just the one that holds a package.
+bool is_workspace(const std::string& source_space);
 
 /// A package: its folder, canonical, and what its package.xml calls it.
 struct PackagePlace {

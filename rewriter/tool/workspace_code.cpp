@@ -14,13 +14,29 @@ namespace tzc::rewriter {
 namespace fs = std::filesystem;
 namespace {
 
-/// The packages of the workspace, these among them.
+/// Packages directly in a folder.
+std::vector<std::string> packages_in(const std::string& folder) {
+  std::vector<std::string> found;
+  std::error_code failed, ignored;
+  for (const auto& entry : fs::directory_iterator(folder, failed))
+    if (fs::exists(entry.path() / "package.xml", ignored))
+      found.push_back(canonical_path(entry.path().string()));
+  return found;
+}
+
+/// The packages of the workspace, these among them. What holds a package that lies in no workspace may be a home folder, so only
+/// its neighbours count there.
 std::set<std::string> neighbours_of(const std::vector<SourcePackage>& packages) {
   std::set<std::string> all;
   for (const SourcePackage& package : packages) all.insert(package.dir);
-  for (const std::string& space : source_spaces(packages))
-    if (const Expected<std::vector<std::string>> found = find_packages_at(space))
+  for (const std::string& space : source_spaces(packages)) {
+    if (!is_workspace(space)) {
+      const std::vector<std::string> beside = packages_in(space);
+      all.insert(beside.begin(), beside.end());
+    } else if (const Expected<std::vector<std::string>> found = find_packages_at(space)) {
       all.insert(found->begin(), found->end());
+    }
+  }
   return all;
 }
 

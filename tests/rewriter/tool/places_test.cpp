@@ -29,6 +29,14 @@ TEST(SourceSpace, is_the_folder_around_the_package_at_least) {
   EXPECT_EQ(source_space(folder / "stack/demo"), folder / "stack");
 }
 
+TEST(SourceSpace, of_a_workspace_is_told_from_any_other_folder) {
+  const tzc::test::TempDir folder;
+  folder.write("ws/.catkin_tools/profile", "");
+  EXPECT_TRUE(is_workspace(folder / "ws/code"));
+  EXPECT_TRUE(is_workspace(folder / "robot/src"));
+  EXPECT_FALSE(is_workspace(folder / "robot"));
+}
+
 TEST(ConfiguredFolder, is_one_whose_cache_names_the_package) {
   const tzc::test::TempDir folder;
   folder.write("ws/src/demo/package.xml", "");
