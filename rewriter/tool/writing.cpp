@@ -50,7 +50,8 @@ Expected<void> copy_package(const PackagePort& port, const fs::path& to, const s
   fs::create_directories(to, failed);
   for (const auto& entry : fs::directory_iterator(from, failed)) {
     const std::string name = entry.path().filename();
-    if (name == ".git" || name == ".tzc-rewrite" || entry.path() == out_dir || without.count(entry.path())) continue;
+    if (name == ".git" || name == ".tzc-rewrite" || entry.path() == out_dir || without.count(entry.path()))
+      continue;
     fs::copy(entry.path(), to / name, fs::copy_options::copy_symlinks | fs::copy_options::recursive, failed);
     if (failed) return Error{"cannot be copied: " + failed.message(), entry.path(), ""};
   }

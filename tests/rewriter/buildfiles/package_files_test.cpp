@@ -6,6 +6,7 @@
 
 #include "buildfiles/build_trees.h"
 #include "buildfiles/unread_files.h"
+#include "edits/files.h"
 #include "support/temp_dir.h"
 
 namespace tzc::rewriter {
@@ -28,7 +29,7 @@ class PackageFiles : public ::testing::Test {
   std::string unread(const std::set<std::string>& read) const {
     const FolderSet generated = generated_folders("", folder / "demo");
     std::set<std::string> paths;
-    for (const std::string& file : read) paths.insert(folder / ("demo/" + file));
+    for (const std::string& file : read) paths.insert(canonical_path(folder / ("demo/" + file)));
     std::string text;
     for (const auto& notes : {unread_sources(folder / "demo", generated, paths),
                               unread_headers(folder / "demo", generated, paths)})

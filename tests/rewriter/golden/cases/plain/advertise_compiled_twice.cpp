@@ -19,3 +19,7 @@ void run(ros::NodeHandle& nh) {
 #define CLOUD
 #include "node.cpp"
 //--- expected
+// advertise src/node.cpp:13 sensor_msgs/Image plain 'topic' TZC1007 the file is compiled in several ways, which advertise different types here
+// advertise src/node.cpp:13 sensor_msgs/PointCloud2 plain 'topic' TZC1007 the file is compiled in several ways, which advertise different types here
+// publish src/node.cpp:16 sensor_msgs/Image plain TZC1007 the file is compiled in several ways, which advertise different types here
+// publish src/node.cpp:16 sensor_msgs/PointCloud2 plain TZC1007 the file is compiled in several ways, which advertise different types here

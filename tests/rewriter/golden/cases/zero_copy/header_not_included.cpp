@@ -36,3 +36,16 @@ void make(N& node) {
  */
 struct Idle {};
 //--- expected
+// advertise src/node.cpp:9 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:12 sensor_msgs/Image zero_copy 'image'
+// note include/bodies.tcc:1 TZC3001
+// note include/unused.hpp:1 TZC3001
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// -  sensor_msgs::Image image;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);
