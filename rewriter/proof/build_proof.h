@@ -19,10 +19,10 @@ namespace tzc::rewriter {
 /// A package as the port would leave it.
 struct PortedPackage {
   std::string name;
-  std::string package_dir;      ///< canonical
-  FileContents contents;        ///< sources and build files
-  std::set<std::string> units;  ///< main files that must see TZC, canonical
-  std::set<std::string> users;  ///< main files that must, too, if they include one of `contents`
+  std::string package_dir;           ///< canonical
+  FileContents contents;             ///< sources and build files
+  std::set<std::string> units;       ///< main files that must see TZC, canonical
+  std::set<std::string> users = {};  ///< main files that must, too, if they include one of `contents`
 };
 
 struct ProofOptions {
