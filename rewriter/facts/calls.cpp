@@ -66,6 +66,10 @@ bool passes_through(const clang::FunctionDecl* function) {
   return function && names.count(qualified_name_of(function)) != 0;
 }
 
+bool casts_pointer(const clang::FunctionDecl* function) {
+  return function && function->getIdentifier() && function->getName().ends_with("_pointer_cast");
+}
+
 bool makes_object(const clang::CallExpr* call) {
   static const std::set<std::string> names = {"boost::make_shared", "std::make_shared", "std::make_unique",
                                               "boost::make_unique"};

@@ -28,6 +28,8 @@ bool is_template_parameter(const clang::TemplateArgument& argument);
 bool makes_object(const clang::CallExpr* call);
 /// std::move and its likes: the result is the argument.
 bool passes_through(const clang::FunctionDecl* function);
+/// std::const_pointer_cast and its likes: the result leads to what the argument leads to.
+bool casts_pointer(const clang::FunctionDecl* function);
 /// roscpp's, image_transport's or TZC's publisher.
 bool is_publisher_class(const std::string& name);
 /// A publisher of one subscriber's status callback.

@@ -10,24 +10,6 @@ namespace {
 
 using Kind = ContentEvent::Kind;
 
-/// array = std::move(vector), array = function()
-bool takes_elements(const clang::CXXOperatorCallExpr* assignment) {
-  const clang::FunctionDecl* function = assignment->getDirectCallee();
-  return function && function->getNumParams() == 1 &&
-         function->getParamDecl(0)->getType()->isRValueReferenceType();
-}
-
-/// std::vector<T>(), {}
-bool is_made_empty(const clang::Expr* source) {
-  const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(source->IgnoreUnlessSpelledInSource());
-  return made && made->getNumArgs() == 0;
-}
-
-/// What a variable is made from is a call's result itself.
-bool is_call(const clang::Expr* init) {
-  return init && llvm::isa<clang::CallExpr>(init->IgnoreImplicit());
-}
-
 const clang::Stmt* use_of(const FunctionView& view, const clang::Stmt* expr) {
   const clang::Stmt* around = view.parent(expr);
   while (llvm::isa_and_nonnull<clang::ParenExpr, clang::ImplicitCastExpr>(around))
@@ -67,23 +49,16 @@ void ContentReader::array_method(const clang::Expr* array, const clang::CXXMembe
       resets = tag && tag->getName() == "uninitialized_t";
     }
   }
-  if (resets) return add(Kind::reset, parts_.part_of(array), call->getExprLoc());
-  if (keeps.count(name) == 0) add(Kind::write, parts_.part_of(array), call->getExprLoc());
-}
-
-/// An exchange also where something is moved: nothing is left there, and its subscribers go along.
-void ContentReader::pair(Kind kind, MessagePart part, MessagePart other, clang::SourceLocation where) {
-  if (part.empty() || other.empty()) return;
-  add(kind, std::move(part), where);
-  events_.back().other = std::move(other);
+  if (resets) return log_.add(Kind::reset, parts_.part_of(array), call->getExprLoc());
+  if (keeps.count(name) == 0) log_.add(Kind::write, parts_.part_of(array), call->getExprLoc());
 }
 
 /// The array is given another one's elements: they lie in shared memory where that is a message's.
 void ContentReader::replaced(const clang::Expr* array, const clang::Expr* source) {
   const MessagePart part = parts_.part_of(array);
   const bool of_message = is_of_message(parts_.part_of(source));
-  add(of_message || is_made_empty(source) ? Kind::reset : Kind::take, part, array->getExprLoc());
-  if (of_message) pair(Kind::exchange, part, parts_.part_of(source), array->getExprLoc());
+  log_.add(of_message || is_made_empty(source) ? Kind::reset : Kind::take, part, array->getExprLoc());
+  if (of_message) log_.pair(Kind::exchange, part, parts_.part_of(source), array->getExprLoc());
 }
 
 /// Messages, arrays, or pointers to messages.
@@ -95,7 +70,7 @@ void ContentReader::exchanged(const clang::Expr* one, const clang::Expr* other, 
   };
   if (is_vector(other)) return replaced(one, other);
   if (is_vector(one)) return replaced(other, one);
-  pair(Kind::exchange, parts_.part_of(one), parts_.part_of(other), where);
+  log_.pair(Kind::exchange, parts_.part_of(one), parts_.part_of(other), where);
 }
 
 /// A mention of an array: replaced as a whole, or its elements are reached for writing.
@@ -112,14 +87,15 @@ void ContentReader::array(const clang::Expr* expr) {
     const bool is_source = op->isAssignmentOp() && op->getArg(0)->IgnoreParenImpCasts() != expr;
     if (is_source) return;
     if (op->isAssignmentOp() && takes_elements(op)) return replaced(expr, op->getArg(1));
-    return add(op->isAssignmentOp() ? Kind::reset : Kind::write, parts_.part_of(expr), expr->getExprLoc());
+    return log_.add(op->isAssignmentOp() ? Kind::reset : Kind::write, parts_.part_of(expr),
+                    expr->getExprLoc());
   }
   const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(use);
   if (call && (unit_.declares(call->getDirectCallee()) || passes_through(call->getDirectCallee()))) return;
   if (call && is_swap(call)) return;  // see exchanged
   if (llvm::isa_and_nonnull<clang::DeclStmt, clang::CXXConstructExpr>(use))
     return;  // another name, or a copy
-  add(Kind::write, parts_.part_of(expr), expr->getExprLoc());
+  log_.add(Kind::write, parts_.part_of(expr), expr->getExprLoc());
 }
 
 /// Elements that it gets have arrays of their own, which allocate has not seen: they lie outside shared memory.
@@ -133,65 +109,20 @@ void ContentReader::array_of_messages(const clang::Expr* expr) {
   if (const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(use)) {
     const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member->getMemberDecl());
     const std::string name = member->getMemberDecl()->getNameAsString();
-    if (name == "clear") return add(Kind::reset, parts_.part_of(expr), expr->getExprLoc());
+    if (name == "clear") return log_.add(Kind::reset, parts_.part_of(expr), expr->getExprLoc());
     if (!method || method->isConst() || adds_none.count(name) != 0) return;
   }
   const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(use);
   if (op && (!op->isAssignmentOp() || op->getArg(0)->IgnoreParenImpCasts() != expr)) return;
-  add(Kind::take, parts_.part_of(expr), expr->getExprLoc());
-}
-
-void ContentReader::declaration(const clang::DeclStmt* stmt) {
-  for (const clang::Decl* decl : stmt->decls()) {
-    const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
-    if (!variable || variable->isStaticLocal()) continue;
-    const MessagePart root = parts_.root_of(variable);
-    const bool has_result = is_call(variable->getInit()) && is_result(parts_.part_of(variable->getInit()));
-    if (variable->getType()->isReferenceType() && !has_result) continue;
-    add(Kind::reset, root, variable->getLocation());
-    if (has_result) pair(Kind::exchange, root, parts_.part_of(variable->getInit()), variable->getLocation());
-    if (variable->getType()->isPointerType() && variable->getInit() &&
-        is_message_or_pointer(variable->getType()))
-      pair(Kind::alias, root, parts_.part_of(variable->getInit()), variable->getLocation());
-    const auto* made = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(variable->getInit());
-    if (!made || !is_message_or_pointer(variable->getType())) continue;
-    const bool is_pointer = !pointee_of(variable->getType()).isNull();
-    if (made->getConstructor()->isMoveConstructor())
-      pair(Kind::exchange, root, parts_.part_of(made->getArg(0)), variable->getLocation());
-    else if (is_pointer && made->getConstructor()->isCopyConstructor())
-      pair(Kind::alias, root, parts_.part_of(made->getArg(0)), variable->getLocation());
-  }
-}
-
-void ContentReader::assignment(const clang::CXXOperatorCallExpr* call) {
-  const clang::Expr* const target = call->getArg(0);
-  if (call->getOperator() != clang::OO_Equal || !is_message_or_pointer(target->getType())) return;
-  const clang::Expr* const source = call->getArg(1);
-  const MessagePart part = parts_.part_of(target), other = parts_.part_of(source);
-  const bool moves = takes_elements(call);
-  const bool is_pointer = !pointee_of(target->getType()).isNull();
-  if (!part.empty() && (!is_pointer || moves || !outlives_functions(other))) {
-    add(Kind::reset, part, call->getExprLoc());
-    events_.back().empties = !is_pointer && is_made_empty(source);
-  }
-  if (moves)
-    pair(Kind::exchange, part, parts_.part_of(source), call->getExprLoc());
-  else if (is_pointer)
-    pair(Kind::alias, part, other, call->getExprLoc());
-}
-
-/// current_ = &frames_[i]
-void ContentReader::pointer_assignment(const clang::BinaryOperator* op) {
-  if (op->getOpcode() == clang::BO_Assign && is_message_or_pointer(op->getType()))
-    pair(Kind::alias, parts_.part_of(op->getLHS()), parts_.part_of(op->getRHS()), op->getExprLoc());
+  log_.add(Kind::take, parts_.part_of(expr), expr->getExprLoc());
 }
 
 void ContentReader::publish(const clang::CXXMemberCallExpr* call) {
   for (const clang::Expr* argument : call->arguments()) {
     if (!is_message_or_pointer(argument->getType())) continue;
-    add(Kind::publish, parts_.part_of(argument), call->getExprLoc());
+    log_.any(argument);
     const Place place = unit_.source.where(call->getExprLoc());
-    if (!events_.empty()) events_.back().site = {place.file, place.begin};
+    log_.publish(parts_.part_of(argument), {place.file, place.begin}, call->getExprLoc());
   }
 }
 
@@ -200,8 +131,8 @@ bool ContentReader::rule_call(const clang::CallExpr* call, const std::string& na
   for (const LibraryCall* rule : unit_.rules.calls) {
     if ((name != rule->function && name != rule->to) || rule->argument >= call->getNumArgs()) continue;
     const MessagePart part = parts_.part_of(call->getArg(rule->argument));
-    if (rule->elements == LibraryCall::Elements::filled) add(Kind::reset, part, call->getExprLoc());
-    if (rule->elements == LibraryCall::Elements::of_vector) add(Kind::take, part, call->getExprLoc());
+    if (rule->elements == LibraryCall::Elements::filled) log_.add(Kind::reset, part, call->getExprLoc());
+    if (rule->elements == LibraryCall::Elements::of_vector) log_.add(Kind::take, part, call->getExprLoc());
     return true;
   }
   for (const MethodCall* rule : unit_.rules.methods) {
@@ -212,25 +143,10 @@ bool ContentReader::rule_call(const clang::CallExpr* call, const std::string& na
     if (!is_meant) continue;
     for (const clang::Expr* argument : call->arguments())
       if (is_message_or_pointer(argument->getType()))
-        add(Kind::reset, parts_.part_of(argument), call->getExprLoc());
+        log_.add(Kind::reset, parts_.part_of(argument), call->getExprLoc());
     return true;
   }
   return false;
-}
-
-/// A message by value takes its content along; a pointer to what outlives the function is another name of it.
-void ContentReader::returned(const clang::ReturnStmt* stmt) {
-  const clang::Expr* value = stmt->getRetValue();
-  if (!value || !returns_message(view_.function()) || view_.lambda_around(stmt)) return;
-  const MessagePart result = result_root(usr_of(pattern_of(view_.function())));
-  add(Kind::reset, result, stmt->getReturnLoc());
-  const bool is_pointer = !pointee_of(value->getType()).isNull();
-  const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(value->IgnoreImplicit());
-  if (made && (made->getNumArgs() == 0 || !(is_pointer || made->getConstructor()->isMoveConstructor())))
-    return;
-  const MessagePart part = parts_.part_of(made ? made->getArg(0) : value);
-  const bool stays = is_pointer && (outlives_functions(part) || is_parameter(part));
-  pair(stays ? Kind::alias : Kind::exchange, result, part, stmt->getReturnLoc());
 }
 
 void ContentReader::package_call(const clang::FunctionDecl* function,
@@ -242,11 +158,13 @@ void ContentReader::package_call(const clang::FunctionDecl* function,
   if (returns_message(function)) event.part = result_root(event.callee);
   for (unsigned i = 0; i < arguments.size() && i < function->getNumParams(); ++i) {
     const clang::QualType type = arguments[i]->getType();
-    if (!is_message_or_pointer(type) && !is_stock_or_twin_array(type)) continue;
-    if (MessagePart part = parts_.part_of(arguments[i]); !part.empty())
+    if (!is_message_or_pointer(type) && !is_iterator(type) && !is_stock_or_twin_array(type)) continue;
+    if (MessagePart part = parts_.part_of(arguments[i]); part.empty())
+      log_.any(arguments[i]);
+    else
       event.passed.emplace(parameter_root(event.callee, i), std::move(part));
   }
-  events_.push_back(std::move(event));
+  log_.call(std::move(event));
 }
 
 void ContentReader::member_call(const clang::CXXMemberCallExpr* call) {
@@ -257,7 +175,7 @@ void ContentReader::member_call(const clang::CXXMemberCallExpr* call) {
   const std::string name = method->getNameAsString();
   if (!object || !is_message_or_pointer(object->IgnoreParenImpCasts()->getType()))
     return;  // not its base class
-  if (name == "reset") add(Kind::reset, parts_.part_of(object), call->getExprLoc());
+  if (name == "reset") log_.add(Kind::reset, parts_.part_of(object), call->getExprLoc());
   if (name == "swap" && is_swap(call)) exchanged(object, call->getArg(0), call->getExprLoc());
 }
 
@@ -266,7 +184,7 @@ void ContentReader::iterator(const clang::CXXConstructExpr* construct) {
   const std::string name = construct->getConstructor()->getParent()->getNameAsString();
   if (name != "PointCloud2Iterator" || construct->getNumArgs() < 2) return;
   const MessagePart cloud = parts_.part_of(construct->getArg(0));
-  if (!cloud.empty()) add(Kind::write, cloud + "/data", construct->getBeginLoc());
+  if (!cloud.empty()) log_.add(Kind::write, cloud + "/data", construct->getBeginLoc());
 }
 
 /// An object of the class comes into being, and the messages that it consists of with it.
@@ -276,7 +194,7 @@ void ContentReader::made(const clang::CXXRecordDecl* record, clang::SourceLocati
     made(base.getType()->getAsCXXRecordDecl(), where);
   for (const clang::FieldDecl* field : record->fields()) {
     if (is_stock_or_twin(field->getType()) && !field->getType()->isReferenceType())
-      add(Kind::make, parts_.root_of(field), where);
+      log_.add(Kind::make, parts_.root_of(field), where);
     else
       made(field->getType()->getAsCXXRecordDecl(), where);
   }
@@ -292,9 +210,8 @@ void ContentReader::closure(const clang::LambdaExpr* lambda) {
 }
 
 void ContentReader::look_at(const clang::Stmt* stmt) {
-  if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt)) return this->declaration(declaration);
   if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) return closure(lambda);
-  if (const auto* statement = llvm::dyn_cast<clang::ReturnStmt>(stmt)) return returned(statement);
+  names_.look_at(stmt);
   if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
     iterator(construct);
     if (!construct->getConstructor()->isCopyOrMoveConstructor())
@@ -306,7 +223,6 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) {
     const clang::FunctionDecl* function = call->getDirectCallee();
     if (makes_object(call)) made(pointee_of(call->getType())->getAsCXXRecordDecl(), call->getBeginLoc());
-    if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call)) assignment(op);
     if (is_swap(call) && call->getNumArgs() == 2 && !unit_.declares(function))
       exchanged(call->getArg(0), call->getArg(1), call->getExprLoc());
     if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
@@ -316,10 +232,13 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
     llvm::ArrayRef<const clang::Expr*> arguments(call->getArgs(), call->getNumArgs());
     return package_call(function, shifted ? arguments.drop_front() : arguments, call);
   }
-  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(stmt)) return pointer_assignment(op);
   const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
   if (!expr || !llvm::isa<clang::MemberExpr, clang::DeclRefExpr>(expr)) return;
-  if (is_stock_or_twin_array(expr->getType())) array(expr);
+  if (is_stock_or_twin_array(expr->getType())) {
+    if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr); member && !is_only_read(view_, expr))
+      log_.any(member->getBase());
+    array(expr);
+  }
   if (is_array_of_data_parts(expr->getType())) array_of_messages(expr);
 }
 

@@ -8,6 +8,10 @@
 namespace tzc::rewriter {
 namespace {
 
+void append(std::vector<ContentEvent>& events, std::vector<ContentEvent> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(events));
+}
+
 /// Blocks in Clang's order, the entry first.
 ContentFlow flow_of(const clang::CFG& cfg, ContentReader& reader, const DecidedValues& values) {
   ContentFlow flow;
@@ -17,7 +21,9 @@ ContentFlow flow_of(const clang::CFG& cfg, ContentReader& reader, const DecidedV
     ContentBlock& mine = flow.blocks[index(*block)];
     for (const clang::CFGElement& element : *block)
       if (const auto stmt = element.getAs<clang::CFGStmt>())
-        for (ContentEvent& event : reader.events_of(stmt->getStmt())) mine.events.push_back(std::move(event));
+        append(mine.events, reader.events_of(stmt->getStmt()));
+      else if (const auto initializer = element.getAs<clang::CFGInitializer>())
+        append(mine.events, reader.events_of(initializer->getInitializer()));
     unsigned successor = 0;
     for (const clang::CFGBlock::AdjacentBlock& next : block->succs()) {
       const clang::CFGBlock* const reached = next.getReachableBlock();

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "facts/content_log.h"
+#include "facts/content_names.h"
 #include "facts/function_view.h"
 #include "facts/message_parts.h"
 #include "facts/unit.h"
@@ -17,12 +19,19 @@ namespace tzc::rewriter {
 /// Reads what the statements of one function do to the content of messages.
 class ContentReader {
  public:
-  ContentReader(const Unit& unit, const FunctionView& view) : unit_(unit), view_(view), parts_(unit, view) {}
+  ContentReader(const Unit& unit, const FunctionView& view)
+      : unit_(unit), view_(view), parts_(unit, view), log_(unit, parts_), names_(unit, view, parts_, log_) {}
+  ContentReader(const ContentReader&) = delete;
+  ContentReader& operator=(const ContentReader&) = delete;
 
   std::vector<ContentEvent> events_of(const clang::Stmt* stmt) {
-    events_.clear();
     look_at(stmt);
-    return std::move(events_);
+    return log_.take();
+  }
+  /// What a constructor's initializer does.
+  std::vector<ContentEvent> events_of(const clang::CXXCtorInitializer* initializer) {
+    if (initializer->getMember()) names_.member(initializer->getMember(), initializer->getInit());
+    return log_.take();
   }
 
  private:
@@ -31,12 +40,7 @@ class ContentReader {
   void array_of_messages(const clang::Expr* expr);
   void replaced(const clang::Expr* array, const clang::Expr* source);
   void exchanged(const clang::Expr* one, const clang::Expr* other, clang::SourceLocation where);
-  void pair(ContentEvent::Kind kind, MessagePart part, MessagePart other, clang::SourceLocation where);
   void array_method(const clang::Expr* array, const clang::CXXMemberCallExpr* call, const std::string& name);
-  void declaration(const clang::DeclStmt* stmt);
-  void assignment(const clang::CXXOperatorCallExpr* call);
-  void pointer_assignment(const clang::BinaryOperator* op);
-  void returned(const clang::ReturnStmt* stmt);
   void member_call(const clang::CXXMemberCallExpr* call);
   void iterator(const clang::CXXConstructExpr* construct);
   void made(const clang::CXXRecordDecl* record, clang::SourceLocation where);
@@ -45,19 +49,12 @@ class ContentReader {
   void package_call(const clang::FunctionDecl* function, llvm::ArrayRef<const clang::Expr*> arguments,
                     const clang::Stmt* at);
   void closure(const clang::LambdaExpr* lambda);
-  void add(ContentEvent::Kind kind, MessagePart part, clang::SourceLocation where) {
-    if (part.empty()) return;
-    ContentEvent event;
-    event.kind = kind;
-    event.part = std::move(part);
-    event.where = unit_.location(where);
-    events_.push_back(std::move(event));
-  }
 
   const Unit& unit_;
   const FunctionView& view_;
   MessageParts parts_;
-  std::vector<ContentEvent> events_;
+  ContentLog log_;
+  ContentNames names_;
   std::set<const clang::LambdaExpr*> open_;
 };
 

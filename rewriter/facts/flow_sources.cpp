@@ -3,6 +3,7 @@
 
 #include "facts/calls.h"
 #include "facts/library_advertise.h"
+#include "facts/message_parts.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -65,9 +66,11 @@ FlowSources SourceFinder::of_call(const clang::CallExpr* call) {
   if (unit_.declares(function) && !advertises) return one(entities_.declare_result(function));
   if (advertises || unit_.rules.find_ported_function(qualified_name_of(function)))
     return one(entities_.declare_temporary(call));
-  // std::make_pair, std::get and their like: publishers are handles, a copy is as good. A message would be copied.
+  // std::make_pair, std::get and their like: publishers are handles, a copy is as good. A message would be copied where
+  // what is returned does not only lead to it.
   const auto carried = carried_by(call->getType(), unit_.rules);
-  if (function->isInStdNamespace() && carried && carried->role != EntityRole::message) {
+  const bool is_name = call->isGLValue() || is_iterator(call->getType()) || names_messages(call->getType());
+  if (function->isInStdNamespace() && carried && (is_name || carried->role != EntityRole::message)) {
     FlowSources sources = of_arguments({call->getArgs(), call->getNumArgs()});
     if (!sources.entities.empty()) return sources;
   }

@@ -21,8 +21,28 @@ const clang::Expr* same_object(const clang::Expr* expr) {
                ? op->getSubExpr()
                : nullptr;
   const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expr);
-  const bool is_pointer = made && !pointee_of(made->getType()).isNull();
-  return is_pointer && written_arguments(made) == 1 ? made->getArg(0) : nullptr;
+  if (!made || pointee_of(made->getType()).isNull()) return nullptr;
+  const unsigned count = written_arguments(made);
+  if (count == 2 && is_message_or_pointer(made->getArg(1)->getType()))
+    return made->getArg(1);  // ImagePtr(owner, &owner->image)
+  return count == 1 ? made->getArg(0) : nullptr;
+}
+
+/// `second` of what a map has.
+bool is_part_of_pair(const clang::ValueDecl* member) {
+  const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(member->getDeclContext());
+  return record && qualified_name_of(record) == "std::pair";
+}
+
+/// Whether the class, or what it derives from, has an operator*.
+bool has_dereference(const clang::CXXRecordDecl* record) {
+  if (!record || !record->hasDefinition()) return false;
+  const clang::DeclarationName star =
+      record->getASTContext().DeclarationNames.getCXXOperatorName(clang::OO_Star);
+  return !record->lookup(star).empty() ||
+         llvm::any_of(record->bases(), [](const clang::CXXBaseSpecifier& base) {
+           return has_dereference(base.getType()->getAsCXXRecordDecl());
+         });
 }
 
 bool is_assigned(const FunctionView& view, const clang::DeclRefExpr* use) {
@@ -53,9 +73,26 @@ bool is_message_or_pointer(clang::QualType type) {
   return is_stock_or_twin(pointee.isNull() ? type : pointee);
 }
 
+bool is_iterator(clang::QualType type) {
+  return has_dereference(type.getNonReferenceType()->getAsCXXRecordDecl()) && !is_message_or_pointer(type) &&
+         !leads_to_messages(type) && message_reached(type);
+}
+
+bool names_messages(clang::QualType type) {
+  return !is_message_or_pointer(type) && !is_iterator(type) && message_reached(type) && !holds_messages(type);
+}
+
+std::vector<const clang::Expr*> message_sources(const clang::CallExpr* call) {
+  std::vector<const clang::Expr*> sources;
+  if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call))
+    sources.push_back(method->getImplicitObjectArgument());
+  sources.insert(sources.end(), call->arg_begin(), call->arg_end());
+  llvm::erase_if(sources, [](const clang::Expr* source) { return !message_reached(source->getType()); });
+  return sources;
+}
+
 bool returns_message(const clang::FunctionDecl* function) {
-  const clang::QualType type = function->getReturnType();
-  return !type->isReferenceType() && is_message_or_pointer(type);
+  return is_message_or_pointer(function->getReturnType());
 }
 
 bool is_array_of_data_parts(clang::QualType type) {
@@ -97,6 +134,8 @@ bool MessageParts::is_another_name(const clang::VarDecl* variable) const {
 MessagePart MessageParts::of_binding(const clang::BindingDecl* binding, unsigned depth) const {
   const auto* whole = llvm::dyn_cast<clang::VarDecl>(binding->getDecomposedDecl());
   if (!whole || !whole->getType()->isReferenceType()) return root_of(binding);
+  if (const clang::VarDecl* held = binding->getHoldingVar())
+    return held->getInit() ? part_of(held->getInit(), depth + 1) : MessagePart();
   return binding->getBinding() ? part_of(binding->getBinding(), depth + 1) : MessagePart();
 }
 
@@ -126,6 +165,7 @@ MessagePart MessageParts::of_member(const clang::MemberExpr* member, unsigned de
   if (!llvm::isa<clang::FieldDecl, clang::VarDecl>(member->getMemberDecl())) return {};
   const clang::QualType base = member->getBase()->getType();
   const bool of_message = is_stock_or_twin(member->isArrow() ? base->getPointeeType() : base);
+  if (is_part_of_pair(member->getMemberDecl())) return part_of(member->getBase(), depth + 1);
   if (!of_message) return root_of(member->getMemberDecl());
   const MessagePart whole = part_of(member->getBase(), depth + 1);
   return whole.empty() ? whole : whole + "/" + member->getMemberDecl()->getNameAsString();
@@ -155,27 +195,56 @@ MessagePart MessageParts::of_result(const clang::FunctionDecl* function, unsigne
 MessagePart MessageParts::of_call(const clang::CallExpr* call, unsigned depth) const {
   const clang::FunctionDecl* function = call->getDirectCallee();
   if (!function) return {};
-  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call)) {
-    if (op->getOperator() == clang::OO_Arrow || op->getOperator() == clang::OO_Star)
-      return part_of(op->getArg(0), depth + 1);
-    if (op->getOperator() == clang::OO_Call && unit_.declares(function)) return of_result(function, depth);
-    return op->getOperator() == clang::OO_Subscript ? element_of(op->getArg(0), op->getArg(1), depth)
-                                                    : MessagePart();
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call)) return of_operator(op, depth);
+  if (passes_through(function) || casts_pointer(function)) return part_of(call->getArg(0), depth + 1);
+  if (!unit_.declares(function)) return of_library_call(call, depth);
+  MessagePart part = of_result(function, depth);
+  return part.empty() && returns_message(function) ? result_root(usr_of(pattern_of(function))) : part;
+}
+
+MessagePart MessageParts::of_operator(const clang::CXXOperatorCallExpr* call, unsigned depth) const {
+  switch (call->getOperator()) {
+    case clang::OO_Arrow:
+    case clang::OO_Star:
+    case clang::OO_PlusPlus:  // *it++: one of the messages that it leads to
+    case clang::OO_MinusMinus:
+      return part_of(call->getArg(0), depth + 1);
+    case clang::OO_Call:
+      return unit_.declares(call->getDirectCallee()) ? of_result(call->getDirectCallee(), depth)
+                                                     : MessagePart();
+    case clang::OO_Subscript:
+    case clang::OO_Plus:
+    case clang::OO_Minus:
+    case clang::OO_PlusEqual:
+    case clang::OO_MinusEqual:
+      return element_of(call->getArg(0), call->getArg(1), depth);
+    default:
+      return {};
   }
-  if (passes_through(function)) return part_of(call->getArg(0), depth + 1);
-  if (unit_.declares(function)) {
-    MessagePart part = of_result(function, depth);
-    return part.empty() && returns_message(function) ? result_root(usr_of(pattern_of(function))) : part;
-  }
+}
+
+/// What a function of a library returns leads to what it was given: frames_.begin(), std::prev(it), map_.find(key).
+MessagePart MessageParts::of_library_call(const clang::CallExpr* call, unsigned depth) const {
+  const clang::FunctionDecl* function = call->getDirectCallee();
   const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
-  if (!method || !function->getDeclName().isIdentifier()) return {};
-  const clang::Expr* object = method->getImplicitObjectArgument();
-  if (function->getName() == "get" || function->getName() == "value") return part_of(object, depth + 1);
-  if (function->getName() == "at" && call->getNumArgs() == 1)
-    return element_of(object, call->getArg(0), depth);
-  if (function->getName() != "front" && function->getName() != "back") return {};
-  const MessagePart whole = part_of(object, depth + 1);
+  if (!function->getDeclName().isIdentifier()) return {};
+  if (method && (function->getName() == "get" || function->getName() == "value"))
+    return part_of(method->getImplicitObjectArgument(), depth + 1);
+  if (method && function->getName() == "at" && call->getNumArgs() == 1)
+    return element_of(method->getImplicitObjectArgument(), call->getArg(0), depth);
+  const bool is_new = call->isPRValue() && holds_messages(call->getType());
+  if (is_new || makes_object(call) || !message_reached(call->getType())) return {};
+  const std::vector<const clang::Expr*> sources = message_sources(call);
+  if (sources.size() > 1) return choice_root(unit_.offset(call->getBeginLoc()));
+  const MessagePart whole = sources.empty() ? MessagePart() : part_of(sources.front(), depth + 1);
   return whole.empty() ? whole : whole + "[" + function->getNameAsString() + "]";
+}
+
+MessagePart MessageParts::of_binary(const clang::BinaryOperator* op, unsigned depth) const {
+  if (op->isAdditiveOp() && op->getLHS()->getType()->isPointerType())
+    return element_of(op->getLHS(), op->getRHS(), depth);
+  if (op->isAssignmentOp()) return part_of(op->getLHS(), depth + 1);
+  return op->isCommaOp() ? part_of(op->getRHS(), depth + 1) : MessagePart();
 }
 
 MessagePart MessageParts::part_of(const clang::Expr* expr, unsigned depth) const {
@@ -186,9 +255,8 @@ MessagePart MessageParts::part_of(const clang::Expr* expr, unsigned depth) const
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(expr)) return of_call(call, depth);
   if (const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr))
     return element_of(element->getBase(), element->getIdx(), depth);
-  if (const auto* sum = llvm::dyn_cast<clang::BinaryOperator>(expr);
-      sum && sum->isAdditiveOp() && sum->getLHS()->getType()->isPointerType())
-    return element_of(sum->getLHS(), sum->getRHS(), depth);
+  if (llvm::isa<clang::ConditionalOperator>(expr)) return choice_root(unit_.offset(expr->getBeginLoc()));
+  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(expr)) return of_binary(op, depth);
   const clang::Expr* same = same_object(expr);
   return same ? part_of(same, depth + 1) : MessagePart();
 }

@@ -22,6 +22,9 @@ class MessageParts {
   MessagePart of_name(const clang::DeclRefExpr* name, unsigned depth) const;
   MessagePart of_member(const clang::MemberExpr* member, unsigned depth) const;
   MessagePart of_call(const clang::CallExpr* call, unsigned depth) const;
+  MessagePart of_binary(const clang::BinaryOperator* op, unsigned depth) const;
+  MessagePart of_operator(const clang::CXXOperatorCallExpr* call, unsigned depth) const;
+  MessagePart of_library_call(const clang::CallExpr* call, unsigned depth) const;
   MessagePart of_result(const clang::FunctionDecl* function, unsigned depth) const;
   MessagePart element_of(const clang::Expr* container, const clang::Expr* index, unsigned depth) const;
   const clang::Expr* range_of(const clang::VarDecl* variable) const;
@@ -35,7 +38,13 @@ class MessageParts {
 bool is_stock_or_twin(clang::QualType type);
 /// A message, or a pointer to one; also a reference to either.
 bool is_message_or_pointer(clang::QualType type);
-/// A message or a pointer to one, as a value of the caller's own.
+/// Leads to one message after another.
+bool is_iterator(clang::QualType type);
+/// Other than a message, a pointer to one or an iterator: it leads to messages that lie elsewhere, as a tuple of references.
+bool names_messages(clang::QualType type);
+/// What a call of a library's function may be given a message by: its object and its arguments.
+std::vector<const clang::Expr*> message_sources(const clang::CallExpr* call);
+/// A message, a pointer to one, or a reference to one.
 bool returns_message(const clang::FunctionDecl* function);
 /// A data array of a stock message or of a twin.
 bool is_stock_or_twin_array(clang::QualType type);

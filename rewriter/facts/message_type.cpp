@@ -260,10 +260,20 @@ clang::QualType pointee_of(clang::QualType type) {
 
 namespace {
 
+std::vector<clang::QualType> types_in(const clang::TemplateArgument& argument) {
+  std::vector<clang::QualType> types;
+  if (argument.getKind() == clang::TemplateArgument::Type) types.push_back(argument.getAsType());
+  if (argument.getKind() == clang::TemplateArgument::Pack)
+    for (const clang::TemplateArgument& part : argument.pack_elements())
+      if (part.getKind() == clang::TemplateArgument::Type) types.push_back(part.getAsType());
+  return types;
+}
+
 bool reaches_messages(clang::QualType type, bool through_pointers) {
   static const std::set<std::string> containers = {
       "vector",   "deque", "list",  "forward_list", "array", "map",      "unordered_map",
       "multimap", "queue", "stack", "pair",         "tuple", "optional", "circular_buffer"};
+  if (type->isReferenceType()) return through_pointers && reaches_messages(type.getNonReferenceType(), true);
   if (const auto* array = type->getAsArrayTypeUnsafe())
     return reaches_messages(array->getElementType(), through_pointers);
   if (const clang::QualType pointee = pointee_of(type); !pointee.isNull())
@@ -273,8 +283,8 @@ bool reaches_messages(clang::QualType type, bool through_pointers) {
   if (!templated || !is_known_wrapper(templated) || containers.count(templated->getName().str()) == 0)
     return false;
   return llvm::any_of(templated->getTemplateArgs().asArray(), [&](const clang::TemplateArgument& argument) {
-    return argument.getKind() == clang::TemplateArgument::Type &&
-           reaches_messages(argument.getAsType(), through_pointers);
+    return llvm::any_of(types_in(argument),
+                        [&](clang::QualType part) { return reaches_messages(part, through_pointers); });
   });
 }
 
@@ -286,6 +296,31 @@ bool holds_messages(clang::QualType type) {
 
 bool leads_to_messages(clang::QualType type) {
   return reaches_messages(type.getNonReferenceType(), true);
+}
+
+namespace {
+
+std::optional<MessageType> message_reached_at(clang::QualType type, unsigned depth) {
+  if (type.isNull() || depth > 6) return {};
+  type = type.getNonReferenceType();
+  if (const auto* array = type->getAsArrayTypeUnsafe())
+    return message_reached_at(array->getElementType(), depth + 1);
+  if (const clang::QualType pointee = pointee_of(type); !pointee.isNull())
+    return message_reached_at(pointee, depth + 1);
+  if (std::optional<MessageType> message = message_of(type)) return message;
+  if (std::optional<MessageType> message = twin_message_of(type)) return message;
+  const auto* templated = specialization_of(type);
+  if (!templated || !is_known_wrapper(templated) || templated->getName() == "function") return {};
+  for (const clang::TemplateArgument& argument : templated->getTemplateArgs().asArray())
+    for (const clang::QualType part : types_in(argument))
+      if (std::optional<MessageType> message = message_reached_at(part, depth + 1)) return message;
+  return {};
+}
+
+}  // namespace
+
+std::optional<MessageType> message_reached(clang::QualType type) {
+  return message_reached_at(type.getNonReferenceType().getCanonicalType(), 0);
 }
 
 namespace {

@@ -54,6 +54,9 @@ bool holds_messages(clang::QualType type);
 /// Likewise pointers to messages, and containers of such.
 bool leads_to_messages(clang::QualType type);
 
+/// The stock message that a type leads to, or whose twin it does: through pointers, containers and iterators.
+std::optional<MessageType> message_reached(clang::QualType type);
+
 /// pcl::PointCloud<T>, directly or by pointer.
 bool is_pcl_cloud(clang::QualType type);
 

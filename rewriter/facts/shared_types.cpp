@@ -2,6 +2,7 @@
 #include "facts/shared_types.h"
 
 #include <clang/AST/DeclTemplate.h>
+#include "facts/calls.h"
 
 #include <set>
 #include <string>
@@ -83,8 +84,7 @@ bool shares_message(const clang::Stmt* stmt) {
 
 bool hands_on(const clang::FunctionDecl* function) {
   const std::string name = function->getIdentifier() ? function->getName().str() : "";
-  return name == "const_pointer_cast" || name == "static_pointer_cast" || name == "dynamic_pointer_cast" ||
-         name == "reinterpret_pointer_cast" || name == "cvIplImage" || name == "cvMat" ||
+  return casts_pointer(function) || name == "cvIplImage" || name == "cvMat" ||
          qualified_name_of(function) == "cv_bridge::cvtColorForDisplay";
 }
 

@@ -68,8 +68,7 @@ void ValueFlow::check_call(const clang::CallExpr* call) {
   const clang::FunctionDecl* function = call->getDirectCallee();
   if (!function || call->getNumArgs() != 1 || !is_writable_message(call)) return;
   const clang::Expr* from = call->getArg(0);
-  const bool is_cast = qualified_name_of(function).find("_pointer_cast") != std::string::npos;
-  if (is_cast && !is_writable_message(from) && !serves_plain_field(unit_, call))
+  if (casts_pointer(function) && !is_writable_message(from) && !serves_plain_field(unit_, call))
     add_writable(call->getType(), sources_of(from).entities, call->getBeginLoc());
 }
 

@@ -31,6 +31,11 @@ inline bool outlives_functions(const MessagePart& part) {
   return part.rfind("c:", 0) == 0;
 }
 
+/// A variable of a function.
+inline bool is_local(const MessagePart& part) {
+  return part.rfind("local ", 0) == 0;
+}
+
 /// The root of what a function returns by value.
 inline std::string result_root(const std::string& function) {
   return "result of " + function;
@@ -39,6 +44,16 @@ inline std::string result_root(const std::string& function) {
 /// A part of what a call returned, which has the state that the function left it with.
 inline bool is_result(const MessagePart& part) {
   return part.rfind("result of ", 0) == 0;
+}
+
+/// One of the messages that an expression chooses from: a conditional operator, std::tie.
+inline std::string choice_root(unsigned offset) {
+  return "choice " + std::to_string(offset);
+}
+
+/// Some message of a type that the facts do not follow: it may be any of the package's.
+inline MessagePart any_message(const std::string& type) {
+  return "any " + type;
 }
 
 /// A publish call, without the type that instances of a template give it.
@@ -53,7 +68,9 @@ struct ContentEvent {
     publish,   ///< the part's elements are shared from here on
     exchange,  ///< the part and `other` exchange their elements, or what they point to
     alias,     ///< the pointer leads to what `other` leads to
-    call       ///< of a function of the package
+    perhaps,   ///< the pointer leads to what `other` leads to, or to what it led to before
+    any,  ///< some message is written, published or named, and which one is not followed: `part` has its type
+    call  ///< of a function of the package
   };
   Kind kind = Kind::write;
   MessagePart part;  ///< of a call: what it returns

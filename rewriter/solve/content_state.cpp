@@ -105,10 +105,15 @@ void ContentState::exchange(const MessagePart& one, const MessagePart& other) {
 
 void ContentState::alias(const MessagePart& pointer, const MessagePart& other) {
   if (lies_in(pointer, other) || lies_in(other, pointer)) return;
+  reset(pointer);
+  alias_perhaps(pointer, other);
+}
+
+void ContentState::alias_perhaps(const MessagePart& pointer, const MessagePart& other) {
+  if (lies_in(pointer, other) || lies_in(other, pointer)) return;
   const ContentState same = renamed([&](const MessagePart& part) {
     return lies_in(part, other) ? pointer + part.substr(other.size()) : MessagePart();
   });
-  reset(pointer);
   for (const auto& [part, sites] : same.shared_) share_anew(part, sites);
   share_anew(pointer, sharers_of(other));
   taken_.insert(same.taken_.begin(), same.taken_.end());

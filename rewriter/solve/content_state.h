@@ -35,6 +35,8 @@ class ContentState {
   void exchange(const MessagePart& one, const MessagePart& other);
   /// The pointer leads from here on to what the other part is. What it led to keeps its content under its other names.
   void alias(const MessagePart& pointer, const MessagePart& other);
+  /// The pointer may lead to what the other part is from here on.
+  void alias_perhaps(const MessagePart& pointer, const MessagePart& other);
   /// The publishes whose elements a write to the array copies. Afterwards the array has its own again.
   std::set<PublishPlace> write(const MessagePart& array);
 

@@ -171,8 +171,15 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
       return state.exchange(event.part, event.other);
     case ContentEvent::Kind::alias:
       return state.alias(event.part, event.other);
+    case ContentEvent::Kind::perhaps:
+      state.alias_perhaps(event.part, event.other);
+      for (const MessagePart& name : other_names_.in_same_container(event.part))
+        state.alias_perhaps(name, event.part);
+      return;
     case ContentEvent::Kind::take:
-      return state.take(event.part, event.where);
+      state.take(event.part, event.where);
+      if (event.part.find('/') != MessagePart::npos) spread(event.part, state);  // not of a container itself
+      return;
     case ContentEvent::Kind::publish:
       new_.emplace(event.site, true).first->second &=
           state.is_new(event.part);  // states only lose what is new
@@ -183,9 +190,17 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
     case ContentEvent::Kind::write:
       for (const PublishPlace& site : state.write(event.part)) writes_.emplace(site, event.where);
       return;
+    case ContentEvent::Kind::any:
+      any_.emplace(event.part, event.where);
+      return;
     case ContentEvent::Kind::call:
       return;
   }
+}
+
+/// Its other names denote the same.
+void CopiedElements::spread(const MessagePart& part, ContentState& state) const {
+  for (const MessagePart& other : other_names_.of(part)) state.alias_perhaps(other, part);
 }
 
 void CopiedElements::enter(const std::string& usr, const ContentState& state) {
@@ -248,6 +263,7 @@ std::optional<ContentState> CopiedElements::after(const ContentEvent& event, con
   for (const auto& [parameter, given] : event.passed)
     if (callee.exit->sharers_of(parameter).empty() && callee.exit->sharers_of(given).empty())
       after.unshare(given);
+  for (const auto& [parameter, given] : event.passed) spread(given, after);
   return after;
 }
 
@@ -262,6 +278,11 @@ std::optional<Obstacle> CopiedElements::why_copied(const SiteId& site) const {
     return Obstacle{codes::TZC1022,
                     "line " + std::to_string(found->second.line) +
                         " may use its elements for writing after this publish, which copies them",
+                    found->second};
+  if (const auto found = any_.find(any_message(site.type)); found != any_.end())
+    return Obstacle{codes::TZC1022,
+                    "line " + std::to_string(found->second.line) + " uses a " + site.type +
+                        ", and nothing shows which: it may be this one, and be written to after this publish",
                     found->second};
   return {};
 }

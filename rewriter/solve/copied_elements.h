@@ -43,6 +43,7 @@ class CopiedElements {
   std::optional<ContentState> after_call(const ContentEvent& event, const ContentState& before,
                                          const std::string& caller);
   std::optional<ContentState> after(const ContentEvent& call, const ContentState& before);
+  void spread(const MessagePart& part, ContentState& state) const;
   void enter(const std::string& usr, const ContentState& state);
   void leave(const std::string& usr, Function& function);
 
@@ -52,7 +53,8 @@ class CopiedElements {
   std::set<std::string> called_;
   ContentState anytime_;  ///< of what outlives functions, when one is called from outside
   std::map<PublishPlace, Location> writes_, taken_;
-  std::map<PublishPlace, bool> new_;  ///< whether what is published there is new, on all paths so far
+  std::map<MessagePart, Location> any_;  ///< of messages that are not followed, by any_message
+  std::map<PublishPlace, bool> new_;     ///< whether what is published there is new, on all paths so far
   bool changed_ = true;
 };
 

@@ -43,7 +43,9 @@ OtherNames::OtherNames(const Facts& facts) {
     add_name(event.part);
     add_name(event.other);
     for (const auto& [parameter, part] : event.passed) add_name(part);
-    if (event.kind == ContentEvent::Kind::alias) unite(stem_of(event.part), stem_of(event.other));
+    if (event.kind == ContentEvent::Kind::alias || event.kind == ContentEvent::Kind::perhaps)
+      unite(stem_of(event.part), stem_of(event.other));
+    if (event.kind == ContentEvent::Kind::call) unite_results(facts, event.callee);
   });
   for (const auto& [stem, names] : by_stem_) by_family_[family_of(stem)].insert(names.begin(), names.end());
 }
@@ -63,6 +65,22 @@ void OtherNames::unite(const std::string& one, const std::string& other) {
   const std::string& first = family_of(one);
   const std::string& second = family_of(other);
   if (first != second) families_.emplace(first, second);
+}
+
+std::vector<MessagePart> OtherNames::in_same_container(const MessagePart& part) const {
+  std::vector<MessagePart> names;
+  const auto found = by_stem_.find(stem_of(part));
+  if (found == by_stem_.end()) return names;
+  for (const MessagePart& other : found->second)
+    if (other != message_of(part)) names.push_back(other);
+  return names;
+}
+
+/// A call returns what any function that overrides the callee does.
+void OtherNames::unite_results(const Facts& facts, const std::string& callee) {
+  const auto found = facts.overrides.find(callee);
+  if (found == facts.overrides.end()) return;
+  for (const std::string& other : found->second) unite(result_root(callee), result_root(other));
 }
 
 std::vector<MessagePart> OtherNames::of(const MessagePart& part) const {

@@ -18,9 +18,12 @@ class OtherNames {
 
   /// What else the part may be called.
   std::vector<MessagePart> of(const MessagePart& part) const;
+  /// Elements of the same container by other indices.
+  std::vector<MessagePart> in_same_container(const MessagePart& part) const;
 
  private:
   const std::string& family_of(const std::string& stem) const;
+  void unite_results(const Facts& facts, const std::string& callee);
   void unite(const std::string& one, const std::string& other);
   void add_name(const MessagePart& part);
 
