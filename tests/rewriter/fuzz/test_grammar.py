@@ -11,7 +11,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from copies import check_copies  # noqa: E402
 from execution import differences, last_program  # noqa: E402
-from grammar import absent, attacks, builders, effects, keepers, libraries, messages, outputs  # noqa: E402
+from grammar import absent, attacks, builders, effects, keepers, libraries, messages, names, outputs  # noqa: E402
 from grammar import owners, package, pointers, publishers, subscribers, times  # noqa: E402
 from grammar.program import Program  # noqa: E402
 from grammar.uses import Use  # noqa: E402
@@ -42,7 +42,7 @@ class Programs(unittest.TestCase):
             seen.update(package.make_program("1", index, adversarial=True).traits)
         ways = [("owner", owners.OWNERS), ("store", pointers.STORES + keepers.STORES), ("transfer", owners.TRANSFERS),
                 ("output", outputs.PLAIN + outputs.HIDDEN), ("time", [*times.ONCE, *times.ANEW, attacks.in_next_step]),
-                *attacks.REACHES.items()]
+                ("home", names.HOMES), ("name", names.STANDS_FOR), ("use", names.DOES), *attacks.REACHES.items()]
         self.assertEqual({f"{kind}: {way.__name__}" for kind, some in ways for way in some} - seen, set())
 
     def test_what_writes_when_it_ends_does_not_outlive_the_elements(self):

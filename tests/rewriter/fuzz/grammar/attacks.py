@@ -3,7 +3,7 @@
 publishing. What is written through an old pointer after a publish shows in the next message, which must be the same
 before and after the port; messages that subscribers keep must not change. Others attack what is inserted for the port, by messages that are not there in every step, that are
 named by expressions which do something, or that other threads fill or read."""
-from . import absent, effects, keepers, messages, outputs, owners, pointers, readers, subscribers, times, waits
+from . import absent, effects, keepers, messages, names, outputs, owners, pointers, readers, subscribers, times, waits
 from .publishers import in_block
 from .uses import Use
 
@@ -124,11 +124,22 @@ def reach(program):
     label(program, program.topics[published:], {kind: way, "output": output})
 
 
+def named(program):
+    """A lasting message that is filled under one name and published under another, twice in each step."""
+    published = len(program.topics)
+    one = Use(program, program.rng.choice(PLAIN), outputs.directly)
+    known = names.Names(program, program.rng.choice(names.HOMES), one.message.cpp)
+    for body in [lambda name: one.fill(f"{name}."), one.send] * 2:
+        program.steps += in_block(known.use(body))
+    label(program, program.topics[published:], known.chosen)
+
+
 def label(program, topics, chosen):
-    names = [f"{what}: {which.__name__}" for what, which in chosen.items()]
-    program.traits += names
+    chosen = chosen.items() if isinstance(chosen, dict) else chosen
+    traits = [f"{what}: {which.__name__}" for what, which in chosen]
+    program.traits += traits
     for topic in topics:
-        topic.traits = names
+        topic.traits = traits
 
 
 STANDARD = {"any", "array", "atomic", "boost/thread.hpp", "boost/weak_ptr.hpp", "condition_variable", "deque", "functional",
@@ -142,7 +153,9 @@ def make(program):
         chance = program.rng.random()
         if chance < 0.08:
             in_next_step(program)
-        elif chance < 0.45:
+        elif chance < 0.18:
+            named(program)
+        elif chance < 0.5:
             reach(program)
         else:
             attack(program)

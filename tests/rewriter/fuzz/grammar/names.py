@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Names of lasting messages: one of two is filled under one name in a step, and published under another. Whatever the names
+are, it is the message that was published two steps before, so that filling it again costs a copy, which the report's
+level has to say."""
+from .program import indented
+
+# The homes of two messages. Each returns expressions that denote the message of step k.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def vector(program, cpp):
+    name = program.variable(f"std::vector<{cpp}>", "frames")
+    program.setup.append(f"{name}.resize(2);")
+    return [f"{name}[k % 2]", f"{name}.at(k % 2)", f"(*({name}.begin() + k % 2))",
+            f"(*std::next({name}.begin(), k % 2))", f"{name}.data()[k % 2]",
+            f"(k % 2 ? {name}.back() : {name}.front())"]
+
+
+def map(program, cpp):  # noqa: A001
+    name = program.variable(f"std::map<int, {cpp}>", "frames")
+    program.setup += [f"{name}[0];", f"{name}[1];"]
+    return [f"{name}[k % 2]", f"{name}.at(k % 2)", f"{name}.find(k % 2)->second",
+            f"std::next({name}.begin(), k % 2)->second", f"std::get<1>(*{name}.lower_bound(k % 2))"]
+
+
+def list(program, cpp):  # noqa: A001
+    name = program.variable(f"std::list<{cpp}>", "frames")
+    program.setup.append(f"{name}.resize(2);")
+    return [f"(*std::next({name}.begin(), k % 2))", f"(k % 2 ? {name}.back() : {name}.front())"]
+
+
+def array(program, cpp):
+    name = program.variable(f"std::array<{cpp}, 2>", "frames")
+    return [f"{name}[k % 2]", f"{name}.at(k % 2)", f"(*({name}.data() + k % 2))",
+            f"std::get<1>(std::tie({name}[1], {name}[k % 2]))"]
+
+
+def pair(program, cpp):
+    name = program.variable(f"std::pair<{cpp}, {cpp}>", "frames")
+    return [f"(k % 2 ? {name}.first : {name}.second)", f"(k % 2 ? std::get<0>({name}) : std::get<1>({name}))"]
+
+
+def two_variables(program, cpp):
+    one, other = program.variable(cpp, "frame"), program.variable(cpp, "frame")
+    return [f"(k % 2 ? {one} : {other})", f"(*(k % 2 ? &{one} : &{other}))", f"(k % 2 == 0 ? {other} : {one})"]
+
+
+def pointers(program, cpp):
+    name = program.variable(f"std::vector<boost::shared_ptr<{cpp}>>", "frames")
+    program.setup.append(f"for (int i = 0; i < 2; ++i) {name}.push_back(boost::make_shared<{cpp}>());")
+    return [f"(*{name}[k % 2])", f"(**({name}.begin() + k % 2))", f"(*{name}.at(k % 2).get())",
+            f"(*(k % 2 ? {name}.back() : {name}.front()))"]
+
+
+HOMES = [vector, map, list, array, pair, two_variables, pointers]
+
+
+# What else may stand for such an expression. Each returns statements, and an expression.
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def as_it_is(program, cpp, name):
+    return [], name
+
+
+def reference(program, cpp, name):
+    named = program.unique("named")
+    return [f"{cpp}& {named} = {name};"], named
+
+
+def pointer(program, cpp, name):
+    named = program.unique("named")
+    return [f"{cpp}* {named} = &({name});"], f"(*{named})"
+
+
+def pointer_given_later(program, cpp, name):
+    named = program.unique("named")
+    return [f"{cpp}* {named} = nullptr;", f"{named} = &({name});"], f"(*{named})"
+
+
+def of_function(program, cpp, name):
+    return [], f"{program.helper(cpp + '&', 'frame', 'int k', [f'return {name};'])}(k)"
+
+
+def of_function_with_two_returns(program, cpp, name):
+    body = [f"if (k % 2) return {name};", f"return {name};"]
+    return [], f"{program.helper(cpp + '&', 'frame', 'int k', body)}(k)"
+
+
+def of_function_with_pointer(program, cpp, name):
+    body = [f"{cpp}* found = &({name});", "return found;"]
+    return [], f"(*{program.helper(cpp + '*', 'frame', 'int k', body)}(k))"
+
+
+def of_closure(program, cpp, name):
+    named = program.unique("named")
+    return [f"const auto {named} = [&](int k) -> {cpp}& {{ return {name}; }};"], f"{named}(k)"
+
+
+def in_tuple(program, cpp, name):
+    named = program.unique("named")
+    return [f"std::tuple<{cpp}&, int> {named}({name}, k);"], f"std::get<0>({named})"
+
+
+def kept_pointer(program, cpp, name):
+    kept = program.variable(f"{cpp}*", "current", " = nullptr")
+    return [f"{kept} = &({name});"], f"(*{kept})"
+
+
+def in_aggregate(program, cpp, name):
+    kind, named = program.unique("Slot"), program.unique("named")
+    program.prelude += [f"struct {kind} {{", f"  {cpp}* message;", "  int count;", "};"]
+    return [f"{kind} {named}{{&({name}), k}};"], f"(*{named}.message)"
+
+
+def in_object_with_reference(program, cpp, name):
+    kind, named = program.unique("View"), program.unique("named")
+    program.prelude += [f"struct {kind} {{", f"  explicit {kind}({cpp}& given) : message(given) {{}}",
+                        f"  {cpp}& message;", "};"]
+    return [f"{kind} {named}({name});"], f"{named}.message"
+
+
+def pushed_pointer(program, cpp, name):
+    named = program.unique("named")
+    return [f"std::vector<{cpp}*> {named};", f"{named}.push_back(&({name}));"], f"(*{named}.back())"
+
+
+def reference_wrapper(program, cpp, name):
+    named = program.unique("named")
+    return [f"std::reference_wrapper<{cpp}> {named} = {name};"], f"{named}.get()"
+
+
+def pointer_to_pointer(program, cpp, name):
+    named, at = program.unique("named"), program.unique("at")
+    return [f"{cpp}* {named}[] = {{&({name})}};", f"{cpp}** {at} = {named};"], f"(**{at})"
+
+
+STANDS_FOR = [as_it_is, reference, pointer, pointer_given_later, of_function, of_function_with_two_returns,
+              of_function_with_pointer, of_closure, in_tuple, kept_pointer, in_aggregate, in_object_with_reference,
+              pushed_pointer, reference_wrapper, pointer_to_pointer]
+
+
+# What is done under the name
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def directly(program, cpp, name, body):
+    return body(name)
+
+
+def by_function_of_reference(program, cpp, name, body):
+    return [f"{program.helper('void', 'use', f'{cpp}& one, int k', body('one'))}({name}, k);"]
+
+
+def by_function_of_pointer(program, cpp, name, body):
+    return [f"{program.helper('void', 'use', f'{cpp}* one, int k', body('(*one)'))}(&({name}), k);"]
+
+
+def by_closure(program, cpp, name, body):
+    named = program.unique("use")
+    return [f"const auto {named} = [&]({cpp}& one) {{"] + indented(body("one")) + ["};", f"{named}({name});"]
+
+
+def by_function_object(program, cpp, name, body):
+    named = program.unique("use")
+    return [f"const std::function<void({cpp}&)> {named} = [&]({cpp}& one) {{"] + indented(body("one")) + [
+        "};", f"{named}({name});"]
+
+
+def by_algorithm(program, cpp, name, body):
+    return [f"std::for_each(&({name}), &({name}) + 1, [&]({cpp}& one) {{"] + indented(body("one")) + ["});"]
+
+
+DOES = [directly, by_function_of_reference, by_function_of_pointer, by_closure, by_function_object, by_algorithm]
+
+
+class Names:
+    """The names of one home's messages. What stands for them is of two kinds only: the more kinds, the likelier is one that is
+    refused, and says nothing about levels."""
+
+    def __init__(self, program, home, cpp):
+        self.program, self.cpp = program, cpp
+        self.names = home(program, cpp)
+        self.stands_for = program.rng.sample(STANDS_FOR, 2)
+        self.does = [directly, directly, program.rng.choice(DOES)]
+        self.chosen = [("home", home)]
+
+    def use(self, body):
+        """Statements that do something with the message of step k."""
+        stands_for, does = self.program.rng.choice(self.stands_for), self.program.rng.choice(self.does)
+        self.chosen += [("name", stands_for), ("use", does)]
+        lines, name = stands_for(self.program, self.cpp, self.program.rng.choice(self.names))
+        return lines + does(self.program, self.cpp, name, body)
