@@ -22,11 +22,18 @@ std::string target_in(const std::string& text) {
   return text.substr(begin + before.size(), end - begin - before.size());
 }
 
-std::string target_of(const json& entry, const std::vector<std::string>& arguments) {
-  if (entry.contains("output")) return target_in(entry["output"]);
+std::string output_of(const json& entry, const std::vector<std::string>& arguments) {
+  if (entry.contains("output")) return entry["output"];
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i)
-    if (arguments[i] == "-o") return target_in(arguments[i + 1]);
+    if (arguments[i] == "-o") return arguments[i + 1];
   return "";
+}
+
+/// "DIRECTORY/demo" for an output "demo/CMakeFiles/NAME.dir/...".
+std::string target_dir_of(const std::string& directory, const std::string& output) {
+  const std::size_t end = output.rfind("CMakeFiles/");
+  if (end == std::string::npos) return "";
+  return canonical_path((fs::path(directory) / output.substr(0, end)).string());
 }
 
 CompileCommand command_of(const json& entry) {
@@ -39,7 +46,9 @@ CompileCommand command_of(const json& entry) {
     command.arguments = entry["arguments"].get<std::vector<std::string>>();
   else
     command.arguments = shell_words(entry.value("command", ""));
-  command.target = target_of(entry, command.arguments);
+  const std::string output = output_of(entry, command.arguments);
+  command.target = target_in(output);
+  command.target_dir = target_dir_of(command.directory, output);
   return command;
 }
 

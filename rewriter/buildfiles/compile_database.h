@@ -17,6 +17,7 @@ struct CompileCommand {
   std::string canonical;               ///< the same file without symbolic links
   std::vector<std::string> arguments;  ///< the compiler, or its launcher, first
   std::string target;                  ///< of CMake; empty: unknown
+  std::string target_dir;              ///< where CMake builds the target; empty: unknown
 };
 
 /// All entries of a build folder's compile_commands.json. An error when it cannot be read.

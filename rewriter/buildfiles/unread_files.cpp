@@ -5,6 +5,7 @@
 #include <regex>
 #include <sstream>
 
+#include "buildfiles/compile_database.h"
 #include "edits/files.h"
 #include "model/codes.h"
 
@@ -51,6 +52,32 @@ std::vector<Note> unread_sources(const std::string& package_dir, const FolderSet
   for (const std::string& file : files_of(package_dir, generated))
     if (is_cpp_source(file) && read.count(canonical_path(file)) == 0)
       notes.push_back(note_on_source(file, package_dir));
+  return notes;
+}
+
+std::vector<Note> unread_compiled(const std::string& package_dir, const std::string& build_dir,
+                                  const FolderSet& generated, const std::set<std::string>& read) {
+  const Expected<std::vector<CompileCommand>> commands = read_compile_commands(build_dir);
+  if (!commands) return {};
+  const auto is_own = [&](const std::string& file) {
+    return is_below(file, package_dir) && !generated.hold(file);
+  };
+  std::set<std::string> target_dirs, others;
+  for (const CompileCommand& command : *commands)
+    if (is_own(command.canonical)) target_dirs.insert(command.target_dir);
+  for (const CompileCommand& command : *commands)
+    if (target_dirs.count(command.target_dir) != 0 && !is_own(command.canonical) &&
+        is_cpp_source(command.canonical) && unity_sources(command.file).empty() &&
+        read.count(command.canonical) == 0)
+      others.insert(command.canonical);
+  std::vector<Note> notes;
+  for (const std::string& file : others)
+    if (const std::string lines = lines_with_sites(file); !lines.empty())
+      notes.push_back({codes::TZC3001, Location{file, 1, 1},
+                       "a target of the package compiles this file, which is generated or lies outside of "
+                       "the package, and was "
+                       "not looked at; possible sites in lines " +
+                           lines});
   return notes;
 }
 

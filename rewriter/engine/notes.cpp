@@ -63,7 +63,10 @@ std::vector<Note> notes_of(const UnitReading& reading, const std::vector<Compile
     const auto build = options.build_dirs.find(package);
     const bool has_units = build != options.build_dirs.end();
     const FolderSet generated = generated_folders(has_units ? build->second : "", package);
-    if (has_units) append(notes, unread_sources(package, generated, read));
+    if (has_units) {
+      append(notes, unread_sources(package, generated, read));
+      append(notes, unread_compiled(package, build->second, generated, read));
+    }
     append(notes, unread_headers(package, generated, read));
   }
   return notes;

@@ -72,6 +72,30 @@ TEST_F(PackageFiles, what_cmake_and_catkin_make_is_no_source_wherever_the_build_
   }
 }
 
+TEST_F(PackageFiles, what_a_target_compiles_from_elsewhere_is_named) {
+  write({"demo/src/read.cpp", "shared/common.cpp", "shared/read.cpp", "build/demo/made.cpp",
+         "other/src/b.cpp"});
+  folder.write("build/demo/plain.cpp", "int number;\n");
+  std::string entries;
+  const auto add = [&](const std::string& target_dir, const std::string& file) {
+    entries += (entries.empty() ? "" : ",") + std::string(R"({"directory":")") + (folder / "build") +
+               R"(","file":")" + (folder / file) + R"(","output":")" + target_dir +
+               R"(/CMakeFiles/node.dir/x.o","command":"c++"})";
+  };
+  for (const char* file : {"demo/src/a.cpp", "shared/common.cpp", "shared/read.cpp", "build/demo/made.cpp",
+                           "build/demo/plain.cpp"})
+    add("demo", file);
+  add("other", "other/src/b.cpp");
+  folder.write("build/compile_commands.json", "[" + entries + "]");
+  std::string text;
+  for (const Note& note : unread_compiled(folder / "demo", folder / "build",
+                                          generated_folders(folder / "build", folder / "demo"),
+                                          {canonical_path(folder / "shared/read.cpp")}))
+    text += note.where->file.substr((folder / "").size()) + note.text.substr(note.text.rfind(';')) + "\n";
+  EXPECT_EQ(text,
+            "build/demo/made.cpp; possible sites in lines 2\nshared/common.cpp; possible sites in lines 2\n");
+}
+
 TEST_F(PackageFiles, a_copy_does_without_the_build) {
   write({"demo/CMakeCache.txt", "demo/CMakeFiles/x.cpp"});
   EXPECT_EQ(build_paths(folder / "build", {folder / "demo"}), std::vector<std::string>{folder / "build"});
