@@ -74,6 +74,14 @@ std::string record_usr_of(const clang::FunctionDecl* function) {
   return "";
 }
 
+const clang::Expr* converted(const clang::Expr* expr) {
+  if (const auto* cast = llvm::dyn_cast<clang::CastExpr>(expr)) return cast->getSubExpr();
+  if (const auto* full = llvm::dyn_cast<clang::FullExpr>(expr)) return full->getSubExpr();
+  if (const auto* made = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr)) return made->getSubExpr();
+  if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(expr)) return bound->getSubExpr();
+  return nullptr;
+}
+
 bool is_implicit_wrapper(const clang::Stmt* stmt) {
   return llvm::isa<clang::ParenExpr, clang::ImplicitCastExpr, clang::FullExpr,
                    clang::MaterializeTemporaryExpr, clang::CXXBindTemporaryExpr>(stmt);

@@ -65,6 +65,9 @@ std::string record_usr_of(const clang::FunctionDecl* function);
 bool is_wrapping(const clang::Stmt* around);
 bool is_lambda(const clang::FunctionDecl* function);
 
+/// The operand of a cast, and of what nobody wrote around an expression; null: it is neither.
+const clang::Expr* converted(const clang::Expr* expr);
+
 /// Parentheses, implicit casts and temporaries: the unwritten nodes around an expression.
 bool is_implicit_wrapper(const clang::Stmt* stmt);
 

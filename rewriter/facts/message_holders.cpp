@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/message_holders.h"
 
+#include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/message_type.h"
 #include "model/content_flow.h"
@@ -14,10 +15,7 @@ constexpr unsigned max_depth = 12;
 
 /// What an expression leads on to without making another object; null: it is a name, a call, or something else.
 const clang::Expr* operand_of(const clang::Expr* expr) {
-  if (const auto* cast = llvm::dyn_cast<clang::CastExpr>(expr)) return cast->getSubExpr();
-  if (const auto* full = llvm::dyn_cast<clang::FullExpr>(expr)) return full->getSubExpr();
-  if (const auto* made = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr)) return made->getSubExpr();
-  if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(expr)) return bound->getSubExpr();
+  if (const clang::Expr* operand = converted(expr)) return operand;
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr)) return op->getSubExpr();
   if (const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr)) return element->getBase();
   if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(expr)) return op->getArg(0);

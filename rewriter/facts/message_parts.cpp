@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/message_parts.h"
 
+#include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/message_type.h"
 
@@ -11,10 +12,7 @@ constexpr unsigned max_depth = 12;
 
 /// The part of an expression that denotes the same object; null: it is no such expression.
 const clang::Expr* same_object(const clang::Expr* expr) {
-  if (const auto* cast = llvm::dyn_cast<clang::CastExpr>(expr)) return cast->getSubExpr();
-  if (const auto* full = llvm::dyn_cast<clang::FullExpr>(expr)) return full->getSubExpr();
-  if (const auto* made = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr)) return made->getSubExpr();
-  if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(expr)) return bound->getSubExpr();
+  if (const clang::Expr* operand = converted(expr)) return operand;
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr))
     return op->getOpcode() == clang::UO_Deref || op->getOpcode() == clang::UO_AddrOf ||
                    op->isIncrementDecrementOp()  // *at++: one of the messages that it leads to
@@ -180,7 +178,8 @@ MessagePart MessageParts::element_of(const clang::Expr* container, const clang::
 /// A function that returns one object of its own class.
 MessagePart MessageParts::of_result(const clang::FunctionDecl* function, unsigned depth) const {
   const clang::FunctionDecl* definition = nullptr;
-  if (!function->isDefined(definition)) return {};
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
+  if ((method && method->isVirtual()) || !function->isDefined(definition)) return {};
   const auto* body = llvm::dyn_cast_or_null<clang::CompoundStmt>(definition->getBody());
   const auto* returned =
       body && body->size() == 1 ? llvm::dyn_cast<clang::ReturnStmt>(body->body_front()) : nullptr;

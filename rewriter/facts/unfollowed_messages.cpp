@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/unfollowed_messages.h"
 
+#include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/message_type.h"
 
@@ -9,10 +10,7 @@ namespace {
 
 /// The operand that an expression only passes on; null: it is something else.
 const clang::Expr* passed_on(const clang::Expr* expr) {
-  if (const auto* cast = llvm::dyn_cast<clang::CastExpr>(expr)) return cast->getSubExpr();
-  if (const auto* full = llvm::dyn_cast<clang::FullExpr>(expr)) return full->getSubExpr();
-  if (const auto* made = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr)) return made->getSubExpr();
-  if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(expr)) return bound->getSubExpr();
+  if (const clang::Expr* operand = converted(expr)) return operand;
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr)) return op->getSubExpr();
   return nullptr;
 }

@@ -52,7 +52,18 @@ def pointers(program, cpp):
             f"(*(k % 2 ? {name}.back() : {name}.front()))"]
 
 
-HOMES = [vector, map, list, array, pair, two_variables, pointers]
+def behind_virtual_function(program, cpp):
+    base, derived = program.unique("Base"), program.unique("Derived")
+    program.prelude += [f"struct {base} {{", f"  virtual ~{base}() = default;",
+                        f"  virtual {cpp}& frame(int k) {{ return frames[k % 2]; }}", f"  {cpp} frames[2];", "};",
+                        f"struct {derived} : {base} {{", f"  {cpp}& frame(int k) override {{ return others[k % 2]; }}",
+                        f"  {cpp} others[2];", "};"]
+    name = program.variable(f"std::unique_ptr<{base}>", "holder")
+    program.setup.append(f"{name}.reset(new {derived});")
+    return [f"{name}->frame(k)", f"static_cast<{derived}&>(*{name}).others[k % 2]"]
+
+
+HOMES = [vector, map, list, array, pair, two_variables, pointers, behind_virtual_function]
 
 
 # What else may stand for such an expression. Each returns statements, and an expression.
