@@ -36,6 +36,20 @@ void ContentLog::assign(MessagePart part, bool empties, clang::SourceLocation wh
   events_.back().empties = empties;
 }
 
+void ContentLog::rename(std::size_t first, const MessagePart& from, const MessagePart& to) {
+  const auto change = [&](MessagePart& part) {
+    const bool is_inside =
+        part.compare(0, from.size(), from) == 0 &&
+        (part.size() == from.size() || part[from.size()] == '/' || part[from.size()] == '[');
+    if (is_inside) part.replace(0, from.size(), to);
+  };
+  for (std::size_t i = first; i < events_.size(); ++i) {
+    change(events_[i].part);
+    change(events_[i].other);
+    for (auto& [parameter, given] : events_[i].passed) change(given);
+  }
+}
+
 void ContentLog::any(const clang::Expr* message) {
   const std::string type = message ? unfollowed_type(unit_, parts_, message) : std::string();
   if (!type.empty()) add(ContentEvent::Kind::any, any_message(type), message->getExprLoc());

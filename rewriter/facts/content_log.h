@@ -28,6 +28,10 @@ class ContentLog {
   void any(const clang::Expr* message);
   void call(ContentEvent event) { events_.push_back(std::move(event)); }
 
+  std::size_t size() const { return events_.size(); }
+  /// In the events from the given one on, what lies in a part lies in another instead.
+  void rename(std::size_t first, const MessagePart& from, const MessagePart& to);
+
   std::vector<ContentEvent> take() { return std::exchange(events_, {}); }
 
  private:

@@ -108,10 +108,7 @@ void ContentNames::library_call(const clang::CallExpr* call) {
 
 void ContentNames::member(const clang::FieldDecl* field, const clang::Expr* init) {
   if (const auto* by_default = llvm::dyn_cast<clang::CXXDefaultInitExpr>(init)) init = by_default->getExpr();
-  const clang::QualType type = field->getType();
-  const bool is_name =
-      type->isReferenceType() || is_pointer(type) || is_iterator(type) || names_messages(type);
-  if (is_name && message_reached(type)) may_lead_to(parts_.root_of(field), init);
+  if (is_name_of_message(field->getType())) may_lead_to(parts_.root_of(field), init);
 }
 
 /// Camera{&frame_, pub_}

@@ -49,6 +49,9 @@ class ContentReader {
   void package_call(const clang::FunctionDecl* function, llvm::ArrayRef<const clang::Expr*> arguments,
                     const clang::Stmt* at);
   void closure(const clang::LambdaExpr* lambda);
+  void closure_of(const clang::LambdaExpr* lambda, llvm::ArrayRef<const clang::Expr*> arguments);
+  void closures_called_by(const clang::CallExpr* call);
+  const clang::LambdaExpr* called_closure(const clang::CallExpr* call) const;
 
   const Unit& unit_;
   const FunctionView& view_;

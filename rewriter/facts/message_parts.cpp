@@ -80,6 +80,12 @@ bool names_messages(clang::QualType type) {
   return !is_message_or_pointer(type) && !is_iterator(type) && message_reached(type) && !holds_messages(type);
 }
 
+bool is_name_of_message(clang::QualType type) {
+  const bool leads_elsewhere =
+      type->isReferenceType() || !pointee_of(type).isNull() || is_iterator(type) || names_messages(type);
+  return leads_elsewhere && message_reached(type);
+}
+
 std::vector<const clang::Expr*> message_sources(const clang::CallExpr* call) {
   std::vector<const clang::Expr*> sources;
   if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call))
