@@ -29,6 +29,11 @@ bool are_two_messages(const MessagePart& one, const MessagePart& other) {
   return stem_of(one) == stem_of(other) && has_constant_index(one) && has_constant_index(other);
 }
 
+/// Whether it makes a part another name of what another one leads to.
+bool is_name(const ContentEvent& event) {
+  return event.kind == ContentEvent::Kind::alias || event.kind == ContentEvent::Kind::perhaps;
+}
+
 template <class Visitor>
 void for_each_event(const Facts& facts, const Visitor& visit) {
   for (const auto& [usr, flow] : facts.contents)
@@ -43,10 +48,10 @@ OtherNames::OtherNames(const Facts& facts) {
     add_name(event.part);
     add_name(event.other);
     for (const auto& [parameter, part] : event.passed) add_name(part);
-    if (event.kind == ContentEvent::Kind::alias || event.kind == ContentEvent::Kind::perhaps)
-      unite(stem_of(event.part), stem_of(event.other));
+    if (is_name(event)) unite(stem_of(event.part), stem_of(event.other));
     if (event.kind == ContentEvent::Kind::call) unite_results(facts, event.callee);
   });
+  unite_kept_parameters(facts);
   for (const auto& [stem, names] : by_stem_) by_family_[family_of(stem)].insert(names.begin(), names.end());
 }
 
@@ -74,6 +79,27 @@ std::vector<MessagePart> OtherNames::in_same_container(const MessagePart& part) 
   for (const MessagePart& other : found->second)
     if (other != message_of(part)) names.push_back(other);
   return names;
+}
+
+/// What a function stores, or returns, of what it is given: a pointer or reference to it stays, and is another name.
+void OtherNames::unite_kept_parameters(const Facts& facts) {
+  std::set<std::string> kept;
+  std::multimap<std::string, std::string> given;  // parameter -> what calls give it
+  for_each_event(facts, [&](const ContentEvent& event) {
+    if (is_name(event) && !is_local(event.part) && is_parameter(event.other))
+      kept.insert(stem_of(event.other));
+    for (const auto& [parameter, part] : event.passed) given.emplace(parameter, stem_of(part));
+  });
+  while (!kept.empty()) {
+    const std::string parameter = *kept.begin();
+    kept.erase(kept.begin());
+    const auto [first, last] = given.equal_range(parameter);
+    for (auto item = first; item != last; ++item) {
+      unite(parameter, item->second);
+      if (is_parameter(item->second)) kept.insert(item->second);
+    }
+    given.erase(first, last);
+  }
 }
 
 /// A call returns what any function that overrides the callee does.

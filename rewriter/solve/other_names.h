@@ -24,6 +24,7 @@ class OtherNames {
  private:
   const std::string& family_of(const std::string& stem) const;
   void unite_results(const Facts& facts, const std::string& callee);
+  void unite_kept_parameters(const Facts& facts);
   void unite(const std::string& one, const std::string& other);
   void add_name(const MessagePart& part);
 
