@@ -17,6 +17,33 @@ const clang::Stmt* use_of(const FunctionView& view, const clang::Stmt* expr) {
   return around;
 }
 
+/// `return frame;`: the caller's object is this one, or has what it had.
+bool is_returned(const FunctionView& view, const clang::Stmt* value) {
+  const clang::Stmt* around = view.parent(value);
+  while (llvm::isa_and_nonnull<clang::CastExpr, clang::FullExpr, clang::MaterializeTemporaryExpr,
+                               clang::CXXBindTemporaryExpr>(around))
+    around = view.parent(around);
+  return llvm::isa_and_nonnull<clang::ReturnStmt>(around);
+}
+
+/// The messages that an object of the package's class consists of.
+std::vector<const clang::FieldDecl*> messages_in(const Unit& unit, const clang::CXXRecordDecl* record) {
+  std::vector<const clang::FieldDecl*> found;
+  if (!record || !record->hasDefinition() || !unit.source.in_package(record->getLocation())) return found;
+  const auto add = [&](clang::QualType type) {
+    const auto more = messages_in(unit, type->getAsCXXRecordDecl());
+    found.insert(found.end(), more.begin(), more.end());
+  };
+  for (const clang::CXXBaseSpecifier& base : record->bases()) add(base.getType());
+  for (const clang::FieldDecl* field : record->fields()) {
+    if (is_stock_or_twin(field->getType()) && !field->getType()->isReferenceType())
+      found.push_back(field);
+    else
+      add(field->getType());
+  }
+  return found;
+}
+
 /// Whether a closure is called directly, or by a library's function that it is an argument of, and by nothing else.
 bool is_called_here(const FunctionView& view, const clang::LambdaExpr* lambda) {
   const clang::Stmt* around = view.parent(lambda);
@@ -220,15 +247,30 @@ void ContentReader::iterator(const clang::CXXConstructExpr* construct) {
 
 /// An object of the class comes into being, and the messages that it consists of with it.
 void ContentReader::made(const clang::CXXRecordDecl* record, clang::SourceLocation where) {
-  if (!record || !record->hasDefinition() || !unit_.source.in_package(record->getLocation())) return;
-  for (const clang::CXXBaseSpecifier& base : record->bases())
-    made(base.getType()->getAsCXXRecordDecl(), where);
-  for (const clang::FieldDecl* field : record->fields()) {
-    if (is_stock_or_twin(field->getType()) && !field->getType()->isReferenceType())
-      log_.add(Kind::make, parts_.root_of(field), where);
-    else
-      made(field->getType()->getAsCXXRecordDecl(), where);
-  }
+  for (const clang::FieldDecl* field : messages_in(unit_, record))
+    log_.add(Kind::make, parts_.root_of(field), where);
+}
+
+/// frame = std::move(other), queue_.push_back(frame): the messages of an object are another one's, which nothing has bound.
+void ContentReader::moved_whole(const clang::Stmt* stmt) {
+  const auto take = [&](const clang::Expr* object, bool empties) {
+    for (const clang::FieldDecl* field : messages_in(unit_, object->getType()->getAsCXXRecordDecl()))
+      if (empties)
+        log_.assign(parts_.root_of(field), true, object->getExprLoc());
+      else
+        log_.add(Kind::take, parts_.root_of(field), object->getExprLoc());
+  };
+  const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt);
+  if (made && made->getConstructor()->isCopyOrMoveConstructor() && !made->isElidable() &&
+      !is_returned(view_, made))
+    return take(made, false);
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
+  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(stmt);
+  if (op && op->getOperator() == clang::OO_Equal && takes_elements(op))
+    return take(op->getArg(0), is_made_empty(op->getArg(1)));
+  const clang::FunctionDecl* function = call && !op ? call->getDirectCallee() : nullptr;
+  if (!function || unit_.declares(function) || passes_through(function)) return;
+  for (const clang::Expr* argument : call->arguments()) take(argument, false);
 }
 
 /// A closure may be called where it is made, and again: its body's events, twice, in the order of the source.
@@ -286,6 +328,7 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
     return closure(lambda);
   }
   names_.look_at(stmt);
+  moved_whole(stmt);
   if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
     iterator(construct);
     if (!construct->getConstructor()->isCopyOrMoveConstructor())

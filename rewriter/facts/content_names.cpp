@@ -165,6 +165,7 @@ void ContentNames::look_at(const clang::Stmt* stmt) {
     choice(conditional, {conditional->getTrueExpr(), conditional->getFalseExpr()});
   } else if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(stmt)) {
     aggregate(list);
+    if (is_list_of_messages(list)) choice(list, list->inits());
   } else if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(stmt)) {
     if (op->getOpcode() == clang::BO_Assign && is_message_or_pointer(op->getType()))
       alias(parts_.part_of(op->getLHS()), op->getRHS());  // current_ = &frames_[i]

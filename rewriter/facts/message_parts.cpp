@@ -80,6 +80,11 @@ bool names_messages(clang::QualType type) {
   return !is_message_or_pointer(type) && !is_iterator(type) && message_reached(type) && !holds_messages(type);
 }
 
+bool is_list_of_messages(const clang::Expr* expr) {
+  const auto* list = llvm::dyn_cast<clang::InitListExpr>(expr);
+  return list && list->getNumInits() > 0 && is_message_or_pointer(list->getInit(0)->getType());
+}
+
 bool is_name_of_message(clang::QualType type) {
   const bool leads_elsewhere =
       type->isReferenceType() || !pointee_of(type).isNull() || is_iterator(type) || names_messages(type);
@@ -145,7 +150,8 @@ MessagePart MessageParts::of_binding(const clang::BindingDecl* binding, unsigned
 
 /// for (auto& image : images_); null: it is no such variable.
 const clang::Expr* MessageParts::range_of(const clang::VarDecl* variable) const {
-  if (!variable->isCXXForRangeDecl() || !variable->getType()->isReferenceType()) return nullptr;
+  const bool is_name = variable->getType()->isReferenceType() || variable->getType()->isPointerType();
+  if (!variable->isCXXForRangeDecl() || !is_name) return nullptr;
   for (const clang::Stmt* stmt : view_.statements())
     if (const auto* loop = llvm::dyn_cast<clang::CXXForRangeStmt>(stmt))
       if (loop->getLoopVariable() == variable) return loop->getRangeInit();
@@ -260,7 +266,10 @@ MessagePart MessageParts::part_of(const clang::Expr* expr, unsigned depth) const
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(expr)) return of_call(call, depth);
   if (const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr))
     return element_of(element->getBase(), element->getIdx(), depth);
-  if (llvm::isa<clang::ConditionalOperator>(expr)) return choice_root(unit_.offset(expr->getBeginLoc()));
+  if (llvm::isa<clang::ConditionalOperator>(expr) || is_list_of_messages(expr))
+    return choice_root(unit_.offset(expr->getBeginLoc()));
+  if (const auto* list = llvm::dyn_cast<clang::CXXStdInitializerListExpr>(expr))
+    return part_of(list->getSubExpr(), depth + 1);
   if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(expr)) return of_binary(op, depth);
   const clang::Expr* same = same_object(expr);
   return same ? part_of(same, depth + 1) : MessagePart();

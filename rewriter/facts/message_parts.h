@@ -42,6 +42,8 @@ bool is_message_or_pointer(clang::QualType type);
 bool is_iterator(clang::QualType type);
 /// Other than a message, a pointer to one or an iterator: it leads to messages that lie elsewhere, as a tuple of references.
 bool names_messages(clang::QualType type);
+/// {&front_, &back_}
+bool is_list_of_messages(const clang::Expr* expr);
 /// Whether a variable of the type is another name of a message that lies elsewhere: a reference, pointer, iterator or the like.
 bool is_name_of_message(clang::QualType type);
 /// What a call of a library's function may be given a message by: its object and its arguments.

@@ -51,6 +51,10 @@ inline std::string choice_root(unsigned offset) {
   return "choice " + std::to_string(offset);
 }
 
+inline bool is_choice(const MessagePart& part) {
+  return part.rfind("choice ", 0) == 0;
+}
+
 /// Some message of a type that the facts do not follow: it may be any of the package's.
 inline MessagePart any_message(const std::string& type) {
   return "any " + type;

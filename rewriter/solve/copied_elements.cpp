@@ -62,6 +62,7 @@ void CopiedElements::add_functions() {
     };
     for (const ContentBlock& block : flow.blocks)
       for (const ContentEvent& event : block.events) {
+        note(usr, event);
         touch(event.part);
         touch(event.other);
         for (const auto& item : event.passed) touch(item.second);
@@ -102,6 +103,28 @@ const std::set<std::string>& CopiedElements::overrides_of(const std::string& usr
   static const std::set<std::string> none;
   const auto found = facts_.overrides.find(usr);
   return found == facts_.overrides.end() ? none : found->second;
+}
+
+/// A variable that nothing outside of its function has a name of.
+bool CopiedElements::is_of_function(const MessagePart& part) const {
+  std::vector<MessagePart> names = other_names_.of(part);
+  names.push_back(part);
+  return std::all_of(names.begin(), names.end(),
+                     [](const MessagePart& name) { return is_local(name) || is_choice(name); });
+}
+
+void CopiedElements::note(const std::string& usr, const ContentEvent& event) {
+  if (event.kind == ContentEvent::Kind::any) {
+    any_.emplace(event.part, event.where);
+    any_in_[usr].emplace(event.part, event.where);
+  }
+  if (event.kind != ContentEvent::Kind::publish) return;
+  const bool is_first = local_.count(event.site) == 0;
+  std::set<std::string>& functions = local_[event.site];
+  if (!is_of_function(event.part))
+    functions.clear();
+  else if (is_first || !functions.empty())
+    functions.insert(usr);
 }
 
 /// By the middleware, a timer or main's caller: no function of the package calls it.
@@ -191,8 +214,6 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
       for (const PublishPlace& site : state.write(event.part)) writes_.emplace(site, event.where);
       return;
     case ContentEvent::Kind::any:
-      any_.emplace(event.part, event.where);
-      return;
     case ContentEvent::Kind::call:
       return;
   }
@@ -279,11 +300,26 @@ std::optional<Obstacle> CopiedElements::why_copied(const SiteId& site) const {
                     "line " + std::to_string(found->second.line) +
                         " may use its elements for writing after this publish, which copies them",
                     found->second};
-  if (const auto found = any_.find(any_message(site.type)); found != any_.end())
+  return why_not_followed(site);
+}
+
+/// A message of a function's own can only be what this function does not follow.
+std::optional<Obstacle> CopiedElements::why_not_followed(const SiteId& site) const {
+  const auto obstacle_in = [&](const std::map<MessagePart, Location>& some) -> std::optional<Obstacle> {
+    const auto found = some.find(any_message(site.type));
+    if (found == some.end()) return {};
+    const Location& where = found->second;
     return Obstacle{codes::TZC1022,
-                    "line " + std::to_string(found->second.line) + " uses a " + site.type +
+                    "line " + std::to_string(where.line) + " of " +
+                        where.file.substr(where.file.rfind('/') + 1) + " uses a " + site.type +
                         ", and nothing shows which: it may be this one, and be written to after this publish",
-                    found->second};
+                    where};
+  };
+  const auto local = local_.find({site.file, site.begin});
+  if (local == local_.end() || local->second.empty()) return obstacle_in(any_);
+  for (const std::string& usr : local->second)
+    if (const auto some = any_in_.find(usr); some != any_in_.end())
+      if (const std::optional<Obstacle> obstacle = obstacle_in(some->second)) return obstacle;
   return {};
 }
 

@@ -37,6 +37,9 @@ class CopiedElements {
   void touch_what_callees_touch();
   const std::set<std::string>& overrides_of(const std::string& usr) const;
   bool called_from_outside(const std::string& usr) const;
+  void note(const std::string& usr, const ContentEvent& event);
+  bool is_of_function(const MessagePart& part) const;
+  std::optional<Obstacle> why_not_followed(const SiteId& site) const;
   void run(const std::string& usr, Function& function);
   bool step(const std::string& usr, const ContentBlock& block, ContentState& state);
   void apply(const ContentEvent& event, ContentState& state);
@@ -54,7 +57,10 @@ class CopiedElements {
   ContentState anytime_;  ///< of what outlives functions, when one is called from outside
   std::map<PublishPlace, Location> writes_, taken_;
   std::map<MessagePart, Location> any_;  ///< of messages that are not followed, by any_message
-  std::map<PublishPlace, bool> new_;     ///< whether what is published there is new, on all paths so far
+  std::map<std::string, std::map<MessagePart, Location>> any_in_;  ///< likewise, by the function around
+  std::map<PublishPlace, std::set<std::string>>
+      local_;                         ///< what is published there is its functions' own; none: it is not
+  std::map<PublishPlace, bool> new_;  ///< whether what is published there is new, on all paths so far
   bool changed_ = true;
 };
 

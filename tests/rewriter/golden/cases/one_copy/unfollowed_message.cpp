@@ -59,8 +59,8 @@ class Node {
 // advertise src/node.cpp:14 sensor_msgs/LaserScan one_copy 'scan'
 // advertise src/node.cpp:15 sensor_msgs/PointCloud2 zero_copy 'plain'
 // publish src/node.cpp:26 sensor_msgs/Image one_copy 'image' TZC1005 its type hides behind the name 'std::vector<sensor_msgs::Image>::iterator'
-// publish src/node.cpp:32 sensor_msgs/Image one_copy 'other' TZC1022 line 27 uses a sensor_msgs/Image, and nothing shows which: it may be this one, and be written to after this publish
-// publish src/node.cpp:39 sensor_msgs/LaserScan one_copy 'scan' TZC1022 line 39 uses a sensor_msgs/LaserScan, and nothing shows which: it may be this one, and be written to after this publish
+// publish src/node.cpp:32 sensor_msgs/Image one_copy 'other' TZC1022 line 27 of node.cpp uses a sensor_msgs/Image, and nothing shows which: it may be this one, and be written to after this publish
+// publish src/node.cpp:39 sensor_msgs/LaserScan one_copy 'scan' TZC1022 line 39 of node.cpp uses a sensor_msgs/LaserScan, and nothing shows which: it may be this one, and be written to after this publish
 // publish src/node.cpp:44 sensor_msgs/PointCloud2 zero_copy 'plain'
 //
 // +++ src/node.cpp
