@@ -178,7 +178,9 @@ Expected<std::string> find_build_dir(const PackagePlace& package, const std::str
 std::string find_configured_dir(const PackagePlace& package, const std::string& given,
                                 const std::vector<std::string>& arguments) {
   const auto configures = [&](const fs::path& folder) {
-    if (!fs::exists(folder / "CMakeCache.txt")) return false;
+    // CMake fills the cache while it configures, and generates only when nothing went wrong.
+    const bool is_done = has_database(folder) || fs::exists(folder / "CMakeFiles/TargetDirectories.txt");
+    if (!is_done || !fs::exists(folder / "CMakeCache.txt")) return false;
     const std::string source = CmakeCache::nearest(folder).value(package.name + "_SOURCE_DIR");
     return !source.empty() && canonical_path(source) == package.dir;
   };

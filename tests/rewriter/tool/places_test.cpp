@@ -48,6 +48,8 @@ TEST(ConfiguredFolder, is_one_whose_cache_names_the_package) {
   folder.write("ws/build/CMakeCache.txt", named + (folder / "ws/src/other") + "\n");
   EXPECT_EQ(find_configured_dir(demo, "", {}), "") << "another package of that name";
   folder.write("ws/build/CMakeCache.txt", named + (folder / "ws/src/demo") + "\n");
+  EXPECT_EQ(find_configured_dir(demo, "", {}), "") << "CMake has not generated: it failed, or still runs";
+  folder.write("ws/build/CMakeFiles/TargetDirectories.txt", "");
   EXPECT_EQ(find_configured_dir(demo, "", {}), folder / "ws/build");
   EXPECT_EQ(find_configured_dir(demo, folder / "ws/build/compile_commands.json", {}), folder / "ws/build");
 }
