@@ -107,7 +107,8 @@ void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
     site.rule = "shared-message";
   } else if (!fact.obstacles.empty()) {
     const Obstacle& why = fact.obstacles.front();
-    refuse(site, why, why.code == codes::TZC1012 ? Level::plain : Level::one_copy);  // whose arrays nobody knows
+    refuse(site, why,
+           why.code == codes::TZC1012 ? Level::plain : Level::one_copy);  // whose arrays nobody knows
   } else {
     describe_origins(fact, site);
   }
