@@ -64,7 +64,7 @@ std::vector<Note> unread_compiled(const std::string& package_dir, const std::str
   };
   std::set<std::string> target_dirs, others;
   for (const CompileCommand& command : *commands)
-    if (is_own(command.canonical)) target_dirs.insert(command.target_dir);
+    if (is_own(command.canonical) && !command.target_dir.empty()) target_dirs.insert(command.target_dir);
   for (const CompileCommand& command : *commands)
     if (target_dirs.count(command.target_dir) != 0 && !is_own(command.canonical) &&
         is_cpp_source(command.canonical) && unity_sources(command.file).empty() &&
@@ -73,10 +73,10 @@ std::vector<Note> unread_compiled(const std::string& package_dir, const std::str
   std::vector<Note> notes;
   for (const std::string& file : others)
     if (const std::string lines = lines_with_sites(file); !lines.empty())
-      notes.push_back({codes::TZC3001, Location{file, 1, 1},
-                       "a target of the package compiles this file, which is generated or lies outside of "
-                       "the package, and was "
-                       "not looked at; possible sites in lines " +
+      notes.push_back({codes::TZC3001, Location{package_dir + "/CMakeLists.txt", 1, 1},
+                       "a target compiles " + file +
+                           ", which is generated or lies outside of the package, and was not looked at; "
+                           "possible sites in lines " +
                            lines});
   return notes;
 }

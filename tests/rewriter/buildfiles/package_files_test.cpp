@@ -91,9 +91,14 @@ TEST_F(PackageFiles, what_a_target_compiles_from_elsewhere_is_named) {
   for (const Note& note : unread_compiled(folder / "demo", folder / "build",
                                           generated_folders(folder / "build", folder / "demo"),
                                           {canonical_path(folder / "shared/read.cpp")}))
-    text += note.where->file.substr((folder / "").size()) + note.text.substr(note.text.rfind(';')) + "\n";
+    text += note.where->file + ": " + note.text + "\n";
+  const std::string
+      begin = folder / "demo/CMakeLists.txt: a target compiles ",
+      end =
+          ", which is generated or lies outside of the package, and was not looked at; possible "
+          "sites in lines 2\n";
   EXPECT_EQ(text,
-            "build/demo/made.cpp; possible sites in lines 2\nshared/common.cpp; possible sites in lines 2\n");
+            begin + (folder / "build/demo/made.cpp") + end + begin + (folder / "shared/common.cpp") + end);
 }
 
 TEST_F(PackageFiles, a_copy_does_without_the_build) {
