@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/content_reader.h"
 
+#include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/message_type.h"
 #include "facts/overwrites.h"
@@ -20,9 +21,7 @@ const clang::Stmt* use_of(const FunctionView& view, const clang::Stmt* expr) {
 /// `return frame;`: the caller's object is this one, or has what it had.
 bool is_returned(const FunctionView& view, const clang::Stmt* value) {
   const clang::Stmt* around = view.parent(value);
-  while (llvm::isa_and_nonnull<clang::CastExpr, clang::FullExpr, clang::MaterializeTemporaryExpr,
-                               clang::CXXBindTemporaryExpr>(around))
-    around = view.parent(around);
+  while (around && is_implicit_wrapper(around)) around = view.parent(around);
   return llvm::isa_and_nonnull<clang::ReturnStmt>(around);
 }
 
@@ -42,37 +41,6 @@ std::vector<const clang::FieldDecl*> messages_in(const Unit& unit, const clang::
       add(field->getType());
   }
   return found;
-}
-
-/// Whether a closure is called directly, or by a library's function that it is an argument of, and by nothing else.
-bool is_called_here(const FunctionView& view, const clang::LambdaExpr* lambda) {
-  const clang::Stmt* around = view.parent(lambda);
-  while (
-      llvm::isa_and_nonnull<clang::CastExpr, clang::FullExpr, clang::MaterializeTemporaryExpr,
-                            clang::CXXBindTemporaryExpr, clang::CXXConstructExpr, clang::ParenExpr>(around))
-    around = view.parent(around);
-  if (const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(around))
-    return llvm::isa<clang::CXXOperatorCallExpr>(call) || !message_sources(call).empty();
-  const auto* declaration = llvm::dyn_cast_or_null<clang::DeclStmt>(around);
-  const auto* variable = declaration && declaration->isSingleDecl()
-                             ? llvm::dyn_cast<clang::VarDecl>(declaration->getSingleDecl())
-                             : nullptr;
-  return variable && llvm::all_of(view.uses(variable), [&](const clang::DeclRefExpr* use) {
-           const clang::Stmt* user = view.parent(use);
-           while (llvm::isa_and_nonnull<clang::CastExpr, clang::ParenExpr>(user)) user = view.parent(user);
-           const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(user);
-           return op && op->getOperator() == clang::OO_Call && op->getArg(0)->IgnoreParenImpCasts() == use;
-         });
-}
-
-/// Somebody else may call the closure, with any message that it may write to.
-void any_of_parameters(const clang::LambdaExpr* lambda, ContentLog& log) {
-  for (const clang::ParmVarDecl* parameter : lambda->getCallOperator()->parameters()) {
-    const clang::QualType type = parameter->getType(), pointee = pointee_of(type);
-    const bool is_const = (pointee.isNull() ? type.getNonReferenceType() : pointee).isConstQualified();
-    if (is_const || !is_name_of_message(type)) continue;
-    log.add(Kind::any, any_message(message_reached(type)->name), lambda->getBeginLoc());
-  }
 }
 
 /// "ROOT/image/data"; a vector of the program's own has a root alone.
@@ -273,58 +241,9 @@ void ContentReader::moved_whole(const clang::Stmt* stmt) {
   for (const clang::Expr* argument : call->arguments()) take(argument, false);
 }
 
-/// A closure may be called where it is made, and again: its body's events, twice, in the order of the source.
-void ContentReader::closure(const clang::LambdaExpr* lambda) {
-  if (!open_.insert(lambda).second) return;
-  for (int time = 0; time < 2; ++time)
-    for (const clang::Stmt* stmt : view_.statements())
-      if (view_.lambda_around(stmt) == lambda) look_at(stmt);
-  open_.erase(lambda);
-}
-
-/// The closure of this function that a call calls; null: it calls none.
-const clang::LambdaExpr* ContentReader::called_closure(const clang::CallExpr* call) const {
-  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call);
-  const clang::FunctionDecl* function =
-      op && op->getOperator() == clang::OO_Call ? op->getDirectCallee() : nullptr;
-  if (!function) return nullptr;
-  for (const clang::Stmt* stmt : view_.statements())
-    if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt))
-      if (lambda->getCallOperator() == function) return lambda;
-  return nullptr;
-}
-
-/// What a closure does to the messages that it is given.
-void ContentReader::closure_of(const clang::LambdaExpr* lambda,
-                               llvm::ArrayRef<const clang::Expr*> arguments) {
-  const std::size_t first = log_.size();
-  closure(lambda);
-  const auto& parameters = lambda->getCallOperator()->parameters();
-  for (std::size_t i = 0; i < parameters.size() && i < arguments.size(); ++i) {
-    if (!is_name_of_message(parameters[i]->getType())) continue;
-    log_.any(arguments[i]);
-    if (const MessagePart part = parts_.part_of(arguments[i]); !part.empty())
-      log_.rename(first, parts_.root_of(parameters[i]), part);
-  }
-}
-
-/// std::for_each(begin, end, [](Image& image) { ... }): a library gives a closure what it was given itself.
-void ContentReader::closures_called_by(const clang::CallExpr* call) {
-  const std::vector<const clang::Expr*> sources = message_sources(call);
-  for (const clang::Expr* argument : call->arguments()) {
-    const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(argument->IgnoreUnlessSpelledInSource());
-    if (!lambda) continue;
-    const auto& parameters = lambda->getCallOperator()->parameters();
-    for (const clang::Expr* source : sources) {
-      const std::vector<const clang::Expr*> given(parameters.size(), source);
-      closure_of(lambda, given);
-    }
-  }
-}
-
 void ContentReader::look_at(const clang::Stmt* stmt) {
   if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) {
-    if (!is_called_here(view_, lambda)) any_of_parameters(lambda, log_);
+    any_given_to(lambda);
     return closure(lambda);
   }
   names_.look_at(stmt);

@@ -49,6 +49,7 @@ class ContentReader {
   bool rule_call(const clang::CallExpr* call, const std::string& name);
   void package_call(const clang::FunctionDecl* function, llvm::ArrayRef<const clang::Expr*> arguments,
                     const clang::Stmt* at);
+  void any_given_to(const clang::LambdaExpr* lambda);
   void closure(const clang::LambdaExpr* lambda);
   void closure_of(const clang::LambdaExpr* lambda, llvm::ArrayRef<const clang::Expr*> arguments);
   void closures_called_by(const clang::CallExpr* call);

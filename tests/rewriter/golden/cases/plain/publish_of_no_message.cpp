@@ -1,0 +1,20 @@
+// What is published is no message type that the compiler knows: nobody knows its arrays.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+struct AnyMessage {
+  int number;
+};
+
+void run(ros::NodeHandle& nh, const AnyMessage& message) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("any", 1);
+  pub.publish(message);
+}
+//--- expected
+// advertise src/node.cpp:10 sensor_msgs/Image one_copy 'any'
+// publish src/node.cpp:11 const AnyMessage plain 'any' TZC1012 the type of what is published is 'const AnyMessage'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("any", 1);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "any", 1);
