@@ -90,7 +90,7 @@ def attack(program):
     owner, store, transfer, output, time = choose(program)
     one = Attack(program, owner, store, transfer, output)
     program.steps += somewhere(program, one.declare + one.fill + time(one))
-    label(program, one.topics(), {"owner": owner, "store": store, "transfer": transfer, "output": output, "time": time})
+    label(program, one.topics(), {"owner": owner, "store": store, "transfer": transfer, "output": output, "time": time}.items())
 
 
 def in_next_step(program):
@@ -104,7 +104,7 @@ def in_next_step(program):
     else:
         fill = use + [f"if (!{known}) {{"] + ["  " + line for line in one.fill] + ["}"]
     program.steps += somewhere(program, one.declare + fill + one.send() + one.make() + [f"{known} = true;"])
-    label(program, one.topics(), {"owner": owner, "output": output, "time": in_next_step})
+    label(program, one.topics(), {"owner": owner, "output": output, "time": in_next_step}.items())
 
 
 REACHES = {"made": absent.MADE, "held": absent.HELD, "effect": effects.WAYS, "wait": waits.WAYS,
@@ -121,7 +121,7 @@ def reach(program):
     published = len(program.topics)
     use = Use(program, program.rng.choice(PLAIN), output)
     program.steps += somewhere(program, way(use))
-    label(program, program.topics[published:], {kind: way, "output": output})
+    label(program, program.topics[published:], {kind: way, "output": output}.items())
 
 
 def named(program):
@@ -135,7 +135,6 @@ def named(program):
 
 
 def label(program, topics, chosen):
-    chosen = chosen.items() if isinstance(chosen, dict) else chosen
     traits = [f"{what}: {which.__name__}" for what, which in chosen]
     program.traits += traits
     for topic in topics:

@@ -8,7 +8,7 @@ from .program import indented
 # ----------------------------------------------------------------------------------------------------------------------
 
 
-def vector(program, cpp):
+def in_vector(program, cpp):
     name = program.variable(f"std::vector<{cpp}>", "frames")
     program.setup.append(f"{name}.resize(2);")
     return [f"{name}[k % 2]", f"{name}.at(k % 2)", f"(*({name}.begin() + k % 2))",
@@ -16,26 +16,26 @@ def vector(program, cpp):
             f"(k % 2 ? {name}.back() : {name}.front())"]
 
 
-def map(program, cpp):  # noqa: A001
+def in_map(program, cpp):
     name = program.variable(f"std::map<int, {cpp}>", "frames")
     program.setup += [f"{name}[0];", f"{name}[1];"]
     return [f"{name}[k % 2]", f"{name}.at(k % 2)", f"{name}.find(k % 2)->second",
             f"std::next({name}.begin(), k % 2)->second", f"std::get<1>(*{name}.lower_bound(k % 2))"]
 
 
-def list(program, cpp):  # noqa: A001
+def in_list(program, cpp):
     name = program.variable(f"std::list<{cpp}>", "frames")
     program.setup.append(f"{name}.resize(2);")
     return [f"(*std::next({name}.begin(), k % 2))", f"(k % 2 ? {name}.back() : {name}.front())"]
 
 
-def array(program, cpp):
+def in_array(program, cpp):
     name = program.variable(f"std::array<{cpp}, 2>", "frames")
     return [f"{name}[k % 2]", f"{name}.at(k % 2)", f"(*({name}.data() + k % 2))",
             f"std::get<1>(std::tie({name}[1], {name}[k % 2]))"]
 
 
-def pair(program, cpp):
+def in_pair(program, cpp):
     name = program.variable(f"std::pair<{cpp}, {cpp}>", "frames")
     return [f"(k % 2 ? {name}.first : {name}.second)", f"(k % 2 ? std::get<0>({name}) : std::get<1>({name}))"]
 
@@ -45,7 +45,7 @@ def two_variables(program, cpp):
     return [f"(k % 2 ? {one} : {other})", f"(*(k % 2 ? &{one} : &{other}))", f"(k % 2 == 0 ? {other} : {one})"]
 
 
-def pointers(program, cpp):
+def in_pointers(program, cpp):
     name = program.variable(f"std::vector<boost::shared_ptr<{cpp}>>", "frames")
     program.setup.append(f"for (int i = 0; i < 2; ++i) {name}.push_back(boost::make_shared<{cpp}>());")
     return [f"(*{name}[k % 2])", f"(**({name}.begin() + k % 2))", f"(*{name}.at(k % 2).get())",
@@ -63,7 +63,7 @@ def behind_virtual_function(program, cpp):
     return [f"{name}->frame(k)", f"static_cast<{derived}&>(*{name}).others[k % 2]"]
 
 
-HOMES = [vector, map, list, array, pair, two_variables, pointers, behind_virtual_function]
+HOMES = [in_vector, in_map, in_list, in_array, in_pair, two_variables, in_pointers, behind_virtual_function]
 
 
 # What else may stand for such an expression. Each returns statements, and an expression.
