@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Prints a line for each image it gets (image_line.h).
 ///
-/// Private parameters: mode (pointer, reference, value, mutable, event, direct, filter, late_attach,
-/// unreliable, plain, keep: pointers, all of which it keeps, draw and plain_draw: they write to what they get through a
-/// cast and publish it again as `drawn`; with several topics pointer, keep or direct), handler (the number of the message after which a handler of SIGSEGV is
-/// installed), times (so many callbacks), topics (several, separated by blanks), queue, spinner (spin, tzc, multi, async,
-/// own: a callback queue of its own).
+/// Private parameters: mode (pointer, reference, value, mutable, event, direct, filter, late_attach, unreliable, plain, keep:
+/// pointers, all of which it keeps, draw and plain_draw: they write to what they get through a cast and publish it again as
+/// `drawn`; with several topics pointer, keep or direct), handler (the number of the message after which a handler of SIGSEGV
+/// is installed), times (so many callbacks), answers (a topic, on which it says the number of each image that a pointer or
+/// keep callback has had), topics (several, separated by blanks), queue, spinner (spin, tzc, multi, async, own: a callback
+/// queue of its own).
 #include <message_filters/simple_filter.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -29,12 +30,36 @@ extern "C" void exit_with_9(int) {
 
 using tzc_test::print_image;
 
+/// What a talker that waits for its listeners hears from this one: the numbers of images that it has had.
+class Answers {
+ public:
+  void begin(ros::NodeHandle& node, const std::string& topic) {
+    if (!topic.empty()) publisher_ = node.advertise<sensor_msgs::Image>(topic, 100);
+  }
+
+  void answer(const sensor_msgs::Image& received) const {
+    if (!publisher_) return;
+    sensor_msgs::Image answer;
+    answer.header.frame_id = received.header.frame_id;
+    publisher_.publish(answer);
+  }
+
+ private:
+  ros::Publisher publisher_;
+};
+
+Answers& answers() {
+  static auto* const answers = new Answers;
+  return *answers;
+}
+
 void spoil(sensor_msgs::Image& image) {
   if (!image.data.empty()) image.data[0] ^= 0xff;
 }
 
 void on_pointer(const sensor_msgs::ImageConstPtr& image) {
   print_image(*image);
+  answers().answer(*image);
 }
 void keep(const sensor_msgs::ImageConstPtr& image) {
   static auto* const kept = new std::vector<sensor_msgs::ImageConstPtr>;
@@ -43,6 +68,7 @@ void keep(const sensor_msgs::ImageConstPtr& image) {
 void on_kept(const sensor_msgs::ImageConstPtr& image) {
   keep(image);
   print_image(*image);
+  answers().answer(*image);
 }
 void on_reference(const sensor_msgs::Image& image) {
   print_image(image);
@@ -157,6 +183,7 @@ int main(int argc, char** argv) {
   const std::string spinner = options.param<std::string>("spinner", "spin");
   const std::string topics = options.param<std::string>("topics", "");
   const int queue = options.param("queue", 100);
+  answers().begin(node, options.param<std::string>("answers", ""));
   ros::CallbackQueue own;
   if (spinner.find("own") != std::string::npos) node.setCallbackQueue(&own);
   std::unique_ptr<tzc::message_filters::Subscriber<sensor_msgs::Image>> filter;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Publishes images whose bytes follow from their number, in one of the ways a node may publish.
 ///
-/// Private parameters: mode (twin, twin_pointer, stock, stock_pointer, plain, handover: a twin's publisher
-/// and a plain one, the former ends after half of the images; mixed: every other image as a ShapeShifter; attached: twins, to the topic that others
-/// advertised; attached_wrong: stock images, attached for another type), fresh (every so many images lie in a
-/// segment of their own), topics (several, separated by blanks), first (number), count, rate (Hz), bytes,
-/// latch, rows, encoding (of an image: mono8, bgr8), subscribers (wait for so many), shared (and for so many
-/// of them on shared memory), settle (seconds to wait then), echo (a topic: the next image goes out when that
-/// one's number has come back on it), pause (after so many images it waits for SIGUSR2), linger (seconds to stay), queue, memory, policy (worst_effort). SIGUSR1
-/// ends a count that has no end. Says when it has published all.
+/// Private parameters: mode (twin, twin_pointer, stock, stock_pointer, plain, handover: a twin's publisher and a plain one,
+/// the former ends after half of the images; mixed: every other image as a ShapeShifter; attached: twins, to the topic that
+/// others advertised; attached_wrong: stock images, attached for another type), fresh (every so many images lie in a segment
+/// of their own), topics (several, separated by blanks), first (number), count, rate (Hz), bytes, latch, rows, encoding (of
+/// an image: mono8, bgr8), subscribers (wait for so many), shared (and for so many of them on shared memory), settle (seconds
+/// to wait then), echo (a topic: the next image goes out when that one's number has come back on it, or when the image was
+/// dropped), echoes (from so many nodes), ahead (or when the number of the image so many before it has), pause (after so many
+/// images it waits for SIGUSR2), linger (seconds to stay), queue, memory, policy (worst_effort). SIGUSR1 ends a count that
+/// has no end. Says when it has published all.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <std_msgs/UInt8MultiArray.h>
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -66,6 +68,8 @@ class Talker {
   }
 
   std::uint32_t shared() const { return static_cast<std::uint32_t>(shared_.statistics().shared_subscribers); }
+
+  std::uint64_t dropped() const { return shared_.statistics().dropped; }
 
   void report(int last) const {
     const tzc::PublisherStatistics s = shared_.statistics();
@@ -164,28 +168,41 @@ void wait_for_subscribers(const std::vector<Talker>& talkers, const ros::NodeHan
   ros::WallDuration(options.param("settle", 0.0)).sleep();
 }
 
-/// Who answers each image with one of the same number.
+/// Those who answer each image with one of the same number.
 class Echo {
  public:
-  Echo(ros::NodeHandle& node, const std::string& topic) {
+  Echo(ros::NodeHandle& node, const ros::NodeHandle& options)
+      : echoes_(static_cast<std::uint32_t>(options.param("echoes", 1))), ahead_(options.param("ahead", 0)) {
+    const std::string topic = options.param<std::string>("echo", "");
     if (topic.empty()) return;
-    subscriber_ = node.subscribe(topic, 10, &Echo::take, this);
-    wait_until([&] { return subscriber_.getNumPublishers() > 0; });
+    subscriber_ = node.subscribe(topic, 100, &Echo::take, this);
+    wait_until([&] { return subscriber_.getNumPublishers() >= echoes_; });
   }
 
+  /// Until all of them have answered the image that is so many (`ahead`) before this one.
   void wait_for(int number) {
     if (subscriber_)
       wait_until([&] {
         ros::spinOnce();
-        return last_ >= number;
+        return answered() >= number - ahead_;
       });
   }
 
  private:
-  void take(const sensor_msgs::Image& image) { last_ = std::atoi(image.header.frame_id.c_str()); }
+  void take(const ros::MessageEvent<const sensor_msgs::Image>& event) {
+    last_[event.getPublisherName()] = std::atoi(event.getMessage()->header.frame_id.c_str());
+  }
+
+  int answered() const {
+    if (last_.size() < echoes_) return -1;
+    const auto by_number = [](const auto& a, const auto& b) { return a.second < b.second; };
+    return std::min_element(last_.begin(), last_.end(), by_number)->second;
+  }
 
   ros::Subscriber subscriber_;
-  int last_ = -1;
+  std::map<std::string, int> last_;  ///< of each who answers
+  std::uint32_t echoes_;
+  int ahead_;
 };
 
 extern "C" void end_soon(int) {
@@ -204,15 +221,16 @@ int main(int argc, char** argv) {
   ros::NodeHandle node, options("~");
   std::vector<Talker> talkers = make_talkers(node, options);
   wait_for_subscribers(talkers, options);
-  Echo echo(node, options.param<std::string>("echo", ""));
+  Echo echo(node, options);
   ros::WallRate rate(options.param("rate", 100.0));
   const int first = options.param("first", 0), count = options.param("count", 100);
   const int pause = options.param("pause", -1);
   int number = first;
   for (; ros::ok() && !is_enough && (count == 0 || number < first + count); ++number) {
     if (number == first + pause) wait_until([] { return goes_on != 0; });
+    const std::uint64_t dropped = talkers.front().dropped();
     for (Talker& talker : talkers) talker.publish(static_cast<std::uint32_t>(number));
-    echo.wait_for(number);
+    if (talkers.front().dropped() == dropped) echo.wait_for(number);
     rate.sleep();
   }
   std::printf("{\"event\": \"all published\", \"last\": %d}\n", number - 1);
