@@ -30,6 +30,14 @@ const MemoryOptions& SegmentMemory::options() const {
   return impl_->options();
 }
 
+std::uint64_t SegmentMemory::copied_bytes() const noexcept {
+  return impl_->copied_bytes();
+}
+
+void note_copy(MemorySource& memory, std::size_t bytes) noexcept {
+  if (const auto* own = dynamic_cast<const SegmentMemory*>(&memory)) own->impl_->note_copy(bytes);
+}
+
 void set_memory_ceiling(std::size_t bytes) {
   posix::set_memory_ceiling(bytes);
 }

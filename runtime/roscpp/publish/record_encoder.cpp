@@ -190,7 +190,7 @@ PublisherStatistics RecordEncoder::statistics() const {
   statistics.messages = counters_.messages;
   statistics.shared = counters_.shared;
   statistics.serialized = counters_.serialized;
-  statistics.copied_bytes = counters_.copied_bytes;
+  statistics.copied_bytes = counters_.copied_bytes + memory_->copied_bytes();
   statistics.exhausted = counters_.exhausted;
   statistics.dropped = counters_.dropped;
   statistics.control_bytes = counters_.control_bytes;

@@ -75,6 +75,30 @@ TEST_F(ArrayInMemory, writes_after_publish_get_fresh_memory) {
   EXPECT_EQ(4, array[4]);
 }
 
+TEST_F(ArrayInMemory, what_a_write_after_publish_copies_is_counted) {
+  MemoryOptions options;
+  options.size = 1 << 20;
+  const std::shared_ptr<SegmentMemory> memory = SegmentMemory::create(options).value();
+  Bytes array;
+  array.bind(memory);
+  array.resize(100);
+  array.resize(300);
+  EXPECT_EQ(0u, memory->copied_bytes()) << "nobody has them";
+  publish(array);
+  EXPECT_EQ(0, static_cast<const Bytes&>(array)[3]);
+  EXPECT_EQ(0u, memory->copied_bytes());
+  array[3] = 200;
+  array[4] = 200;
+  EXPECT_EQ(300u, memory->copied_bytes());
+  publish(array);
+  array.push_back(1);
+  EXPECT_EQ(600u, memory->copied_bytes());
+  publish(array);
+  array.clear();
+  array.push_back(1);
+  EXPECT_EQ(600u, memory->copied_bytes()) << "no old element is kept";
+}
+
 TEST_F(ArrayInMemory, reading_after_publish_copies_nothing) {
   Bytes array = bound(100);
   publish(array);

@@ -25,12 +25,14 @@ struct PublisherOptions {
 
 /// Counters of all publishers of one topic in this process, since the topic was advertised.
 struct PublisherStatistics {
-  std::uint64_t messages = 0;      ///< messages that became a control part, however many subscribers got it
-  std::uint64_t shared = 0;        ///< messages sent as a control part, per subscriber
-  std::uint64_t serialized = 0;    ///< messages sent whole, per subscriber
-  std::uint64_t copied_bytes = 0;  ///< bytes of data parts that had to be copied into shared memory
-  std::uint64_t exhausted = 0;     ///< messages for which no shared memory was left
-  std::uint64_t dropped = 0;       ///< messages dropped by OnExhausted::drop
+  std::uint64_t messages = 0;    ///< messages that became a control part, however many subscribers got it
+  std::uint64_t shared = 0;      ///< messages sent as a control part, per subscriber
+  std::uint64_t serialized = 0;  ///< messages sent whole, per subscriber
+  std::uint64_t copied_bytes =
+      0;  ///< bytes of data parts that were copied into shared memory: they lay elsewhere when they
+          ///< were published, or were written again while subscribers had them
+  std::uint64_t exhausted = 0;  ///< messages for which no shared memory was left
+  std::uint64_t dropped = 0;    ///< messages dropped by OnExhausted::drop
   std::uint64_t revoked = 0;  ///< messages sent and taken back unread, per subscriber: its queue was full, or
                               ///< best_effort needed their memory, or it left
   std::uint64_t control_bytes = 0;     ///< bytes of control parts, per message

@@ -193,11 +193,18 @@ class SegmentMemory final : public MemorySource {
   /// Why the latest allocate returned null; empty text before the first failure.
   AllocationError last_failure() const;
   const MemoryOptions& options() const;
+  /// What note_copy() has counted.
+  std::uint64_t copied_bytes() const noexcept;
 
  private:
+  friend void note_copy(MemorySource& memory, std::size_t bytes) noexcept;
   explicit SegmentMemory(std::unique_ptr<segment::SegmentMemoryImpl> impl);
   std::unique_ptr<segment::SegmentMemoryImpl> impl_;
 };
+
+/// Counts elements that were copied into the memory because their owner writes them again while others have them. For
+/// SegmentMemory::copied_bytes; other sources count nothing. Any thread.
+void note_copy(MemorySource& memory, std::size_t bytes) noexcept;
 
 /// A block in a subscriber's process: read-only, valid while the received message lives.
 struct ConstBlock {

@@ -109,6 +109,7 @@ class ArrayStorage {
   void remake(std::size_t capacity, std::size_t kept) {
     ArrayBlock<T> fresh = acquire(capacity);
     if (kept != 0) std::memcpy(static_cast<void*>(fresh.begin), block_.begin, kept * sizeof(T));
+    if (is_shared()) note_copied(fresh, kept);
     install(std::move(fresh));
     capacity_ = capacity;
   }
@@ -210,6 +211,7 @@ class ArrayStorage {
     if (on_heap() && (old_heap_.begin != nullptr || !reserve_segment(capacity_))) return take_back_heap();
     ArrayBlock<T> fresh = acquire(capacity_);
     if (size_ != 0) std::memcpy(static_cast<void*>(fresh.begin), block_.begin, size_ * sizeof(T));
+    note_copied(fresh, size_);
     if (on_heap()) {
       old_heap_.begin = block_.begin;
       old_heap_.capacity = block_.capacity;
@@ -220,6 +222,11 @@ class ArrayStorage {
     publish_pointer(block_.begin, fresh.begin);
     publish_pointer(writable_, fresh.begin);
     return fresh.begin;
+  }
+
+  /// Others have the elements, which were copied.
+  void note_copied(const ArrayBlock<T>& to, std::size_t count) {
+    if (to.buffer && memory_ && count != 0) note_copy(*memory_, count * sizeof(T));
   }
 
   /// Memory in a segment for the next acquire(). False: there is none.
