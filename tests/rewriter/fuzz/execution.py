@@ -11,7 +11,8 @@ LOGS = ("recorder.log", "listener.log")
 
 
 def execute(program, recorder, folder, topics, guard=False, monitor=None):
-    """{(log, topic): [what was received]}. In guard mode a late write is an error. tzc-monitor writes counters.json at the end."""
+    """{(log, topic): [what was received]}. In guard mode a late write is an error. tzc-monitor writes counters_half.json when half of the rounds
+    are done, and counters.json at the end."""
     os.makedirs(folder, exist_ok=True)
     # Small payloads are read where they lie, so that a write by their publisher shows; by default they are copied.
     environment = {"FUZZ_FOLDER": folder, "ROS_VERSION": "1", "TZC_PRIVATE_WRITES": "0",

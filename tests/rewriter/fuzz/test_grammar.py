@@ -130,12 +130,14 @@ class Copies(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             with open(f"{folder}/recorder.log", "w") as file:
                 file.writelines(f"/p001/topic1 100 {i:x} 00- copied\n" for i in range(8))
-            with open(f"{folder}/counters.json", "w") as file:
-                json.dump({"nodes": [{"topics": [{"topic": "/p001/topic1", "messages": messages, "copied_bytes": copied}]}]}, file)
+            for name, part in (("counters_half", 4), ("counters", 4 + messages)):
+                topic = {"topic": "/p001/topic1", "messages": part, "copied_bytes": 4000 + (copied if part > 4 else 0)}
+                with open(f"{folder}/{name}.json", "w") as file:
+                    json.dump({"nodes": [{"topics": [topic]}]}, file)
             check_copies([site], folder)
 
     def test_a_level_that_is_not_true_is_noticed(self):
-        with self.assertRaisesRegex(Failure, "/p001/topic1: 420 bytes of 6 messages"):
+        with self.assertRaisesRegex(Failure, "/p001/topic1: 420 bytes of its last 6 messages"):
             self.check("zero_copy", 6, 420)
 
     def test_the_first_message_may_be_copied(self):

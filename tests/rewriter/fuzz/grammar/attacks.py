@@ -3,11 +3,10 @@
 publishing. What is written through an old pointer after a publish shows in the next message, which must be the same
 before and after the port; messages that subscribers keep must not change. Others attack what is inserted for the port, by messages that are not there in every step, that are
 named by expressions which do something, or that other threads fill or read."""
-from . import absent, effects, keepers, messages, names, outputs, owners, pointers, readers, subscribers, times, waits
+from . import absent, changes, effects, keepers, messages, names, outputs, owners, pointers, readers, subscribers, times, waits
 from .publishers import in_block
 from .uses import Use
 
-COUNT = 20
 PLAIN = [message for message in messages.ALL if not message.arrays[0][1].fields and "." not in message.arrays[0][0]]
 
 
@@ -36,7 +35,7 @@ class Attack:
     def _contents(self, owned, field, element):
         array = f"{owned.access}{field}"
         return self.message.set_meta(owned.access) + [
-            f"{array}.reserve(64);", f"{array}.resize({COUNT});", f"for (int i = 0; i < {COUNT}; ++i) {{",
+            f"{array}.reserve(64);", f"{array}.resize({pointers.COUNT});", f"for (int i = 0; i < {pointers.COUNT}; ++i) {{",
             f"  {element.put(array + '[i]')}", "}"]
 
     def make(self):
@@ -134,6 +133,15 @@ def named(program):
     label(program, program.topics[published:], known.chosen)
 
 
+def changed(program):
+    """The elements of one lasting message are let go, and another one's are written and published."""
+    published = len(program.topics)
+    one = Use(program, program.rng.choice(PLAIN), outputs.directly)
+    change = changes.Change(program, one.message)
+    program.steps += in_block(change.lines(one.send))
+    label(program, program.topics[published:], change.chosen)
+
+
 def label(program, topics, chosen):
     traits = [f"{what}: {which.__name__}" for what, which in chosen]
     program.traits += traits
@@ -147,13 +155,14 @@ STANDARD = {"any", "array", "atomic", "boost/thread.hpp", "boost/weak_ptr.hpp", 
 
 def make(program):
     program.includes |= STANDARD
-    program.rounds = 4  # pointers that step through an array have no more turns
     for _ in range(program.rng.choice([2, 3])):
         chance = program.rng.random()
         if chance < 0.08:
             in_next_step(program)
         elif chance < 0.18:
             named(program)
+        elif chance < 0.24:
+            changed(program)
         elif chance < 0.5:
             reach(program)
         else:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What points into a message's array from inside code: closures, classes, functions, destructors and deleters."""
-from .pointers import Handle
+from .pointers import COUNT, Handle
 
 
 def in_closure(program, element, source, array):
@@ -74,7 +74,7 @@ def in_template_class(program, element, source, array):
     kind = program.unique("View")
     program.prelude += ["template <class T>", f"struct {kind} {{", "  T* first;", "  int count;",
                         "  T& operator[](int i) const { return first[i]; }", "};"]
-    return Handle([f"{kind}<{element}> h{{{source}, 20}};"], "h[{index}]")
+    return Handle([f"{kind}<{element}> h{{{source}, {COUNT}}};"], "h[{index}]")
 
 
 def in_converting_class(program, element, source, array):

@@ -13,6 +13,7 @@ KINDS = [None, libraries.SENSORS, libraries.VISION, None, libraries.CLOUDS, None
 
 
 NODES, TOOLS = "fuzz_nodes", "fuzz_tools"
+ROUNDS = 8  # how often each program publishes on each of its topics
 
 
 def make_program(seed, index, adversarial=False, siblings=False):
@@ -101,10 +102,12 @@ def main_text(programs):
     for program in programs:
         lines += [f'  fuzz::expect("{t.name}", {2 + t.relays}, {t.relays});' for t in program.topics]
     lines += [f"  {p.name}::start(nh);" for p in programs] + ["  fuzz::wait_for_all();",
-              f"  for (int k = 0; k < {min(program.rounds for program in programs)}; ++k) {{"]
+              f"  for (int k = 0; k < {ROUNDS}; ++k) {{"]
     for program in programs:
         lines += [f'    fuzz::running("{program.name}");', f"    {program.name}::step(k);", "    fuzz::settle();"]
-    return "\n".join(lines + ["    fuzz::round_done();", "  }", "  return fuzz::finish();", "}", ""])
+    lines += ["    fuzz::round_done();", f'    if (k == {ROUNDS // 2 - 1}) fuzz::write_counters("counters_half.json");', "  }",
+              "  return fuzz::finish();", "}", ""]
+    return "\n".join(lines)
 
 
 PACKAGE_XML = """<package format="2">

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What points into a message's array, as a value: pointers, references, iterators, containers and views of them."""
 
+COUNT = 40  # elements of an array
+
 
 class Handle:
     """Statements that make a handle to the first element, and how an element is written through it and read."""
@@ -180,7 +182,7 @@ def copied_as_bytes(program, element, source, array):
 
 
 def bound_by_structure(program, element, source, array):
-    return Handle([f"auto [h, count] = std::make_pair(static_cast<{element}*>({source}), 20);", "(void)count;"],
+    return Handle([f"auto [h, count] = std::make_pair(static_cast<{element}*>({source}), {COUNT});", "(void)count;"],
                   "h[{index}]")
 
 
@@ -205,11 +207,11 @@ def pointer_to_middle(program, element, source, array):
 
 
 def chosen(program, element, source, array):
-    return Handle([f"{element} spare[20] = {{}};", f"{element}* h = k % 2 ? {source} : spare;"], "h[{index}]")
+    return Handle([f"{element} spare[{COUNT}] = {{}};", f"{element}* h = k % 2 ? {source} : spare;"], "h[{index}]")
 
 
 def assigned_later(program, element, source, array):
-    return Handle([f"{element} spare[20] = {{}};", f"{element}* h = spare;", f"if (k != 1) h = {source};"], "h[{index}]")
+    return Handle([f"{element} spare[{COUNT}] = {{}};", f"{element}* h = spare;", f"if (k != 1) h = {source};"], "h[{index}]")
 
 
 STORES = [pointer, second_pointer, element_reference, iterator, array_reference, aggregate, in_vector, in_map,

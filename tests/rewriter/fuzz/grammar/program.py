@@ -13,7 +13,6 @@ class Program:
     def __init__(self, rng, index, siblings=False):
         self.rng, self.index = rng, index
         self.siblings = siblings  # pure functions are another package's
-        self.rounds = 8  # how often it publishes on each topic
         self.name = f"p{index:03d}"
         self.is_class = rng.random() < 0.7
         self.split = rng.random() < 0.6  # a declaration in the header, definitions in two files

@@ -185,18 +185,18 @@ void round_done() {
   first = false;
 }
 
-/// What TZC has counted for each topic, while the publishers live. Its page shows counters that are at most a second old.
-void write_counters() {
+/// TZC's page shows counters that are at most a second old.
+void write_counters(const std::string& file) {
   const char* const monitor = std::getenv("FUZZ_MONITOR");
   if (!monitor) return;
   ros::WallDuration(1.5).sleep();
-  const std::string command = std::string(monitor) + " --json --interval 0 >" + folder() + "/counters.json";
+  const std::string command = std::string(monitor) + " --json --interval 0 >" + folder() + "/" + file;
   if (std::system(command.c_str()) != 0) give_up("the counters of " + command);
 }
 
 int finish() {
   round_done();
-  write_counters();
+  write_counters("counters.json");
   ros::shutdown();
   std::_Exit(0);  // image_transport's publishers, in the programs' globals, do not survive their plugins
 }

@@ -80,6 +80,8 @@ void wait_for_all();
 /// Returns when the relays have handled everything.
 void settle();
 void round_done();
+/// What TZC has counted for each topic so far, while the publishers live; nothing without a monitor.
+void write_counters(const std::string& file);
 int finish();
 /// @}
 
