@@ -40,22 +40,24 @@ bool is_called_here(const FunctionView& view, const clang::LambdaExpr* lambda) {
   });
 }
 
-}  // namespace
-
 /// Somebody else may call the closure, with any message that it may write to.
-void ContentReader::any_given_to(const clang::LambdaExpr* lambda) {
-  if (is_called_here(view_, lambda)) return;
+void any_given_to(const clang::LambdaExpr* lambda, const FunctionView& view, ContentLog& log) {
+  if (is_called_here(view, lambda)) return;
   for (const clang::ParmVarDecl* parameter : lambda->getCallOperator()->parameters()) {
     const clang::QualType type = parameter->getType(), pointee = pointee_of(type);
     const bool is_const = (pointee.isNull() ? type.getNonReferenceType() : pointee).isConstQualified();
     if (is_const || !is_name_of_message(type)) continue;
-    log_.add(ContentEvent::Kind::any, any_message(message_reached(type)->name), lambda->getBeginLoc());
+    log.add(ContentEvent::Kind::any, any_message(message_reached(type)->name), lambda->getBeginLoc());
   }
 }
+
+}  // namespace
 
 /// A closure may be called where it is made, and again: its body's events, twice, in the order of the source.
 void ContentReader::closure(const clang::LambdaExpr* lambda) {
   if (!open_.insert(lambda).second) return;
+  any_given_to(lambda, view_, log_);
+  moved_.entered(lambda->getCallOperator());
   for (int time = 0; time < 2; ++time)
     for (const clang::Stmt* stmt : view_.statements())
       if (view_.lambda_around(stmt) == lambda) look_at(stmt);

@@ -48,6 +48,15 @@ bool is_of_message(const MessagePart& array) {
   return array.find('/') != MessagePart::npos;
 }
 
+/// A library's, or an array.
+bool is_foreign_container(const Unit& unit, clang::QualType type) {
+  const clang::QualType pointee = pointee_of(type);
+  const clang::QualType whole = pointee.isNull() ? type.getNonReferenceType() : pointee;
+  const clang::CXXRecordDecl* record = whole->getAsCXXRecordDecl();
+  const bool is_foreign = record ? !unit.source.in_package(record->getLocation()) : whole->isArrayType();
+  return is_foreign && !is_message_or_pointer(type) && !is_iterator(type) && message_reached(type);
+}
+
 /// std::swap(front.data, back.data)
 bool is_swap(const clang::CallExpr* call) {
   const clang::FunctionDecl* function = call->getDirectCallee();
@@ -184,6 +193,8 @@ void ContentReader::package_call(const clang::FunctionDecl* function,
   if (returns_message(function)) event.part = result_root(event.callee);
   for (unsigned i = 0; i < arguments.size() && i < function->getNumParams(); ++i) {
     const clang::QualType type = arguments[i]->getType();
+    if (is_foreign_container(unit_, type))  // whose elements have other names in the callee
+      log_.add(Kind::any, any_message(message_reached(type)->name), arguments[i]->getExprLoc());
     if (!is_message_or_pointer(type) && !is_iterator(type) && !is_stock_or_twin_array(type)) continue;
     if (MessagePart part = parts_.part_of(arguments[i]); part.empty())
       log_.any(arguments[i]);
@@ -242,11 +253,9 @@ void ContentReader::moved_whole(const clang::Stmt* stmt) {
 }
 
 void ContentReader::look_at(const clang::Stmt* stmt) {
-  if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) {
-    any_given_to(lambda);
-    return closure(lambda);
-  }
+  if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) return closure(lambda);
   names_.look_at(stmt);
+  moved_.look_at(stmt);
   moved_whole(stmt);
   if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
     iterator(construct);

@@ -13,9 +13,11 @@ void append(std::vector<ContentEvent>& events, std::vector<ContentEvent> more) {
 }
 
 /// Blocks in Clang's order, the entry first.
-ContentFlow flow_of(const clang::CFG& cfg, ContentReader& reader, const DecidedValues& values) {
+ContentFlow flow_of(const clang::CFG& cfg, const clang::FunctionDecl* function, ContentReader& reader,
+                    const DecidedValues& values) {
   ContentFlow flow;
   flow.blocks.resize(cfg.size());
+  append(flow.blocks.front().events, reader.events_of(function));
   const auto index = [&](const clang::CFGBlock& block) { return cfg.size() - 1 - block.getBlockID(); };
   for (const clang::CFGBlock* block : cfg) {
     ContentBlock& mine = flow.blocks[index(*block)];
@@ -46,9 +48,9 @@ std::optional<ContentFlow> flow_of(const Unit& unit, const FunctionView& view,
   if (!cfg) return {};
   ContentReader reader(unit, view);
   const std::vector<DecidedValues> ways = decided_ways(view, *cfg);
-  ContentFlow flow = flow_of(*cfg, reader, ways.front());
+  ContentFlow flow = flow_of(*cfg, function, reader, ways.front());
   for (auto way = std::next(ways.begin()); way != ways.end(); ++way)
-    flow.add_alternative(flow_of(*cfg, reader, *way));
+    flow.add_alternative(flow_of(*cfg, function, reader, *way));
   const bool is_empty =
       llvm::all_of(flow.blocks, [](const ContentBlock& block) { return block.events.empty(); });
   return is_empty ? std::nullopt : std::optional(std::move(flow));

@@ -12,14 +12,6 @@ bool is_pointer(clang::QualType type) {
   return !pointee_of(type).isNull();
 }
 
-/// The call whose result a variable is made from, without what moves it there; null: it is made from something else.
-const clang::CallExpr* call_of(const clang::Expr* init) {
-  init = init ? init->IgnoreImplicit() : nullptr;
-  const auto* moved = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(init);
-  if (moved && moved->isElidable() && moved->getNumArgs() == 1) init = moved->getArg(0)->IgnoreImplicit();
-  return llvm::dyn_cast_or_null<clang::CallExpr>(init);
-}
-
 }  // namespace
 
 bool takes_elements(const clang::CXXOperatorCallExpr* assignment) {
@@ -36,9 +28,8 @@ bool is_made_empty(const clang::Expr* source) {
 void ContentNames::variable(const clang::VarDecl* variable) {
   const clang::Expr* const init = variable->getInit();
   const MessagePart root = parts_.root_of(variable);
-  const bool has_result = call_of(init) && is_result(parts_.part_of(init));
   const bool is_reference = variable->getType()->isReferenceType();
-  if (is_reference && !has_result) return log_.any(init);  // the part that it refers to is its name
+  if (is_reference && parts_.name_of(variable) != root) return log_.any(init);
   log_.add(Kind::reset, root, variable->getLocation());
   if (!init) return;
   if (names_messages(variable->getType())) return may_lead_to(root, init);

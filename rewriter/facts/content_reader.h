@@ -11,6 +11,7 @@
 #include "facts/content_names.h"
 #include "facts/function_view.h"
 #include "facts/message_parts.h"
+#include "facts/moved_elements.h"
 #include "facts/unit.h"
 #include "model/content_flow.h"
 
@@ -20,12 +21,22 @@ namespace tzc::rewriter {
 class ContentReader {
  public:
   ContentReader(const Unit& unit, const FunctionView& view)
-      : unit_(unit), view_(view), parts_(unit, view), log_(unit, parts_), names_(unit, view, parts_, log_) {}
+      : unit_(unit),
+        view_(view),
+        parts_(unit, view),
+        log_(unit, parts_),
+        names_(unit, view, parts_, log_),
+        moved_(unit, view, parts_, log_) {}
   ContentReader(const ContentReader&) = delete;
   ContentReader& operator=(const ContentReader&) = delete;
 
   std::vector<ContentEvent> events_of(const clang::Stmt* stmt) {
     look_at(stmt);
+    return log_.take();
+  }
+  /// What a call of the function does before its first statement.
+  std::vector<ContentEvent> events_of(const clang::FunctionDecl* function) {
+    moved_.entered(function);
     return log_.take();
   }
   /// What a constructor's initializer does.
@@ -49,7 +60,6 @@ class ContentReader {
   bool rule_call(const clang::CallExpr* call, const std::string& name);
   void package_call(const clang::FunctionDecl* function, llvm::ArrayRef<const clang::Expr*> arguments,
                     const clang::Stmt* at);
-  void any_given_to(const clang::LambdaExpr* lambda);
   void closure(const clang::LambdaExpr* lambda);
   void closure_of(const clang::LambdaExpr* lambda, llvm::ArrayRef<const clang::Expr*> arguments);
   void closures_called_by(const clang::CallExpr* call);
@@ -60,6 +70,7 @@ class ContentReader {
   MessageParts parts_;
   ContentLog log_;
   ContentNames names_;
+  MovedElements moved_;
   std::set<const clang::LambdaExpr*> open_;
 };
 

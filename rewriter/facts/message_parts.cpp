@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/message_parts.h"
 
+#include <llvm/ADT/StringExtras.h>
+
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
+#include "facts/element_names.h"
 #include "facts/message_type.h"
 
 namespace tzc::rewriter {
@@ -47,7 +50,8 @@ bool is_assigned(const FunctionView& view, const clang::DeclRefExpr* use) {
   const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(view.parent(use));
   const auto* call = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(view.parent(use));
   const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(view.parent(use));
-  return (op && op->isAssignmentOp() && op->getLHS() == use) ||
+  const auto* step = llvm::dyn_cast_or_null<clang::UnaryOperator>(view.parent(use));
+  return (op && op->isAssignmentOp() && op->getLHS() == use) || (step && step->isIncrementDecrementOp()) ||
          (call && call->isAssignmentOp() && call->getArg(0) == use) ||
          (member && !member->isArrow() && member->getMemberDecl()->getDeclName().isIdentifier() &&
           (member->getMemberDecl()->getName() == "reset" || member->getMemberDecl()->getName() == "swap"));
@@ -162,12 +166,18 @@ MessagePart MessageParts::of_name(const clang::DeclRefExpr* name, unsigned depth
   if (const auto* binding = llvm::dyn_cast<clang::BindingDecl>(name->getDecl()))
     return of_binding(binding, depth);
   const auto* variable = llvm::dyn_cast<clang::VarDecl>(name->getDecl());
-  if (!variable) return {};
+  return variable ? name_of(variable, depth) : MessagePart();
+}
+
+/// Not what the function's next call, or the container's next mention, has instead.
+MessagePart MessageParts::name_of(const clang::VarDecl* variable, unsigned depth) const {
   if (const clang::Expr* range = range_of(variable))
-    if (const MessagePart whole = part_of(range, depth + 1); !whole.empty()) return whole + "[each]";
+    if (const MessagePart whole = part_of(range, depth + 1); !whole.empty())
+      return whole + "[each" + index_token(unit_, variable) + "]";
   if (is_another_name(variable))
-    if (MessagePart same = part_of(variable->getInit(), depth + 1); !same.empty() && !is_result(same))
-      return same;  // the function's next call has another result
+    if (MessagePart same = part_of(variable->getInit(), depth + 1);
+        !same.empty() && !is_result(same) && !is_fleeting(same))
+      return same;
   return root_of(variable);
 }
 
@@ -175,16 +185,26 @@ MessagePart MessageParts::of_member(const clang::MemberExpr* member, unsigned de
   if (!llvm::isa<clang::FieldDecl, clang::VarDecl>(member->getMemberDecl())) return {};
   const clang::QualType base = member->getBase()->getType();
   const bool of_message = is_stock_or_twin(member->isArrow() ? base->getPointeeType() : base);
-  if (is_part_of_pair(member->getMemberDecl())) return part_of(member->getBase(), depth + 1);
+  if (is_part_of_pair(member->getMemberDecl())) return of_pair(member, depth);
   if (!of_message) return root_of(member->getMemberDecl());
   const MessagePart whole = part_of(member->getBase(), depth + 1);
   return whole.empty() ? whole : whole + "/" + member->getMemberDecl()->getNameAsString();
 }
 
+/// `second` of what a map has is its only message; of two messages each has a name.
+MessagePart MessageParts::of_pair(const clang::MemberExpr* member, unsigned depth) const {
+  MessagePart whole = part_of(member->getBase(), depth + 1);
+  const auto* record = llvm::cast<clang::CXXRecordDecl>(member->getMemberDecl()->getDeclContext());
+  const bool has_two = llvm::all_of(
+      record->fields(), [](const clang::FieldDecl* field) { return message_reached(field->getType()); });
+  if (whole.empty() || !has_two) return whole;
+  return whole + (member->getMemberDecl()->getName() == "first" ? "[0]" : "[1]");
+}
+
 MessagePart MessageParts::element_of(const clang::Expr* container, const clang::Expr* index,
                                      unsigned depth) const {
   const MessagePart whole = part_of(container, depth + 1);
-  return whole.empty() ? whole : whole + "[" + unit_.text(index) + "]";
+  return whole.empty() ? whole : whole + "[" + element_name(unit_, view_, index) + "]";
 }
 
 /// A function that returns one object of its own class.
@@ -248,7 +268,23 @@ MessagePart MessageParts::of_library_call(const clang::CallExpr* call, unsigned 
   const std::vector<const clang::Expr*> sources = message_sources(call);
   if (sources.size() > 1) return choice_root(unit_.offset(call->getBeginLoc()));
   const MessagePart whole = sources.empty() ? MessagePart() : part_of(sources.front(), depth + 1);
-  return whole.empty() ? whole : whole + "[" + function->getNameAsString() + "]";
+  return whole.empty() ? whole : whole + "[" + found_element(call) + "]";
+}
+
+/// std::get<1>(pair), frames_.find(key)
+std::string MessageParts::found_element(const clang::CallExpr* call) const {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  std::string name = function->getNameAsString();
+  const clang::TemplateArgumentList* given = function->getTemplateSpecializationArgs();
+  if (name == "get" && given && given->get(0).getKind() == clang::TemplateArgument::Integral)
+    return llvm::toString(given->get(0).getAsIntegral(), 10);
+  for (const clang::Expr* argument : call->arguments()) {
+    if (llvm::isa<clang::CXXDefaultArgExpr>(argument) || message_reached(argument->getType())) continue;
+    const std::string element = element_name(unit_, view_, argument);
+    if (element == any_element()) return element;
+    name += " " + element;
+  }
+  return name;
 }
 
 MessagePart MessageParts::of_binary(const clang::BinaryOperator* op, unsigned depth) const {

@@ -16,17 +16,21 @@ class MessageParts {
   MessagePart part_of(const clang::Expr* expr, unsigned depth = 0) const;
   /// The root of a variable of the function, a parameter, a member or a global.
   MessagePart root_of(const clang::ValueDecl* decl) const;
+  /// What mentions of the variable denote: its root, or what it is another name of.
+  MessagePart name_of(const clang::VarDecl* variable, unsigned depth = 0) const;
 
  private:
   MessagePart of_binding(const clang::BindingDecl* binding, unsigned depth) const;
   MessagePart of_name(const clang::DeclRefExpr* name, unsigned depth) const;
   MessagePart of_member(const clang::MemberExpr* member, unsigned depth) const;
   MessagePart of_call(const clang::CallExpr* call, unsigned depth) const;
+  MessagePart of_pair(const clang::MemberExpr* member, unsigned depth) const;
   MessagePart of_binary(const clang::BinaryOperator* op, unsigned depth) const;
   MessagePart of_operator(const clang::CXXOperatorCallExpr* call, unsigned depth) const;
   MessagePart of_library_call(const clang::CallExpr* call, unsigned depth) const;
   MessagePart of_result(const clang::FunctionDecl* function, unsigned depth) const;
   MessagePart element_of(const clang::Expr* container, const clang::Expr* index, unsigned depth) const;
+  std::string found_element(const clang::CallExpr* call) const;
   const clang::Expr* range_of(const clang::VarDecl* variable) const;
   bool is_another_name(const clang::VarDecl* variable) const;
 

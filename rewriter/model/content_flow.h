@@ -55,6 +55,21 @@ inline bool is_choice(const MessagePart& part) {
   return part.rfind("choice ", 0) == 0;
 }
 
+/// In the name of an element: which one it is may change from one mention to the next.
+inline std::string any_element() {
+  return "?";
+}
+
+/// One of the messages of a container: what happens to it happens perhaps to each, and certainly to none.
+inline bool is_one_of_several(const MessagePart& part) {
+  return part.find("[?]") != MessagePart::npos;
+}
+
+/// The name of an element that may be another one before its function has ended.
+inline bool is_fleeting(const MessagePart& part) {
+  return is_one_of_several(part) || part.find("@!") != MessagePart::npos;
+}
+
 /// Some message of a type that the facts do not follow: it may be any of the package's.
 inline MessagePart any_message(const std::string& type) {
   return "any " + type;
@@ -73,6 +88,7 @@ struct ContentEvent {
     exchange,  ///< the part and `other` exchange their elements, or what they point to
     alias,     ///< the pointer leads to what `other` leads to
     perhaps,   ///< the pointer leads to what `other` leads to, or to what it led to before
+    moved,  ///< the parts whose names hold `part`, or begin with it, denote other elements of their containers from here on
     any,  ///< some message is written, published or named, and which one is not followed: `part` has its type
     call  ///< of a function of the package
   };

@@ -40,6 +40,7 @@ std::set<PublishPlace> ContentState::sharers_of(const MessagePart& part) const {
 }
 
 void ContentState::unshare(const MessagePart& part) {
+  if (is_one_of_several(part)) return;
   erase_inside(shared_, part);
   erase_inside(own_, part);
   if (!sharers_of(part).empty()) own_.insert(part);
@@ -47,7 +48,7 @@ void ContentState::unshare(const MessagePart& part) {
 
 void ContentState::make(const MessagePart& message) {
   reset(message);
-  new_.insert(message);
+  if (!is_one_of_several(message)) new_.insert(message);
 }
 
 bool ContentState::is_new(const MessagePart& part) const {
@@ -56,7 +57,7 @@ bool ContentState::is_new(const MessagePart& part) const {
 
 void ContentState::reset(const MessagePart& part) {
   unshare(part);
-  erase_inside(taken_, part);
+  if (!is_one_of_several(part)) erase_inside(taken_, part);
 }
 
 void ContentState::take(const MessagePart& part, const Location& where) {
@@ -70,7 +71,7 @@ std::optional<Location> ContentState::publish(const MessagePart& part, const Pub
     if (!where && lies_in(array, part)) where = taken_at;
   reset(part);
   erase_inside(own_, part);
-  shared_[part] = {site};
+  shared_[part].insert(site);
   for (auto it = new_.begin(); it != new_.end();) it = lies_in(part, *it) ? new_.erase(it) : std::next(it);
   return where;
 }
@@ -83,9 +84,10 @@ bool ContentState::share(const MessagePart& part, const std::set<PublishPlace>& 
   return known.size() > before;
 }
 
-/// Also where it had become its owner's.
+/// Also where it had become its owner's, and by sites that share it already.
 void ContentState::share_anew(const MessagePart& part, const std::set<PublishPlace>& sites) {
-  if (share(part, sites)) erase_inside(own_, part);
+  share(part, sites);
+  if (!sites.empty()) erase_inside(own_, part);
 }
 
 void ContentState::exchange(const MessagePart& one, const MessagePart& other) {
@@ -121,7 +123,7 @@ void ContentState::alias_perhaps(const MessagePart& pointer, const MessagePart& 
 
 std::set<PublishPlace> ContentState::write(const MessagePart& array) {
   std::set<PublishPlace> sites = sharers_of(array);
-  if (!sites.empty()) own_.insert(array);
+  if (!sites.empty() && !is_one_of_several(array)) own_.insert(array);
   return sites;
 }
 

@@ -14,7 +14,8 @@ namespace tzc::rewriter {
 bool lies_in(const MessagePart& part, const MessagePart& whole);
 
 /// Which messages' elements are shared with subscribers, or lie outside shared memory, at one point of a program, on some
-/// path to it; and which messages are new there, on each path.
+/// path to it; and which messages are new there, on each path. Of one of several messages (is_one_of_several) nothing is ever
+/// taken away: it may have been another one.
 class ContentState {
  public:
   /// Gives a part its name in another function; empty: it has none there.

@@ -64,6 +64,8 @@ void CopiedElements::add_functions() {
       for (const ContentEvent& event : block.events) {
         note(usr, event);
         touch(event.part);
+        if (event.kind == ContentEvent::Kind::moved)
+          for (const MessagePart& name : other_names_.moved_with(event.part)) touch(name);
         touch(event.other);
         for (const auto& item : event.passed) touch(item.second);
         if (event.kind != ContentEvent::Kind::call || event.callee == usr) continue;
@@ -193,7 +195,12 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
     case ContentEvent::Kind::exchange:
       return state.exchange(event.part, event.other);
     case ContentEvent::Kind::alias:
-      return state.alias(event.part, event.other);
+      state.alias(event.part, event.other);
+      for (const MessagePart& name : other_names_.in_same_container(event.part)) refresh(name, state);
+      return;
+    case ContentEvent::Kind::moved:
+      for (const MessagePart& name : other_names_.moved_with(event.part)) refresh(name, state);
+      return;
     case ContentEvent::Kind::perhaps:
       state.alias_perhaps(event.part, event.other);
       for (const MessagePart& name : other_names_.in_same_container(event.part))
@@ -217,6 +224,12 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
     case ContentEvent::Kind::call:
       return;
   }
+}
+
+/// The name may denote what any other one of its family does; an element is not its container.
+void CopiedElements::refresh(const MessagePart& name, ContentState& state) const {
+  for (const MessagePart& other : other_names_.of(name))
+    if (!is_element_of(name, other)) state.alias_perhaps(name, other);
 }
 
 /// Its other names denote the same.
@@ -276,8 +289,9 @@ std::optional<ContentState> CopiedElements::after(const ContentEvent& event, con
   enter(event.callee, inside);
   if (!callee.exit) return {};
   ContentState after = without(event.part, before).renamed([&](const MessagePart& part) {
-    const bool given = std::any_of(event.passed.begin(), event.passed.end(),
-                                   [&](const auto& item) { return lies_in(part, item.second); });
+    const bool given = std::any_of(event.passed.begin(), event.passed.end(), [&](const auto& item) {
+      return lies_in(part, item.second) && !is_one_of_several(part);
+    });
     return given || callee.touches(part) ? MessagePart() : part;
   });
   after.add(callee.exit->renamed(to_caller));

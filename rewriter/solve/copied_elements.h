@@ -46,6 +46,7 @@ class CopiedElements {
   std::optional<ContentState> after_call(const ContentEvent& event, const ContentState& before,
                                          const std::string& caller);
   std::optional<ContentState> after(const ContentEvent& call, const ContentState& before);
+  void refresh(const MessagePart& name, ContentState& state) const;
   void spread(const MessagePart& part, ContentState& state) const;
   void enter(const std::string& usr, const ContentState& state);
   void leave(const std::string& usr, Function& function);

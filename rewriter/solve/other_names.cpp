@@ -34,6 +34,16 @@ bool is_name(const ContentEvent& event) {
   return event.kind == ContentEvent::Kind::alias || event.kind == ContentEvent::Kind::perhaps;
 }
 
+bool is_element(const MessagePart& message) {
+  return is_element_of(message, stem_of(message));
+}
+
+/// "frames_[i@120@]" with the index "@120@", the container "frames_" and the element "frames_[i@120@]"; "it" with the iterator "it".
+bool changes_with(const MessagePart& message, const MessagePart& changed) {
+  if (changed.front() == '@') return message.find(changed) != MessagePart::npos;
+  return stem_of(message) == stem_of(changed);
+}
+
 template <class Visitor>
 void for_each_event(const Facts& facts, const Visitor& visit) {
   for (const auto& [usr, flow] : facts.contents)
@@ -43,8 +53,18 @@ void for_each_event(const Facts& facts, const Visitor& visit) {
 
 }  // namespace
 
+bool is_element_of(const MessagePart& part, const MessagePart& container) {
+  return part.size() > container.size() && part[container.size()] == '[' &&
+         part.compare(0, container.size(), container) == 0;
+}
+
 OtherNames::OtherNames(const Facts& facts) {
+  std::set<MessagePart> changed;
   for_each_event(facts, [&](const ContentEvent& event) {
+    if (event.kind == ContentEvent::Kind::moved) {
+      changed.insert(event.part);
+      return;
+    }
     add_name(event.part);
     add_name(event.other);
     for (const auto& [parameter, part] : event.passed) add_name(part);
@@ -52,11 +72,30 @@ OtherNames::OtherNames(const Facts& facts) {
     if (event.kind == ContentEvent::Kind::call) unite_results(facts, event.callee);
   });
   unite_kept_parameters(facts);
+  add_elements(changed);
   for (const auto& [stem, names] : by_stem_) by_family_[family_of(stem)].insert(names.begin(), names.end());
 }
 
 void OtherNames::add_name(const MessagePart& part) {
   if (!part.empty()) by_stem_[stem_of(part)].insert(message_of(part));
+}
+
+/// What any element of a container has, and which elements change with what.
+void OtherNames::add_elements(const std::set<MessagePart>& changed) {
+  for (auto& [stem, names] : by_stem_) {
+    const bool has_elements = std::any_of(names.begin(), names.end(), is_element);
+    if (has_elements) names.insert(stem + "[" + any_element() + "]");
+  }
+  for (const MessagePart& what : changed)
+    for (const auto& [stem, names] : by_stem_)
+      for (const MessagePart& name : names)
+        if (!is_one_of_several(name) && changes_with(name, what)) moved_[what].insert(name);
+}
+
+const std::set<MessagePart>& OtherNames::moved_with(const MessagePart& changed) const {
+  static const std::set<MessagePart> none;
+  const auto found = moved_.find(changed);
+  return found == moved_.end() ? none : found->second;
 }
 
 const std::string& OtherNames::family_of(const std::string& stem) const {

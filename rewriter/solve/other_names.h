@@ -10,6 +10,9 @@
 
 namespace tzc::rewriter {
 
+/// "frames_[0]" of "frames_"
+bool is_element_of(const MessagePart& part, const MessagePart& container);
+
 /// Names that may denote one message: elements of a container by different indices, and what pointers are given. Of the whole run, in
 /// no order: a name that once led to a message may lead to it again.
 class OtherNames {
@@ -20,6 +23,8 @@ class OtherNames {
   std::vector<MessagePart> of(const MessagePart& part) const;
   /// Elements of the same container by other indices.
   std::vector<MessagePart> in_same_container(const MessagePart& part) const;
+  /// Elements that may be others when the index ("@120@"), iterator or container changes.
+  const std::set<MessagePart>& moved_with(const MessagePart& changed) const;
 
  private:
   const std::string& family_of(const std::string& stem) const;
@@ -27,10 +32,12 @@ class OtherNames {
   void unite_kept_parameters(const Facts& facts);
   void unite(const std::string& one, const std::string& other);
   void add_name(const MessagePart& part);
+  void add_elements(const std::set<MessagePart>& changed);
 
   std::map<std::string, std::string> families_;           ///< of stems: one of them stands for all
   std::map<std::string, std::set<MessagePart>> by_stem_;  ///< names of whole messages
   std::map<std::string, std::set<MessagePart>> by_family_;
+  std::map<MessagePart, std::set<MessagePart>> moved_;
 };
 
 }  // namespace tzc::rewriter
