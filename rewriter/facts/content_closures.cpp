@@ -40,6 +40,59 @@ bool is_called_here(const FunctionView& view, const clang::LambdaExpr* lambda) {
   });
 }
 
+/// Tells which of a closure's statements may not be run, as they are looked at in the order of the source.
+class Branches {
+ public:
+  Branches(const FunctionView& view, ContentLog& log, const clang::LambdaExpr* lambda)
+      : view_(view), log_(log), lambda_(lambda) {}
+  Branches(const Branches&) = delete;
+  Branches& operator=(const Branches&) = delete;
+  ~Branches() {
+    for (; !open_.empty(); open_.pop_back()) log_.end();
+  }
+
+  void before(const clang::Stmt* stmt) {
+    const FunctionView::Span span = view_.span(stmt);
+    for (; !open_.empty() && !open_.back().contains(span); open_.pop_back()) log_.end();
+    if (is_branch(stmt)) begin(span);
+  }
+
+  /// return, break: what comes behind, in the closure or the loop, may have been left out.
+  void after(const clang::Stmt* stmt) {
+    if (llvm::isa<clang::ReturnStmt, clang::GotoStmt, clang::CXXThrowExpr>(stmt)) begin(view_.span(lambda_));
+    if (!llvm::isa<clang::BreakStmt, clang::ContinueStmt>(stmt)) return;
+    const clang::Stmt* around = view_.parent(stmt);
+    while (around && !llvm::isa<clang::ForStmt, clang::WhileStmt, clang::DoStmt, clang::CXXForRangeStmt,
+                                clang::SwitchStmt, clang::LambdaExpr>(around))
+      around = view_.parent(around);
+    if (around) begin(view_.span(around));
+  }
+
+ private:
+  /// Outer ones stay open as long.
+  void begin(const FunctionView::Span& span) {
+    for (FunctionView::Span& outer : open_)
+      if (span.contains(outer)) outer = span;
+    open_.push_back(span);
+    log_.begin();
+  }
+
+  bool is_branch(const clang::Stmt* stmt) const {
+    const clang::Stmt* around = view_.parent(stmt);
+    if (llvm::isa_and_nonnull<clang::IfStmt, clang::SwitchStmt, clang::ForStmt, clang::WhileStmt,
+                              clang::CXXForRangeStmt, clang::AbstractConditionalOperator,
+                              clang::CXXCatchStmt>(around))
+      return true;
+    const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(around);
+    return op && op->isLogicalOp() && op->getRHS() == stmt;
+  }
+
+  const FunctionView& view_;
+  ContentLog& log_;
+  const clang::LambdaExpr* lambda_;
+  std::vector<FunctionView::Span> open_;
+};
+
 /// Somebody else may call the closure, with any message that it may write to.
 void any_given_to(const clang::LambdaExpr* lambda, const FunctionView& view, ContentLog& log) {
   if (is_called_here(view, lambda)) return;
@@ -58,9 +111,15 @@ void ContentReader::closure(const clang::LambdaExpr* lambda) {
   if (!open_.insert(lambda).second) return;
   any_given_to(lambda, view_, log_);
   moved_.entered(lambda->getCallOperator());
-  for (int time = 0; time < 2; ++time)
-    for (const clang::Stmt* stmt : view_.statements())
-      if (view_.lambda_around(stmt) == lambda) look_at(stmt);
+  for (int time = 0; time < 2; ++time) {
+    Branches branches(view_, log_, lambda);
+    for (const clang::Stmt* stmt : view_.statements()) {
+      if (view_.lambda_around(stmt) != lambda) continue;
+      branches.before(stmt);
+      look_at(stmt);
+      branches.after(stmt);
+    }
+  }
   open_.erase(lambda);
 }
 

@@ -27,6 +27,9 @@ class ContentLog {
   /// The expression names, publishes or passes on a message: an event where nothing shows which. Nothing for null.
   void any(const clang::Expr* message);
   void call(ContentEvent event) { events_.push_back(std::move(event)); }
+  /// What follows may not happen, up to the call of end() that belongs to it.
+  void begin() { events_.push_back(event(ContentEvent::Kind::begins, {}, {})); }
+  void end() { events_.push_back(event(ContentEvent::Kind::ends, {}, {})); }
 
   std::size_t size() const { return events_.size(); }
   /// In the events from the given one on, what lies in a part lies in another instead.

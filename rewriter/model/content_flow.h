@@ -90,7 +90,9 @@ struct ContentEvent {
     perhaps,   ///< the pointer leads to what `other` leads to, or to what it led to before
     moved,  ///< the parts whose names hold `part`, or begin with it, denote other elements of their containers from here on
     any,  ///< some message is written, published or named, and which one is not followed: `part` has its type
-    call  ///< of a function of the package
+    call,    ///< of a function of the package
+    begins,  ///< what comes up to the `ends` that belongs to it may not happen
+    ends
   };
   Kind kind = Kind::write;
   MessagePart part;  ///< of a call: what it returns

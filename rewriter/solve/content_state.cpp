@@ -69,7 +69,7 @@ std::optional<Location> ContentState::publish(const MessagePart& part, const Pub
   std::optional<Location> where;
   for (const auto& [array, taken_at] : taken_)
     if (!where && lies_in(array, part)) where = taken_at;
-  reset(part);
+  if (!is_one_of_several(part)) erase_inside(taken_, part);
   erase_inside(own_, part);
   shared_[part].insert(site);
   for (auto it = new_.begin(); it != new_.end();) it = lies_in(part, *it) ? new_.erase(it) : std::next(it);

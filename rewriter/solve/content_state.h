@@ -28,7 +28,7 @@ class ContentState {
   void reset(const MessagePart& part);
   /// The part has the elements of a std::vector from here on.
   void take(const MessagePart& part, const Location& where);
-  /// Where a part of it was given a vector's elements; none: it was not.
+  /// Where a part of it was given a vector's elements; none: it was not. Who has published it before shares it as well.
   std::optional<Location> publish(const MessagePart& part, const PublishPlace& site);
   /// Another name of what is published.
   void publish_as(const MessagePart& other, const PublishPlace& site) { share_anew(other, {site}); }

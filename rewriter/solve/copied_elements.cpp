@@ -136,7 +136,13 @@ bool CopiedElements::called_from_outside(const std::string& usr) const {
 
 /// False: no call that the block makes has returned yet.
 bool CopiedElements::step(const std::string& usr, const ContentBlock& block, ContentState& state) {
+  std::vector<ContentState> skipped;
   for (const ContentEvent& event : block.events) {
+    if (event.kind == ContentEvent::Kind::begins) skipped.push_back(state);
+    if (event.kind == ContentEvent::Kind::ends) {
+      state.join(skipped.back());
+      skipped.pop_back();
+    }
     if (event.kind != ContentEvent::Kind::call || event.callee == usr) {
       apply(event, state);
       continue;
@@ -222,6 +228,8 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
       return;
     case ContentEvent::Kind::any:
     case ContentEvent::Kind::call:
+    case ContentEvent::Kind::begins:
+    case ContentEvent::Kind::ends:
       return;
   }
 }

@@ -147,7 +147,7 @@ def behind_owner(use):
 def found_by_helper(use):
     kind = use.frame()
     frames = use.program.variable(f"std::vector<{kind}>", "frames")
-    use.program.setup.append(f"{frames}.resize(2);")
+    use.program.setup.append(f"{frames}.resize(4);")  # one for two rounds
     name = use.program.helper(f"{kind}*", "find", "int k",
                               [f"if (k % 2) return &{frames}[k / 2];", "return nullptr;"])
     return [f"{kind}* frame = {name}(k);"] + within("if (frame) {", use.whole("frame->message.", "frame->message"))

@@ -15,8 +15,8 @@ class Node {
   sensor_msgs::Image image_;
 };
 //--- expected
-// advertise src/node.cpp:6 sensor_msgs/Image zero_copy 'image'
-// publish src/node.cpp:10 sensor_msgs/Image zero_copy 'image'
+// advertise src/node.cpp:6 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:10 sensor_msgs/Image one_copy 'image' TZC1022 line 9 may use its elements for writing after this publish, which copies them
 // publish src/node.cpp:12 sensor_msgs/Image one_copy 'image' TZC1022 line 9 may use its elements for writing after this publish, which copies them
 //
 // +++ src/node.cpp
