@@ -48,6 +48,10 @@ bool is_of_message(const MessagePart& array) {
   return array.find('/') != MessagePart::npos;
 }
 
+bool is_constant(const Unit& unit, const clang::Expr* expr) {
+  return !expr->isValueDependent() && expr->isEvaluatable(unit.ast());
+}
+
 /// A library's, or an array.
 bool is_foreign_container(const Unit& unit, clang::QualType type) {
   const clang::QualType pointee = pointee_of(type);
@@ -85,6 +89,9 @@ void ContentReader::array_method(const clang::Expr* array, const clang::CXXMembe
     }
   }
   if (resets) return log_.add(Kind::reset, parts_.part_of(array), call->getExprLoc());
+  const bool sets_size = name == "resize" || name == "reserve";
+  if (sets_size && !is_constant(unit_, call->getArg(0)))
+    log_.add(Kind::grow, parts_.part_of(array), call->getExprLoc());
   if (keeps.count(name) == 0) log_.add(Kind::write, parts_.part_of(array), call->getExprLoc());
 }
 

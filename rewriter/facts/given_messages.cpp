@@ -63,7 +63,7 @@ class GivenMessages {
 
  private:
   void give(const clang::Expr* message, const std::string& holder, const std::string& how);
-  bool hand_on(const clang::Expr* from, const std::string& holder);
+  bool hand_on(const clang::Expr* from, const std::string& holder, const std::string& how = "");
   void container_call(const clang::CXXMemberCallExpr* call);
   void make_in(const std::string& container, const std::string& how, const clang::Expr* at);
   void declaration(const clang::DeclStmt* statement);
@@ -88,8 +88,9 @@ void GivenMessages::give(const clang::Expr* message, const std::string& holder, 
   facts_.given.messages.push_back({part, holder, how, unit_.location(message->getBeginLoc())});
 }
 
-/// What is made from a message, or from what leads to one. False: it is made from none that has a name.
-bool GivenMessages::hand_on(const clang::Expr* from, const std::string& holder) {
+/// What is made from a message, or from what leads to one; `how` it is given away that is moved, where nothing else says so.
+/// False: it is made from none that has a name.
+bool GivenMessages::hand_on(const clang::Expr* from, const std::string& holder, const std::string& how) {
   if (!from || holder.empty()) return false;
   bool has_source = false;
   std::vector<const clang::Expr*> open{from};
@@ -100,6 +101,7 @@ bool GivenMessages::hand_on(const clang::Expr* from, const std::string& holder) 
     const auto origins = origins_of(expr);
     open.insert(open.end(), origins.begin(), origins.end());
     if (!origins.empty() || !leads_to_messages(expr->getType())) continue;
+    if (!how.empty() && expr->isXValue()) give(expr, holder, how);
     std::string source = holders_.of(expr);
     has_source |= !source.empty();
     if (!source.empty() && source != holder) facts_.given.handed_on[std::move(source)].insert(holder);
@@ -110,7 +112,8 @@ bool GivenMessages::hand_on(const clang::Expr* from, const std::string& holder) 
 void GivenMessages::declaration(const clang::DeclStmt* statement) {
   for (const clang::Decl* decl : statement->decls())
     if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl))
-      hand_on(variable->getInit(), holders_.of_name(variable));
+      hand_on(variable->getInit(), holders_.of_name(variable),
+              "moved to '" + variable->getNameAsString() + "'");
 }
 
 void GivenMessages::result(const clang::ReturnStmt* statement) {

@@ -84,6 +84,7 @@ struct ContentEvent {
     reset,     ///< the part has no content any more, or content that nobody else has
     take,      ///< the array is given elements that lie outside shared memory, those of a std::vector
     write,     ///< an element is written, or may be
+    grow,      ///< the array may need other memory, for more elements than it has had
     publish,   ///< the part's elements are shared from here on
     exchange,  ///< the part and `other` exchange their elements, or what they point to
     alias,     ///< the pointer leads to what `other` leads to

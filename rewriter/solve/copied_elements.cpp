@@ -226,6 +226,9 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
     case ContentEvent::Kind::write:
       for (const PublishPlace& site : state.write(event.part)) writes_.emplace(site, event.where);
       return;
+    case ContentEvent::Kind::grow:
+      for (const PublishPlace& site : state.sharers_of(event.part)) grown_.emplace(site, event.where);
+      return;
     case ContentEvent::Kind::any:
     case ContentEvent::Kind::call:
     case ContentEvent::Kind::begins:
@@ -321,6 +324,11 @@ std::optional<Obstacle> CopiedElements::why_copied(const SiteId& site) const {
     return Obstacle{codes::TZC1022,
                     "line " + std::to_string(found->second.line) +
                         " may use its elements for writing after this publish, which copies them",
+                    found->second};
+  if (const auto found = grown_.find(place); found != grown_.end())
+    return Obstacle{codes::TZC1022,
+                    "line " + std::to_string(found->second.line) +
+                        " may give it more elements after this publish, which copies those that it has",
                     found->second};
   return why_not_followed(site);
 }

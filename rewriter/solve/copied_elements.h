@@ -56,7 +56,7 @@ class CopiedElements {
   std::map<std::string, Function> functions_;
   std::set<std::string> called_;
   ContentState anytime_;  ///< of what outlives functions, when one is called from outside
-  std::map<PublishPlace, Location> writes_, taken_;
+  std::map<PublishPlace, Location> writes_, taken_, grown_;
   std::map<MessagePart, Location> any_;  ///< of messages that are not followed, by any_message
   std::map<std::string, std::map<MessagePart, Location>> any_in_;  ///< likewise, by the function around
   std::map<PublishPlace, std::set<std::string>>

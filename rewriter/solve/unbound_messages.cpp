@@ -12,6 +12,12 @@ std::string root_of(const MessagePart& part) {
   return part.substr(0, part.find_first_of("/["));
 }
 
+/// As facts/message_holders names it: variables with their function.
+std::string holder_of(const MessagePart& part, const std::string& function) {
+  const std::string root = root_of(part);
+  return is_local(root) ? root + " of " + function : root;
+}
+
 /// Whether the part is another object afterwards, or has another one's elements.
 bool replaces(const ContentEvent& event) {
   using Kind = ContentEvent::Kind;
@@ -43,17 +49,21 @@ void UnboundMessages::add(const GivenMessage& given) {
   unbound_.emplace(given.holder, Obstacle{codes::TZC1022, why, given.where});
 }
 
-/// What is made from such content lies outside shared memory, too.
+/// What is made from such content lies outside shared memory, too, by whatever name it is published.
 void UnboundMessages::hand_on() {
   std::vector<std::string> open;
   for (const auto& [holder, why] : unbound_) open.push_back(holder);
   while (!open.empty()) {
     const std::string holder = std::move(open.back());
     open.pop_back();
-    const auto next = facts_.given.handed_on.find(holder);
-    if (next == facts_.given.handed_on.end()) continue;
-    for (const std::string& other : next->second)
-      if (unbound_.emplace(other, unbound_.at(holder)).second) open.push_back(other);
+    const auto add_from = [&](const std::map<std::string, std::set<std::string>>& next) {
+      const auto found = next.find(holder);
+      if (found == next.end()) return;
+      for (const std::string& other : found->second)
+        if (unbound_.emplace(other, unbound_.at(holder)).second) open.push_back(other);
+    };
+    add_from(facts_.given.handed_on);
+    add_from(names_);
   }
 }
 
@@ -62,6 +72,8 @@ void UnboundMessages::read_contents() {
     for (const ContentBlock& block : flow.blocks)
       for (const ContentEvent& event : block.events) {
         if (event.kind == ContentEvent::Kind::publish) published_.insert(root_of(event.part));
+        if (event.kind == ContentEvent::Kind::alias || event.kind == ContentEvent::Kind::perhaps)
+          names_[holder_of(event.other, usr)].insert(holder_of(event.part, usr));
         for (const auto& [parameter, part] : event.passed) given_[parameter].insert(root_of(part));
         if (replaces(event) && root_of(event.part) == event.part) replaced_.insert(event.part);
       }

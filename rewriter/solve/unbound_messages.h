@@ -29,6 +29,7 @@ class UnboundMessages {
 
   const Facts& facts_;
   std::map<std::string, std::set<std::string>> given_;  ///< to parameters: what callers pass
+  std::map<std::string, std::set<std::string>> names_;  ///< that were given to a message
   std::set<std::string> published_;                     ///< roots, also of parameters
   std::set<std::string> replaced_;                      ///< as a whole, by what may lie in shared memory
   std::map<std::string, Obstacle> unbound_;             ///< by what holds the content

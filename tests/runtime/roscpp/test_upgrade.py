@@ -122,16 +122,16 @@ class Death(TopicCase):
         self.assertTrue(all(message["right"] for message in listener.messages()))
 
     def test_killed_subscriber_disturbs_nobody(self):
-        victim, survivor = self.listen(), self.listen()
-        talker = self.start_talker(count=400, rate=200, subscribers=2)
+        victim, survivor = self.listen(), self.listen(answers="had")
+        talker = self.start_talker(count=400, rate=200, subscribers=2, echo="had", ahead=50)
         self.wait_for(victim, 50)
         victim.process.kill()
         talker.wait(30)
         self.assert_got(survivor, range(400), shared=True)
 
     def test_stopped_subscriber_disturbs_nobody(self):
-        sleeper, survivor = self.listen(), self.listen()
-        talker = self.start_talker(count=600, rate=200, subscribers=2, memory=4000000, queue=20)
+        sleeper, survivor = self.listen(), self.listen(answers="had")
+        talker = self.start_talker(count=600, rate=200, subscribers=2, memory=4000000, queue=20, echo="had", ahead=10)
         self.wait_for(sleeper, 50)
         sleeper.process.popen.send_signal(signal.SIGSTOP)
         time.sleep(1.5)
