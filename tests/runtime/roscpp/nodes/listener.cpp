@@ -37,6 +37,11 @@ class Answers {
     if (!topic.empty()) publisher_ = node.advertise<sensor_msgs::Image>(topic, 100);
   }
 
+  /// A publisher that outlives main would keep roscpp from shutting down.
+  void end() {
+    if (publisher_) publisher_ = ros::Publisher();
+  }
+
   void answer(const sensor_msgs::Image& received) const {
     if (!publisher_) return;
     sensor_msgs::Image answer;
@@ -198,4 +203,5 @@ int main(int argc, char** argv) {
       subscribers.push_back(subscribe(node, mode, "image", queue));
   }
   spin(spinner, own);
+  answers().end();
 }
