@@ -220,14 +220,14 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
       new_.emplace(event.site, true).first->second &=
           state.is_new(event.part);  // states only lose what is new
       if (const std::optional<Location> where = state.publish(event.part, event.site))
-        taken_.emplace(event.site, *where);
+        causes_.taken.emplace(event.site, *where);
       for (const MessagePart& other : other_names_.of(event.part)) state.publish_as(other, event.site);
       return;
     case ContentEvent::Kind::write:
-      for (const PublishPlace& site : state.write(event.part)) writes_.emplace(site, event.where);
+      for (const PublishPlace& site : state.write(event.part)) causes_.writes.emplace(site, event.where);
       return;
     case ContentEvent::Kind::grow:
-      for (const PublishPlace& site : state.sharers_of(event.part)) grown_.emplace(site, event.where);
+      for (const PublishPlace& site : state.sharers_of(event.part)) causes_.grows.emplace(site, event.where);
       return;
     case ContentEvent::Kind::any:
     case ContentEvent::Kind::call:
@@ -315,17 +315,17 @@ std::optional<ContentState> CopiedElements::after(const ContentEvent& event, con
 
 std::optional<Obstacle> CopiedElements::why_copied(const SiteId& site) const {
   const PublishPlace place{site.file, site.begin};
-  if (const auto found = taken_.find(place); found != taken_.end())
+  if (const auto found = causes_.taken.find(place); found != causes_.taken.end())
     return Obstacle{
         codes::TZC1022,
         "line " + std::to_string(found->second.line) + " gives it elements that lie outside shared memory",
         found->second};
-  if (const auto found = writes_.find(place); found != writes_.end())
+  if (const auto found = causes_.writes.find(place); found != causes_.writes.end())
     return Obstacle{codes::TZC1022,
                     "line " + std::to_string(found->second.line) +
                         " may use its elements for writing after this publish, which copies them",
                     found->second};
-  if (const auto found = grown_.find(place); found != grown_.end())
+  if (const auto found = causes_.grows.find(place); found != causes_.grows.end())
     return Obstacle{codes::TZC1022,
                     "line " + std::to_string(found->second.line) +
                         " may give it more elements after this publish, which copies those that it has",

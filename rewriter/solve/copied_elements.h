@@ -25,6 +25,11 @@ class CopiedElements {
   std::optional<Obstacle> why_new(const SiteId& site) const;
 
  private:
+  /// What copies the elements that are published in a place: that they were given a vector's before it, and that they are
+  /// written, or become more, behind it.
+  struct Causes {
+    std::map<PublishPlace, Location> taken, writes, grows;
+  };
   struct Function {
     const ContentFlow* flow = nullptr;
     std::set<std::string> touched;            ///< what outlives functions and it, or what it calls, names
@@ -56,7 +61,7 @@ class CopiedElements {
   std::map<std::string, Function> functions_;
   std::set<std::string> called_;
   ContentState anytime_;  ///< of what outlives functions, when one is called from outside
-  std::map<PublishPlace, Location> writes_, taken_, grown_;
+  Causes causes_;
   std::map<MessagePart, Location> any_;  ///< of messages that are not followed, by any_message
   std::map<std::string, std::map<MessagePart, Location>> any_in_;  ///< likewise, by the function around
   std::map<PublishPlace, std::set<std::string>>

@@ -31,11 +31,12 @@ const MemoryOptions& SegmentMemory::options() const {
 }
 
 std::uint64_t SegmentMemory::copied_bytes() const noexcept {
-  return impl_->copied_bytes();
+  return copied_bytes_.load(std::memory_order_relaxed);
 }
 
 void note_copy(MemorySource& memory, std::size_t bytes) noexcept {
-  if (const auto* own = dynamic_cast<const SegmentMemory*>(&memory)) own->impl_->note_copy(bytes);
+  if (auto* own = dynamic_cast<SegmentMemory*>(&memory))
+    own->copied_bytes_.fetch_add(bytes, std::memory_order_relaxed);
 }
 
 void set_memory_ceiling(std::size_t bytes) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
-#include <cstdint>
 #include <mutex>
 #include <vector>
 
@@ -35,8 +33,6 @@ class SegmentMemoryImpl {
   MemoryStats stats() const;
   AllocationError last_failure() const;
   const MemoryOptions& options() const { return options_; }
-  void note_copy(std::size_t bytes) noexcept { copied_bytes_.fetch_add(bytes, std::memory_order_relaxed); }
-  std::uint64_t copied_bytes() const noexcept { return copied_bytes_.load(std::memory_order_relaxed); }
 
  private:
   Block* find_room(std::size_t bytes);
@@ -63,8 +59,7 @@ class SegmentMemoryImpl {
   BlockQueue
       aside_;  // of those that a subscriber took: nothing can be revoked there until something is released
   MemoryStats stats_;
-  Error failure_;  // of the system, during the allocate that runs
-  std::atomic<std::uint64_t> copied_bytes_{0};
+  Error failure_;         // of the system, during the allocate that runs
   AllocationError last_;  // of the latest allocate that was refused
 };
 

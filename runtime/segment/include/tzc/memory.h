@@ -200,6 +200,7 @@ class SegmentMemory final : public MemorySource {
   friend void note_copy(MemorySource& memory, std::size_t bytes) noexcept;
   explicit SegmentMemory(std::unique_ptr<segment::SegmentMemoryImpl> impl);
   std::unique_ptr<segment::SegmentMemoryImpl> impl_;
+  std::atomic<std::uint64_t> copied_bytes_{0};
 };
 
 /// Counts elements that were copied into the memory because their owner writes them again while others have them. For
