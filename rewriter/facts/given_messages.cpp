@@ -83,7 +83,8 @@ class GivenMessages {
 
 void GivenMessages::give(const clang::Expr* message, const std::string& holder, const std::string& how) {
   if (holder.empty() || !is_stock_or_twin(message->getType())) return;
-  const MessagePart part = parts_.part_of(message);
+  const MessagePart given = parts_.part_of(message);
+  const MessagePart part = given.substr(0, given.find('['));  // an element stands for its container
   if (!outlives_functions(part) || !is_root(part) || part == holder) return;
   facts_.given.messages.push_back({part, holder, how, unit_.location(message->getBeginLoc())});
 }
