@@ -11,13 +11,6 @@ namespace {
 
 using Kind = ContentEvent::Kind;
 
-const clang::Stmt* use_of(const FunctionView& view, const clang::Stmt* expr) {
-  const clang::Stmt* around = view.parent(expr);
-  while (llvm::isa_and_nonnull<clang::ParenExpr, clang::ImplicitCastExpr>(around))
-    around = view.parent(around);
-  return around;
-}
-
 /// `return frame;`: the caller's object is this one, or has what it had.
 bool is_returned(const FunctionView& view, const clang::Stmt* value) {
   const clang::Stmt* around = view.parent(value);

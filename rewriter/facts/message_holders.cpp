@@ -28,8 +28,7 @@ MessageHolders::MessageHolders(const Unit& unit, const FunctionView& view)
 
 /// A variable of a function has its name in that function only.
 std::string MessageHolders::unique(const clang::ValueDecl* decl) const {
-  const std::string root = parts_.root_of(decl);
-  return root.rfind("local ", 0) == 0 ? root + " of " + function_ : root;
+  return root_in(function_, parts_.root_of(decl));
 }
 
 /// The range of a loop over it, or what a reference, a pointer or an iterator was made from; null: neither.

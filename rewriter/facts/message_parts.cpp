@@ -117,6 +117,13 @@ bool is_array_of_data_parts(clang::QualType type) {
   return stock ? stock->has_data_part : twin_message_of(element).has_value();
 }
 
+const clang::Stmt* use_of(const FunctionView& view, const clang::Stmt* mention) {
+  const clang::Stmt* around = view.parent(mention);
+  while (llvm::isa_and_nonnull<clang::ParenExpr, clang::ImplicitCastExpr>(around))
+    around = view.parent(around);
+  return around;
+}
+
 bool is_only_read(const FunctionView& view, const clang::Expr* array) {
   if (array->getType().isConstQualified()) return true;
   const auto* cast = llvm::dyn_cast_or_null<clang::ImplicitCastExpr>(view.parent(array));

@@ -58,6 +58,8 @@ bool returns_message(const clang::FunctionDecl* function);
 bool is_stock_or_twin_array(clang::QualType type);
 /// An array of messages, or of twins, that have data arrays themselves.
 bool is_array_of_data_parts(clang::QualType type);
+/// The statement that uses what is mentioned, behind conversions.
+const clang::Stmt* use_of(const FunctionView& view, const clang::Stmt* mention);
 /// Whether only const functions are called through a mention of an array.
 bool is_only_read(const FunctionView& view, const clang::Expr* array);
 

@@ -56,8 +56,7 @@ void MovedElements::stepped(const clang::Expr* operand) {
 
 void MovedElements::container(const clang::Expr* expr) {
   if (!is_container(expr->getType()) || is_only_read(view_, expr)) return;
-  const clang::Stmt* use = view_.parent(expr);
-  while (llvm::isa_and_nonnull<clang::ParenExpr, clang::ImplicitCastExpr>(use)) use = view_.parent(use);
+  const clang::Stmt* const use = use_of(view_, expr);
   if (llvm::isa_and_nonnull<clang::DeclStmt>(use)) return;  // another name
   if (const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(use)) {
     const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member->getMemberDecl());

@@ -36,6 +36,11 @@ inline bool is_local(const MessagePart& part) {
   return part.rfind("local ", 0) == 0;
 }
 
+/// A root as it is called outside of its function: that of a variable with the function.
+inline std::string root_in(const std::string& function, const std::string& root) {
+  return is_local(root) ? root + " of " + function : root;
+}
+
 /// The root of what a function returns by value.
 inline std::string result_root(const std::string& function) {
   return "result of " + function;

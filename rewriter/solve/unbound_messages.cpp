@@ -12,12 +12,6 @@ std::string root_of(const MessagePart& part) {
   return part.substr(0, part.find_first_of("/["));
 }
 
-/// As facts/message_holders names it: variables with their function.
-std::string holder_of(const MessagePart& part, const std::string& function) {
-  const std::string root = root_of(part);
-  return is_local(root) ? root + " of " + function : root;
-}
-
 /// Whether the part is another object afterwards, or has another one's elements.
 bool replaces(const ContentEvent& event) {
   using Kind = ContentEvent::Kind;
@@ -73,7 +67,7 @@ void UnboundMessages::read_contents() {
       for (const ContentEvent& event : block.events) {
         if (event.kind == ContentEvent::Kind::publish) published_.insert(root_of(event.part));
         if (event.kind == ContentEvent::Kind::alias || event.kind == ContentEvent::Kind::perhaps)
-          names_[holder_of(event.other, usr)].insert(holder_of(event.part, usr));
+          names_[root_in(usr, root_of(event.other))].insert(root_in(usr, root_of(event.part)));
         for (const auto& [parameter, part] : event.passed) given_[parameter].insert(root_of(part));
         if (replaces(event) && root_of(event.part) == event.part) replaced_.insert(event.part);
       }
