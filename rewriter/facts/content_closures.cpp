@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "facts/content_closures.h"
+
 #include "facts/ast_walk.h"
-#include "facts/content_reader.h"
 #include "facts/message_type.h"
 
 namespace tzc::rewriter {
@@ -11,91 +12,55 @@ bool calls(const clang::CXXOperatorCallExpr* call, const clang::Stmt* closure) {
   return call->getOperator() == clang::OO_Call && call->getArg(0) == closure;
 }
 
-/// Whether a closure is called directly, or by a library's function that it is an argument of, and by nothing else.
-bool is_called_here(const FunctionView& view, const clang::LambdaExpr* lambda) {
-  const clang::Stmt* inner = lambda;
-  const clang::Stmt* around = view.parent(lambda);
-  while (around &&
-         (is_implicit_wrapper(around) || llvm::isa<clang::CastExpr, clang::CXXConstructExpr>(around))) {
-    inner = around;
+/// Whether the expression's only use is that it is called.
+bool is_called(const FunctionView& view, const clang::Stmt* closure) {
+  const clang::Stmt* around = view.parent(closure);
+  while (around && (is_implicit_wrapper(around) || llvm::isa<clang::ParenExpr>(around))) {
+    closure = around;
     around = view.parent(around);
   }
-  if (const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(around)) return calls(op, inner);
-  if (const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(around))
-    return !message_sources(call).empty();
+  const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(around);
+  return op && calls(op, closure);
+}
+
+/// The variable that holds a closure and nothing else; null: there is none.
+const clang::VarDecl* variable_of(const FunctionView& view, const clang::LambdaExpr* lambda) {
+  const clang::Stmt* around = view.parent(lambda);
+  while (around &&
+         (is_implicit_wrapper(around) || llvm::isa<clang::CastExpr, clang::CXXConstructExpr>(around)))
+    around = view.parent(around);
   const auto* declaration = llvm::dyn_cast_or_null<clang::DeclStmt>(around);
   const auto* variable = declaration && declaration->isSingleDecl()
                              ? llvm::dyn_cast<clang::VarDecl>(declaration->getSingleDecl())
                              : nullptr;
-  if (!variable || variable->getType()->getAsCXXRecordDecl() != lambda->getLambdaClass()) return false;
-  return llvm::all_of(view.uses(variable), [&](const clang::DeclRefExpr* use) {
-    const clang::Stmt* given = use;
-    const clang::Stmt* user = view.parent(use);
-    while (user && is_implicit_wrapper(user)) {
-      given = user;
-      user = view.parent(user);
-    }
-    const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(user);
-    return op && calls(op, given);
-  });
+  const bool is_it = variable && variable->getType()->getAsCXXRecordDecl() == lambda->getLambdaClass();
+  return is_it ? variable : nullptr;
 }
 
-/// Tells which of a closure's statements may not be run, as they are looked at in the order of the source.
-class Branches {
- public:
-  Branches(const FunctionView& view, ContentLog& log, const clang::LambdaExpr* lambda)
-      : view_(view), log_(log), lambda_(lambda) {}
-  Branches(const Branches&) = delete;
-  Branches& operator=(const Branches&) = delete;
-  ~Branches() {
-    for (; !open_.empty(); open_.pop_back()) log_.end();
-  }
+/// Whether a closure is called directly, and by nothing else.
+bool is_only_called(const FunctionView& view, const clang::LambdaExpr* lambda) {
+  if (is_called(view, lambda)) return true;
+  const clang::VarDecl* const variable = variable_of(view, lambda);
+  return variable && llvm::all_of(view.uses(variable),
+                                  [&](const clang::DeclRefExpr* use) { return is_called(view, use); });
+}
 
-  void before(const clang::Stmt* stmt) {
-    const FunctionView::Span span = view_.span(stmt);
-    for (; !open_.empty() && !open_.back().contains(span); open_.pop_back()) log_.end();
-    if (is_branch(stmt)) begin(span);
-  }
+/// Whether a library's function gets the closure together with messages.
+bool is_given_to_library(const FunctionView& view, const clang::LambdaExpr* lambda) {
+  const clang::Stmt* around = view.parent(lambda);
+  while (around &&
+         (is_implicit_wrapper(around) || llvm::isa<clang::CastExpr, clang::CXXConstructExpr>(around)))
+    around = view.parent(around);
+  const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(around);
+  return call && !message_sources(call).empty();
+}
 
-  /// return, break: what comes behind, in the closure or the loop, may have been left out.
-  void after(const clang::Stmt* stmt) {
-    if (llvm::isa<clang::ReturnStmt, clang::GotoStmt, clang::CXXThrowExpr>(stmt)) begin(view_.span(lambda_));
-    if (!llvm::isa<clang::BreakStmt, clang::ContinueStmt>(stmt)) return;
-    const clang::Stmt* around = view_.parent(stmt);
-    while (around && !llvm::isa<clang::ForStmt, clang::WhileStmt, clang::DoStmt, clang::CXXForRangeStmt,
-                                clang::SwitchStmt, clang::LambdaExpr>(around))
-      around = view_.parent(around);
-    if (around) begin(view_.span(around));
-  }
-
- private:
-  /// Outer ones stay open as long.
-  void begin(const FunctionView::Span& span) {
-    for (FunctionView::Span& outer : open_)
-      if (span.contains(outer)) outer = span;
-    open_.push_back(span);
-    log_.begin();
-  }
-
-  bool is_branch(const clang::Stmt* stmt) const {
-    const clang::Stmt* around = view_.parent(stmt);
-    if (llvm::isa_and_nonnull<clang::IfStmt, clang::SwitchStmt, clang::ForStmt, clang::WhileStmt,
-                              clang::CXXForRangeStmt, clang::AbstractConditionalOperator,
-                              clang::CXXCatchStmt>(around))
-      return true;
-    const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(around);
-    return op && op->isLogicalOp() && op->getRHS() == stmt;
-  }
-
-  const FunctionView& view_;
-  ContentLog& log_;
-  const clang::LambdaExpr* lambda_;
-  std::vector<FunctionView::Span> open_;
-};
+bool is_name_of_array(clang::QualType type) {
+  return is_pointer_to_array(type) || (type->isReferenceType() && is_stock_or_twin_array(type));
+}
 
 /// Somebody else may call the closure, with any message that it may write to.
-void any_given_to(const clang::LambdaExpr* lambda, const FunctionView& view, ContentLog& log) {
-  if (is_called_here(view, lambda)) return;
+void any_given_to(const clang::LambdaExpr* lambda, ContentLog& log) {
   for (const clang::ParmVarDecl* parameter : lambda->getCallOperator()->parameters()) {
     const clang::QualType type = parameter->getType(), pointee = pointee_of(type);
     const bool is_const = (pointee.isNull() ? type.getNonReferenceType() : pointee).isConstQualified();
@@ -106,58 +71,68 @@ void any_given_to(const clang::LambdaExpr* lambda, const FunctionView& view, Con
 
 }  // namespace
 
-/// A closure may be called where it is made, and again: its body's events, twice, in the order of the source.
-void ContentReader::closure(const clang::LambdaExpr* lambda) {
-  if (!open_.insert(lambda).second) return;
-  any_given_to(lambda, view_, log_);
-  moved_.entered(lambda->getCallOperator());
-  for (int time = 0; time < 2; ++time) {
-    Branches branches(view_, log_, lambda);
-    for (const clang::Stmt* stmt : view_.statements()) {
-      if (view_.lambda_around(stmt) != lambda) continue;
-      branches.before(stmt);
-      look_at(stmt);
-      branches.after(stmt);
-    }
-  }
-  open_.erase(lambda);
+std::vector<const clang::LambdaExpr*> closures_called_elsewhere(const FunctionView& view) {
+  std::vector<const clang::LambdaExpr*> found;
+  for (const clang::Stmt* stmt : view.statements())
+    if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt))
+      if (!is_only_called(view, lambda)) found.push_back(lambda);
+  return found;
 }
 
-/// The closure of this function that a call calls; null: it calls none.
-const clang::LambdaExpr* ContentReader::called_closure(const clang::CallExpr* call) const {
-  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call);
-  const clang::FunctionDecl* function =
-      op && op->getOperator() == clang::OO_Call ? op->getDirectCallee() : nullptr;
-  if (!function) return nullptr;
+void ContentClosures::made(const clang::LambdaExpr* lambda) {
+  if (is_only_called(view_, lambda)) return;
+  if (!is_given_to_library(view_, lambda)) any_given_to(lambda, log_);
+  run(lambda->getCallOperator(), false, {});
+}
+
+/// The closure of this function whose call operator, or an instance of it, this is; null: it is of none.
+const clang::LambdaExpr* ContentClosures::called_closure(const clang::CXXMethodDecl* function) const {
   for (const clang::Stmt* stmt : view_.statements())
     if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt))
-      if (lambda->getCallOperator() == function) return lambda;
+      if (lambda->getLambdaClass()->getCanonicalDecl() == function->getParent()->getCanonicalDecl())
+        return lambda;
   return nullptr;
 }
 
-/// What a closure does to the messages that it is given.
-void ContentReader::closure_of(const clang::LambdaExpr* lambda,
-                               llvm::ArrayRef<const clang::Expr*> arguments) {
-  const std::size_t first = log_.size();
-  closure(lambda);
-  const auto& parameters = lambda->getCallOperator()->parameters();
-  for (std::size_t i = 0; i < parameters.size() && i < arguments.size(); ++i) {
-    if (!is_name_of_message(parameters[i]->getType())) continue;
-    log_.any(arguments[i]);
-    if (const MessagePart part = parts_.part_of(arguments[i]); !part.empty())
-      log_.rename(first, parts_.root_of(parameters[i]), part);
+bool ContentClosures::called(const clang::CallExpr* call) {
+  const clang::FunctionDecl* const function = call->getDirectCallee();
+  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call);
+  const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(function);
+  if (!function || (op && op->getOperator() == clang::OO_Call && method && !unit_.declares(function))) {
+    log_.step(UnknownCall{});  // by pointer, or a std::function
+    return false;
   }
+  const clang::LambdaExpr* const lambda =
+      method && method->getParent()->isLambda() ? called_closure(method) : nullptr;
+  if (!lambda || !op) return false;
+  run(function, true, llvm::ArrayRef<const clang::Expr*>(call->getArgs(), call->getNumArgs()).drop_front());
+  return true;
 }
 
-/// std::for_each(begin, end, [](Image& image) { ... }): a library gives a closure what it was given itself.
-void ContentReader::closures_called_by(const clang::CallExpr* call) {
+/// The body is a closure's, or an instance of it, which is a function of its own to its reader.
+void ContentClosures::run(const clang::FunctionDecl* body, bool once,
+                          llvm::ArrayRef<const clang::Expr*> arguments) {
+  ClosureRun run{body, once, {}};
+  for (unsigned i = 0; i < body->getNumParams() && i < arguments.size(); ++i) {
+    const clang::ParmVarDecl* const parameter = body->getParamDecl(i);
+    if (!is_name_of_message(parameter->getType()) && !is_name_of_array(parameter->getType())) continue;
+    log_.any(arguments[i]);
+    if (MessagePart part = parts_.part_of(arguments[i]); !part.empty())
+      run.given.emplace_back(body->isTemplateInstantiation() ? parameter_root(usr_of(pattern_of(body)), i)
+                                                             : parts_.root_of(parameter),
+                             std::move(part));
+  }
+  log_.step(std::move(run));
+}
+
+void ContentClosures::given_to(const clang::CallExpr* call) {
   const std::vector<const clang::Expr*> sources = message_sources(call);
   for (const clang::Expr* argument : call->arguments()) {
     const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(argument->IgnoreUnlessSpelledInSource());
     if (!lambda) continue;
     const std::size_t parameters = lambda->getCallOperator()->getNumParams();
     for (const clang::Expr* source : sources)
-      closure_of(lambda, std::vector<const clang::Expr*>(parameters, source));
+      run(lambda->getCallOperator(), false, std::vector<const clang::Expr*>(parameters, source));
   }
 }
 

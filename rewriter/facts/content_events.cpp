@@ -54,6 +54,16 @@ bool is_foreign_container(const Unit& unit, clang::QualType type) {
   return is_foreign && !is_message_or_pointer(type) && !is_iterator(type) && message_reached(type);
 }
 
+/// Other than one that only passes on what a part of it denotes: std::move(data), (data), data = other
+bool denotes_object(const clang::Expr* expr) {
+  if (llvm::isa<clang::MemberExpr, clang::DeclRefExpr, clang::ArraySubscriptExpr>(expr)) return true;
+  if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr)) return op->getOpcode() == clang::UO_Deref;
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(expr))
+    return op->isGLValue() && !op->isAssignmentOp();
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(expr);
+  return call && call->isGLValue() && call->getDirectCallee() && !passes_through(call->getDirectCallee());
+}
+
 /// std::swap(front.data, back.data)
 bool is_swap(const clang::CallExpr* call) {
   const clang::FunctionDecl* function = call->getDirectCallee();
@@ -195,13 +205,14 @@ void ContentReader::package_call(const clang::FunctionDecl* function,
     const clang::QualType type = arguments[i]->getType();
     if (is_foreign_container(unit_, type))  // whose elements have other names in the callee
       log_.add(Kind::any, any_message(message_reached(type)->name), arguments[i]->getExprLoc());
-    if (!is_message_or_pointer(type) && !is_iterator(type) && !is_stock_or_twin_array(type)) continue;
+    const bool is_array = is_stock_or_twin_array(type) || is_pointer_to_array(type);
+    if (!is_message_or_pointer(type) && !is_iterator(type) && !is_array) continue;
     if (MessagePart part = parts_.part_of(arguments[i]); part.empty())
       log_.any(arguments[i]);
     else
       event.passed.emplace(parameter_root(event.callee, i), std::move(part));
   }
-  log_.call(std::move(event));
+  log_.step(std::move(event));
 }
 
 void ContentReader::member_call(const clang::CXXMemberCallExpr* call) {
@@ -252,8 +263,22 @@ void ContentReader::moved_whole(const clang::Stmt* stmt) {
   for (const clang::Expr* argument : call->arguments()) take(argument, false);
 }
 
+/// An expression that denotes an array, or points to one that a member of is used: data, (*h), h->
+void ContentReader::mention(const clang::Expr* expr) {
+  if (is_pointer_to_array(expr->getType())) {
+    const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(view_.parent(expr));
+    if (member && member->isArrow()) array(expr);
+    return;
+  }
+  if (!is_stock_or_twin_array(expr->getType()) || !denotes_object(expr)) return;
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr); member && !is_only_read(view_, expr))
+    log_.any(member->getBase());
+  array(expr);
+}
+
 void ContentReader::look_at(const clang::Stmt* stmt) {
-  if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) return closure(lambda);
+  if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) return closures_.made(lambda);
+  if (const auto* expr = llvm::dyn_cast<clang::Expr>(stmt)) mention(expr);
   names_.look_at(stmt);
   moved_.look_at(stmt);
   moved_whole(stmt);
@@ -271,23 +296,17 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
     if (is_swap(call) && call->getNumArgs() == 2 && !unit_.declares(function))
       exchanged(call->getArg(0), call->getArg(1), call->getExprLoc());
     if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
-    if (const clang::LambdaExpr* lambda = called_closure(call))
-      return closure_of(lambda,
-                        llvm::ArrayRef<const clang::Expr*>(call->getArgs(), call->getNumArgs()).drop_front());
-    if (!function || rule_call(call, qualified_name_of(function))) return;
-    if (!unit_.declares(function)) return closures_called_by(call);
+    ended_.look_at(call);
+    if (closures_.called(call) || !function || rule_call(call, qualified_name_of(function))) return;
+    if (!unit_.declares(function)) return closures_.given_to(call);
     const bool shifted =
         llvm::isa<clang::CXXOperatorCallExpr>(call) && llvm::isa<clang::CXXMethodDecl>(function);
     llvm::ArrayRef<const clang::Expr*> arguments(call->getArgs(), call->getNumArgs());
     return package_call(function, shifted ? arguments.drop_front() : arguments, call);
   }
+  ended_.look_at(stmt);
   const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
   if (!expr || !llvm::isa<clang::MemberExpr, clang::DeclRefExpr>(expr)) return;
-  if (is_stock_or_twin_array(expr->getType())) {
-    if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr); member && !is_only_read(view_, expr))
-      log_.any(member->getBase());
-    array(expr);
-  }
   if (is_array_of_data_parts(expr->getType())) array_of_messages(expr);
 }
 

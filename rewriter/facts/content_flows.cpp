@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <clang/Analysis/CFG.h>
 
+#include <algorithm>
+#include <set>
+
 #include "facts/content_events.h"
 #include "facts/content_reader.h"
 #include "facts/decided_branches.h"
@@ -8,49 +11,208 @@
 namespace tzc::rewriter {
 namespace {
 
-void append(std::vector<ContentEvent>& events, std::vector<ContentEvent> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(events));
+using Given = std::vector<std::pair<MessagePart, MessagePart>>;
+
+/// What lies in a part lies in another instead.
+void rename(const Given& given, MessagePart& part) {
+  for (const auto& [from, to] : given) {
+    const bool is_inside =
+        part.compare(0, from.size(), from) == 0 &&
+        (part.size() == from.size() || part[from.size()] == '/' || part[from.size()] == '[');
+    if (is_inside) return void(part.replace(0, from.size(), to));
+  }
 }
 
+void rename(const Given& given, ContentEvent& event) {
+  rename(given, event.part);
+  rename(given, event.other);
+  for (auto& [parameter, part] : event.passed) rename(given, part);
+}
+
+std::unique_ptr<clang::CFG> cfg_of(const Unit& unit, const clang::FunctionDecl* function) {
+  clang::CFG::BuildOptions options;
+  options.setAllAlwaysAdd();
+  options.AddInitializers = true;
+  options.AddImplicitDtors = true;
+  return clang::CFG::buildCFG(function, function->getBody(), &unit.ast(), options);
+}
+
+/// Puts one function's graph together, and those of its closures where their bodies run.
+class FlowBuilder {
+ public:
+  FlowBuilder(const Unit& unit, const FunctionView& view, const DecidedValues& values)
+      : unit_(unit), view_(view), values_(values), own_reader_(unit, view), reader_(&own_reader_) {}
+  FlowBuilder(const FlowBuilder&) = delete;
+  FlowBuilder& operator=(const FlowBuilder&) = delete;
+
+  ContentFlow build(const clang::CFG& cfg, const clang::FunctionDecl* function) {
+    open_.insert(function->getCanonicalDecl());
+    flow_.exit = add(cfg, function).exit;
+    return std::move(flow_);
+  }
+
+ private:
+  /// The blocks at which a part of the graph begins and ends.
+  struct Part {
+    unsigned entry = 0, exit = 0;
+  };
+
+  unsigned new_block() {
+    flow_.blocks.emplace_back();
+    return static_cast<unsigned>(flow_.blocks.size() - 1);
+  }
+  void connect(unsigned from, unsigned to) { flow_.blocks[from].next.push_back(to); }
+
+  Part add(const clang::CFG& cfg, const clang::FunctionDecl* function);
+  unsigned add(std::vector<ContentStep> steps, unsigned at);
+  unsigned add(const clang::CFGElement& element, unsigned at);
+  unsigned perhaps(Part part, unsigned at);
+  unsigned run(const ClosureRun& closure, unsigned at);
+  unsigned call(const PerhapsCall& perhaps_called, unsigned at);
+  unsigned call_any_closure(unsigned at);
+  void append(ContentEvent event, unsigned at);
+  Part body_of(const clang::FunctionDecl* closure);
+  Part add_instance(const clang::CFG& cfg, const clang::FunctionDecl* closure);
+
+  const Unit& unit_;
+  const FunctionView& view_;
+  const DecidedValues& values_;
+  ContentReader own_reader_;
+  ContentReader* reader_;  ///< of the function, or of the instance of a generic closure that is being added
+  ContentFlow flow_;
+  std::vector<Given> given_;                   ///< of the closures around, the innermost last
+  std::set<const clang::FunctionDecl*> open_;  ///< which are being added
+  std::optional<Part> any_closure_;            ///< one of those that something else may call
+};
+
 /// Blocks in Clang's order, the entry first.
-ContentFlow flow_of(const clang::CFG& cfg, const clang::FunctionDecl* function, ContentReader& reader,
-                    const DecidedValues& values) {
-  ContentFlow flow;
-  flow.blocks.resize(cfg.size());
-  append(flow.blocks.front().events, reader.events_of(function));
-  const auto index = [&](const clang::CFGBlock& block) { return cfg.size() - 1 - block.getBlockID(); };
+FlowBuilder::Part FlowBuilder::add(const clang::CFG& cfg, const clang::FunctionDecl* function) {
+  const auto first = static_cast<unsigned>(flow_.blocks.size());
+  flow_.blocks.resize(flow_.blocks.size() + cfg.size());
+  const auto index = [&](const clang::CFGBlock& block) {
+    return first + cfg.size() - 1 - block.getBlockID();
+  };
   for (const clang::CFGBlock* block : cfg) {
-    ContentBlock& mine = flow.blocks[index(*block)];
-    for (const clang::CFGElement& element : *block)
-      if (const auto stmt = element.getAs<clang::CFGStmt>())
-        append(mine.events, reader.events_of(stmt->getStmt()));
-      else if (const auto initializer = element.getAs<clang::CFGInitializer>())
-        append(mine.events, reader.events_of(initializer->getInitializer()));
+    unsigned at = index(*block);
+    if (block == &cfg.getEntry()) at = add(reader_->steps_of(function), at);
+    for (const clang::CFGElement& element : *block) at = add(element, at);
     unsigned successor = 0;
     for (const clang::CFGBlock::AdjacentBlock& next : block->succs()) {
       const clang::CFGBlock* const reached = next.getReachableBlock();
-      if (reached && may_go(*block, successor, values)) mine.next.push_back(index(*reached));
+      if (reached && may_go(*block, successor, values_)) connect(at, index(*reached));
       ++successor;
     }
   }
-  flow.exit = index(cfg.getExit());
-  return flow;
+  return {index(cfg.getEntry()), index(cfg.getExit())};
+}
+
+/// Adds what happens at the end of a block, and says where the graph goes on.
+unsigned FlowBuilder::add(const clang::CFGElement& element, unsigned at) {
+  if (const auto stmt = element.getAs<clang::CFGStmt>()) return add(reader_->steps_of(stmt->getStmt()), at);
+  if (const auto initializer = element.getAs<clang::CFGInitializer>())
+    return add(reader_->steps_of(initializer->getInitializer()), at);
+  if (const auto ended = element.getAs<clang::CFGAutomaticObjDtor>())
+    return add(reader_->steps_at_end_of(ended->getVarDecl()), at);
+  return at;
+}
+
+unsigned FlowBuilder::add(std::vector<ContentStep> steps, unsigned at) {
+  for (ContentStep& step : steps) {
+    if (auto* event = std::get_if<ContentEvent>(&step))
+      append(std::move(*event), at);
+    else if (const auto* closure = std::get_if<ClosureRun>(&step))
+      at = run(*closure, at);
+    else if (const auto* called = std::get_if<PerhapsCall>(&step))
+      at = call(*called, at);
+    else
+      at = call_any_closure(at);
+  }
+  return at;
+}
+
+void FlowBuilder::append(ContentEvent event, unsigned at) {
+  for (auto given = given_.rbegin(); given != given_.rend(); ++given) rename(*given, event);
+  flow_.blocks[at].events.push_back(std::move(event));
+}
+
+/// The part runs any number of times.
+unsigned FlowBuilder::perhaps(Part part, unsigned at) {
+  const unsigned behind = new_block();
+  connect(at, part.entry);
+  connect(at, behind);
+  connect(part.exit, part.entry);
+  connect(part.exit, behind);
+  return behind;
+}
+
+/// What a closure calls that is being added already runs in no order that shows.
+FlowBuilder::Part FlowBuilder::body_of(const clang::FunctionDecl* closure) {
+  const std::unique_ptr<clang::CFG> cfg =
+      closure->getBody() && open_.insert(closure).second ? cfg_of(unit_, closure) : nullptr;
+  if (!cfg) {
+    const unsigned nothing = new_block();
+    return {nothing, nothing};
+  }
+  const Part part = closure->isTemplateInstantiation() ? add_instance(*cfg, closure) : add(*cfg, closure);
+  open_.erase(closure);
+  return part;
+}
+
+/// The view of the function around knows the pattern alone.
+FlowBuilder::Part FlowBuilder::add_instance(const clang::CFG& cfg, const clang::FunctionDecl* closure) {
+  const FunctionView view(closure);
+  ContentReader reader(unit_, view);
+  ContentReader* const around = std::exchange(reader_, &reader);
+  const Part part = add(cfg, closure);
+  reader_ = around;
+  return part;
+}
+
+unsigned FlowBuilder::run(const ClosureRun& closure, unsigned at) {
+  given_.push_back(closure.given);
+  const Part part = body_of(closure.body);
+  given_.pop_back();
+  if (!closure.once) return perhaps(part, at);
+  connect(at, part.entry);
+  return part.exit;
+}
+
+unsigned FlowBuilder::call(const PerhapsCall& perhaps_called, unsigned at) {
+  const unsigned callee = new_block();
+  append(perhaps_called.call, callee);
+  return perhaps({callee, callee}, at);
+}
+
+/// One graph for all such calls: a closure may call another one.
+unsigned FlowBuilder::call_any_closure(unsigned at) {
+  if (!any_closure_) {
+    any_closure_ = Part{new_block(), new_block()};
+    connect(any_closure_->entry, any_closure_->exit);
+    for (const clang::LambdaExpr* lambda : closures_called_elsewhere(view_)) {
+      const std::vector<Given> around = std::exchange(given_, {});
+      const std::set<const clang::FunctionDecl*> open = std::exchange(open_, {});
+      const Part part = body_of(lambda->getCallOperator());
+      given_ = around;
+      open_ = open;
+      connect(any_closure_->entry, part.entry);
+      connect(part.exit, any_closure_->entry);
+    }
+  }
+  const unsigned behind = new_block();
+  connect(at, any_closure_->entry);
+  connect(any_closure_->exit, behind);
+  return behind;
 }
 
 /// The flow of a function of the view, or of a closure in it; none: it has no events.
 std::optional<ContentFlow> flow_of(const Unit& unit, const FunctionView& view,
                                    const clang::FunctionDecl* function) {
-  clang::CFG::BuildOptions options;
-  options.setAllAlwaysAdd();
-  options.AddInitializers = true;
-  const std::unique_ptr<clang::CFG> cfg =
-      clang::CFG::buildCFG(function, function->getBody(), &unit.ast(), options);
+  const std::unique_ptr<clang::CFG> cfg = cfg_of(unit, function);
   if (!cfg) return {};
-  ContentReader reader(unit, view);
   const std::vector<DecidedValues> ways = decided_ways(view, *cfg);
-  ContentFlow flow = flow_of(*cfg, function, reader, ways.front());
+  ContentFlow flow = FlowBuilder(unit, view, ways.front()).build(*cfg, function);
   for (auto way = std::next(ways.begin()); way != ways.end(); ++way)
-    flow.add_alternative(flow_of(*cfg, function, reader, *way));
+    flow.add_alternative(FlowBuilder(unit, view, *way).build(*cfg, function));
   const bool is_empty =
       llvm::all_of(flow.blocks, [](const ContentBlock& block) { return block.events.empty(); });
   return is_empty ? std::nullopt : std::optional(std::move(flow));

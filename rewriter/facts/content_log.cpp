@@ -14,40 +14,29 @@ ContentEvent ContentLog::event(ContentEvent::Kind kind, MessagePart part, clang:
 }
 
 void ContentLog::add(ContentEvent::Kind kind, MessagePart part, clang::SourceLocation where) {
-  if (!part.empty()) events_.push_back(event(kind, std::move(part), where));
+  if (!part.empty()) step(event(kind, std::move(part), where));
 }
 
 void ContentLog::pair(ContentEvent::Kind kind, MessagePart part, MessagePart other,
                       clang::SourceLocation where) {
   if (part.empty() || other.empty()) return;
-  events_.push_back(event(kind, std::move(part), where));
-  events_.back().other = std::move(other);
+  ContentEvent two = event(kind, std::move(part), where);
+  two.other = std::move(other);
+  step(std::move(two));
 }
 
 void ContentLog::publish(MessagePart part, PublishPlace site, clang::SourceLocation where) {
   if (part.empty()) return;
-  events_.push_back(event(ContentEvent::Kind::publish, std::move(part), where));
-  events_.back().site = std::move(site);
+  ContentEvent published = event(ContentEvent::Kind::publish, std::move(part), where);
+  published.site = std::move(site);
+  step(std::move(published));
 }
 
 void ContentLog::assign(MessagePart part, bool empties, clang::SourceLocation where) {
   if (part.empty()) return;
-  events_.push_back(event(ContentEvent::Kind::reset, std::move(part), where));
-  events_.back().empties = empties;
-}
-
-void ContentLog::rename(std::size_t first, const MessagePart& from, const MessagePart& to) {
-  const auto change = [&](MessagePart& part) {
-    const bool is_inside =
-        part.compare(0, from.size(), from) == 0 &&
-        (part.size() == from.size() || part[from.size()] == '/' || part[from.size()] == '[');
-    if (is_inside) part.replace(0, from.size(), to);
-  };
-  for (std::size_t i = first; i < events_.size(); ++i) {
-    change(events_[i].part);
-    change(events_[i].other);
-    for (auto& [parameter, given] : events_[i].passed) change(given);
-  }
+  ContentEvent reset = event(ContentEvent::Kind::reset, std::move(part), where);
+  reset.empties = empties;
+  step(std::move(reset));
 }
 
 void ContentLog::any(const clang::Expr* message) {

@@ -4,6 +4,7 @@
 #include <clang/AST/Expr.h>
 
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "facts/message_parts.h"
@@ -11,6 +12,25 @@
 #include "model/content_flow.h"
 
 namespace tzc::rewriter {
+
+/// A closure's body runs.
+struct ClosureRun {
+  const clang::FunctionDecl* body = nullptr;  ///< its call operator, or an instance of that
+  bool once = false;                          ///< otherwise any number of times, or never
+  std::vector<std::pair<MessagePart, MessagePart>>
+      given;  ///< roots of its parameters, and what they are given
+};
+
+/// A function is called, or not.
+struct PerhapsCall {
+  ContentEvent call;
+};
+
+/// Something is called that may be any closure of the function.
+struct UnknownCall {};
+
+/// What happens next.
+using ContentStep = std::variant<ContentEvent, ClosureRun, PerhapsCall, UnknownCall>;
 
 /// Collects what statements do to the content of messages, in their order.
 class ContentLog {
@@ -26,23 +46,16 @@ class ContentLog {
   void pair(ContentEvent::Kind kind, MessagePart part, MessagePart other, clang::SourceLocation where);
   /// The expression names, publishes or passes on a message: an event where nothing shows which. Nothing for null.
   void any(const clang::Expr* message);
-  void call(ContentEvent event) { events_.push_back(std::move(event)); }
-  /// What follows may not happen, up to the call of end() that belongs to it.
-  void begin() { events_.push_back(event(ContentEvent::Kind::begins, {}, {})); }
-  void end() { events_.push_back(event(ContentEvent::Kind::ends, {}, {})); }
+  void step(ContentStep step) { steps_.push_back(std::move(step)); }
 
-  std::size_t size() const { return events_.size(); }
-  /// In the events from the given one on, what lies in a part lies in another instead.
-  void rename(std::size_t first, const MessagePart& from, const MessagePart& to);
-
-  std::vector<ContentEvent> take() { return std::exchange(events_, {}); }
+  std::vector<ContentStep> take() { return std::exchange(steps_, {}); }
 
  private:
   ContentEvent event(ContentEvent::Kind kind, MessagePart part, clang::SourceLocation where) const;
 
   const Unit& unit_;
   const MessageParts& parts_;
-  std::vector<ContentEvent> events_;
+  std::vector<ContentStep> steps_;
 };
 
 }  // namespace tzc::rewriter

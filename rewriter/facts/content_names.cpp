@@ -33,7 +33,8 @@ void ContentNames::variable(const clang::VarDecl* variable) {
   log_.add(Kind::reset, root, variable->getLocation());
   if (!init) return;
   if (names_messages(variable->getType())) return may_lead_to(root, init);
-  if (is_reference || is_iterator(variable->getType())) return alias(root, init);
+  if (is_reference || is_iterator(variable->getType()) || is_pointer_to_array(variable->getType()))
+    return alias(root, init);
   if (is_message_or_pointer(variable->getType())) made_from(variable, root);
 }
 
@@ -158,7 +159,8 @@ void ContentNames::look_at(const clang::Stmt* stmt) {
     aggregate(list);
     if (is_list_of_messages(list)) choice(list, list->inits());
   } else if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(stmt)) {
-    if (op->getOpcode() == clang::BO_Assign && is_message_or_pointer(op->getType()))
+    const bool is_name = is_message_or_pointer(op->getType()) || is_pointer_to_array(op->getType());
+    if (op->getOpcode() == clang::BO_Assign && is_name)
       alias(parts_.part_of(op->getLHS()), op->getRHS());  // current_ = &frames_[i]
   } else if (const auto* assigned = llvm::dyn_cast<clang::CXXOperatorCallExpr>(stmt)) {
     assignment(assigned);

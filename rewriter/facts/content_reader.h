@@ -3,12 +3,13 @@
 
 #include <clang/AST/ExprCXX.h>
 
-#include <set>
 #include <string>
 #include <vector>
 
+#include "facts/content_closures.h"
 #include "facts/content_log.h"
 #include "facts/content_names.h"
+#include "facts/ended_objects.h"
 #include "facts/function_view.h"
 #include "facts/message_parts.h"
 #include "facts/moved_elements.h"
@@ -26,27 +27,35 @@ class ContentReader {
         parts_(unit, view),
         log_(unit, parts_),
         names_(unit, view, parts_, log_),
-        moved_(unit, view, parts_, log_) {}
+        moved_(unit, view, parts_, log_),
+        closures_(unit, view, parts_, log_),
+        ended_(unit, log_) {}
   ContentReader(const ContentReader&) = delete;
   ContentReader& operator=(const ContentReader&) = delete;
 
-  std::vector<ContentEvent> events_of(const clang::Stmt* stmt) {
+  std::vector<ContentStep> steps_of(const clang::Stmt* stmt) {
     look_at(stmt);
     return log_.take();
   }
-  /// What a call of the function does before its first statement.
-  std::vector<ContentEvent> events_of(const clang::FunctionDecl* function) {
+  /// What a call of the function, or closure, does before its first statement.
+  std::vector<ContentStep> steps_of(const clang::FunctionDecl* function) {
     moved_.entered(function);
     return log_.take();
   }
   /// What a constructor's initializer does.
-  std::vector<ContentEvent> events_of(const clang::CXXCtorInitializer* initializer) {
+  std::vector<ContentStep> steps_of(const clang::CXXCtorInitializer* initializer) {
     if (initializer->getMember()) names_.member(initializer->getMember(), initializer->getInit());
+    return log_.take();
+  }
+  /// What the end of a variable does.
+  std::vector<ContentStep> steps_at_end_of(const clang::VarDecl* variable) {
+    ended_.object(variable->getType(), variable->getLocation());
     return log_.take();
   }
 
  private:
   void look_at(const clang::Stmt* stmt);
+  void mention(const clang::Expr* expr);
   void array(const clang::Expr* expr);
   void array_of_messages(const clang::Expr* expr);
   void replaced(const clang::Expr* array, const clang::Expr* source);
@@ -60,10 +69,6 @@ class ContentReader {
   bool rule_call(const clang::CallExpr* call, const std::string& name);
   void package_call(const clang::FunctionDecl* function, llvm::ArrayRef<const clang::Expr*> arguments,
                     const clang::Stmt* at);
-  void closure(const clang::LambdaExpr* lambda);
-  void closure_of(const clang::LambdaExpr* lambda, llvm::ArrayRef<const clang::Expr*> arguments);
-  void closures_called_by(const clang::CallExpr* call);
-  const clang::LambdaExpr* called_closure(const clang::CallExpr* call) const;
 
   const Unit& unit_;
   const FunctionView& view_;
@@ -71,7 +76,8 @@ class ContentReader {
   ContentLog log_;
   ContentNames names_;
   MovedElements moved_;
-  std::set<const clang::LambdaExpr*> open_;
+  ContentClosures closures_;
+  EndedObjects ended_;
 };
 
 }  // namespace tzc::rewriter

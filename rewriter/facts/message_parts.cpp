@@ -70,6 +70,11 @@ bool is_stock_or_twin_array(clang::QualType type) {
   return record && qualified_name_of(record) == "tzc::Array";
 }
 
+bool is_pointer_to_array(clang::QualType type) {
+  const clang::QualType pointee = pointee_of(type);
+  return !pointee.isNull() && is_stock_or_twin_array(pointee);
+}
+
 bool is_message_or_pointer(clang::QualType type) {
   const clang::QualType pointee = pointee_of(type);
   return is_stock_or_twin(pointee.isNull() ? type : pointee);
@@ -105,7 +110,10 @@ std::vector<const clang::Expr*> message_sources(const clang::CallExpr* call) {
 }
 
 bool returns_message(const clang::FunctionDecl* function) {
-  return is_message_or_pointer(function->getReturnType());
+  const clang::QualType type = function->getReturnType();
+  const bool names_array =
+      is_pointer_to_array(type) || (type->isReferenceType() && is_stock_or_twin_array(type));
+  return names_array || is_message_or_pointer(type);
 }
 
 bool is_array_of_data_parts(clang::QualType type) {

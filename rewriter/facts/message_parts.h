@@ -52,10 +52,12 @@ bool is_list_of_messages(const clang::Expr* expr);
 bool is_name_of_message(clang::QualType type);
 /// What a call of a library's function may be given a message by: its object and its arguments.
 std::vector<const clang::Expr*> message_sources(const clang::CallExpr* call);
-/// A message, a pointer to one, or a reference to one.
+/// A message or an array of one's, by pointer or reference; a message also by value.
 bool returns_message(const clang::FunctionDecl* function);
 /// A data array of a stock message or of a twin.
 bool is_stock_or_twin_array(clang::QualType type);
+/// A pointer to such an array.
+bool is_pointer_to_array(clang::QualType type);
 /// An array of messages, or of twins, that have data arrays themselves.
 bool is_array_of_data_parts(clang::QualType type);
 /// The statement that uses what is mentioned, behind conversions.

@@ -307,8 +307,9 @@ std::optional<MessageType> message_reached_at(clang::QualType type, unsigned dep
     return message_reached_at(array->getElementType(), depth + 1);
   if (const clang::QualType pointee = pointee_of(type); !pointee.isNull())
     return message_reached_at(pointee, depth + 1);
-  if (std::optional<MessageType> message = message_of(type)) return message;
-  if (std::optional<MessageType> message = twin_message_of(type)) return message;
+  std::optional<MessageType> message = message_of(type);
+  if (!message) message = twin_message_of(type);
+  if (message) return message->has_data_part ? message : std::nullopt;
   const auto* templated = specialization_of(type);
   if (!templated || !is_known_wrapper(templated) || templated->getName() == "function") return {};
   for (const clang::TemplateArgument& argument : templated->getTemplateArgs().asArray())

@@ -54,7 +54,8 @@ bool holds_messages(clang::QualType type);
 /// Likewise pointers to messages, and containers of such.
 bool leads_to_messages(clang::QualType type);
 
-/// The stock message that a type leads to, or whose twin it does: through pointers, containers and iterators.
+/// The stock message that a type leads to, or whose twin it does: through pointers, containers and iterators. One without a
+/// data part is nothing but data, as a number is: a Point, a ColorRGBA.
 std::optional<MessageType> message_reached(clang::QualType type);
 
 /// pcl::PointCloud<T>, directly or by pointer.

@@ -60,6 +60,11 @@ inline bool is_choice(const MessagePart& part) {
   return part.rfind("choice ", 0) == 0;
 }
 
+/// A function's USR: "c:@S@Guard@F@~Guard#"
+inline bool is_destructor(const std::string& usr) {
+  return usr.find("@F@~") != std::string::npos;
+}
+
 /// In the name of an element: which one it is may change from one mention to the next.
 inline std::string any_element() {
   return "?";
@@ -96,9 +101,7 @@ struct ContentEvent {
     perhaps,   ///< the pointer leads to what `other` leads to, or to what it led to before
     moved,  ///< the parts whose names hold `part`, or begin with it, denote other elements of their containers from here on
     any,  ///< some message is written, published or named, and which one is not followed: `part` has its type
-    call,    ///< of a function of the package
-    begins,  ///< what comes up to the `ends` that belongs to it may not happen
-    ends
+    call  ///< of a function of the package
   };
   Kind kind = Kind::write;
   MessagePart part;  ///< of a call: what it returns

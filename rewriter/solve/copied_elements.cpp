@@ -129,20 +129,14 @@ void CopiedElements::note(const std::string& usr, const ContentEvent& event) {
     functions.insert(usr);
 }
 
-/// By the middleware, a timer or main's caller: no function of the package calls it.
+/// By the middleware, a timer or main's caller: no function of the package calls it. Objects may also end in a library.
 bool CopiedElements::called_from_outside(const std::string& usr) const {
-  return called_.count(usr) == 0 || facts_.addressed.count(usr) != 0;
+  return called_.count(usr) == 0 || facts_.addressed.count(usr) != 0 || is_destructor(usr);
 }
 
 /// False: no call that the block makes has returned yet.
 bool CopiedElements::step(const std::string& usr, const ContentBlock& block, ContentState& state) {
-  std::vector<ContentState> skipped;
   for (const ContentEvent& event : block.events) {
-    if (event.kind == ContentEvent::Kind::begins) skipped.push_back(state);
-    if (event.kind == ContentEvent::Kind::ends) {
-      state.join(skipped.back());
-      skipped.pop_back();
-    }
     if (event.kind != ContentEvent::Kind::call || event.callee == usr) {
       apply(event, state);
       continue;
@@ -231,8 +225,6 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
       return;
     case ContentEvent::Kind::any:
     case ContentEvent::Kind::call:
-    case ContentEvent::Kind::begins:
-    case ContentEvent::Kind::ends:
       return;
   }
 }

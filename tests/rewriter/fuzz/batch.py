@@ -4,7 +4,7 @@ import collections
 import os
 import shutil
 
-from copies import check_copies
+from copies import check_copies, mark_needless
 from execution import differences, execute, shared_messages
 from grammar import package
 from port import check_levels, check_sites, contents, lasting_sites, rewrite
@@ -41,6 +41,7 @@ class Batch:
         if different:
             raise Failure("messages differ before and after:\n" + "\n".join(different))
         check_copies(sites, f"{self.folder}/after/run")
+        mark_needless(sites, f"{self.folder}/after/run")
         return sites, sum(map(len, logs[1].values())), shared_messages(f"{self.folder}/after/run")
 
     def build(self):

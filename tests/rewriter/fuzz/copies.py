@@ -35,6 +35,14 @@ def topics_without_copy(sites):
     return sorted(topic for topic, found in levels.items() if found == {"zero_copy"})
 
 
+def mark_needless(sites, folder):
+    """A site that is said to copy, on a topic that copied nothing, lost its level for nothing: as far as this run shows."""
+    counters = counted_in_second_half(folder)
+    for site in sites:
+        messages, copied = counters.get(site["topic"], (0, 0))
+        site["needless"] = site["kind"] == "publish" and site["level"] == "one_copy" and messages > 0 and copied == 0
+
+
 def check_copies(sites, folder):
     counters, received = counted_in_second_half(folder), read_log(f"{folder}/recorder.log")
     wrong = []

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a package's programs under a roscore of their own and compares what was received."""
 import collections
+import json
 import os
 import sys
 
@@ -8,6 +9,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 from ros_session import RosSession  # noqa: E402
 
 LOGS = ("recorder.log", "listener.log")
+COUNTERS = ("counters_half.json", "counters.json")
 
 
 def execute(program, recorder, folder, topics, guard=False, monitor=None):
@@ -28,7 +30,18 @@ def execute(program, recorder, folder, topics, guard=False, monitor=None):
         for process in (talker, listener):
             if "TZC guard: a" in process.log():
                 raise RuntimeError(f"{program} writes too late:\n{process.log()}")
+        for name in COUNTERS if monitor else ():
+            keep_counters_of(talker.pid, f"{folder}/{name}")
     return {(name, topic): lines for name in LOGS for topic, lines in read_log(f"{folder}/{name}").items()}
+
+
+def keep_counters_of(pid, path):
+    """tzc-monitor shows all nodes of the user, those of another run as well."""
+    with open(path) as file:
+        page = json.load(file)
+    page["nodes"] = [node for node in page["nodes"] if node["pid"] == pid]
+    with open(path, "w") as file:
+        json.dump(page, file)
 
 
 def last_program(folder):

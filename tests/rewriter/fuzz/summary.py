@@ -35,7 +35,9 @@ def zero_copy_share(sites):
 
 def remarks(sites):
     codes = collections.Counter(site["code"] for site in sites if site["kind"] == "publish" and site["code"])
-    return "  remarks   " + ", ".join(f"{count} {code}" for code, count in codes.most_common())
+    needless = collections.Counter(site["code"] or "no code" for site in sites if site["needless"])
+    return "\n".join(f"  {what}" + ", ".join(f"{count} {code}" for code, count in counts.most_common())
+                     for what, counts in (("remarks   ", codes), ("needless  ", needless)))
 
 
 def processor_seconds():

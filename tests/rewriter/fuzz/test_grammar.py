@@ -9,8 +9,8 @@ import tempfile
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from copies import check_copies  # noqa: E402
-from execution import differences, last_program  # noqa: E402
+from copies import check_copies, mark_needless  # noqa: E402
+from execution import differences, keep_counters_of, last_program  # noqa: E402
 from grammar import absent, attacks, builders, effects, keepers, libraries, messages, names, outputs  # noqa: E402
 from grammar import owners, package, pointers, publishers, subscribers, times  # noqa: E402
 from grammar.program import Program  # noqa: E402
@@ -135,6 +135,8 @@ class Copies(unittest.TestCase):
                 with open(f"{folder}/{name}.json", "w") as file:
                     json.dump({"nodes": [{"topics": [topic]}]}, file)
             check_copies([site], folder)
+            mark_needless([site], folder)
+            return site["needless"]
 
     def test_a_level_that_is_not_true_is_noticed(self):
         with self.assertRaisesRegex(Failure, "/p001/topic1: 420 bytes of its last 6 messages"):
@@ -147,7 +149,22 @@ class Copies(unittest.TestCase):
         self.check("one_copy", 6, 420)
 
 
+    def test_a_level_that_is_lost_for_nothing_is_marked(self):
+        for level, copied, needless in (("one_copy", 0, True), ("one_copy", 70, False), ("zero_copy", 0, False)):
+            with self.subTest(level=level, copied=copied):
+                self.assertEqual(self.check(level, 6, copied), needless)
+
+
 class Talker(unittest.TestCase):
+    def test_counters_of_other_runs_do_not_count(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = f"{folder}/counters.json"
+            with open(path, "w") as file:
+                json.dump({"nodes": [{"pid": 7, "topics": []}, {"pid": 8, "topics": ["ours"]}]}, file)
+            keep_counters_of(8, path)
+            with open(path) as file:
+                self.assertEqual(json.load(file), {"nodes": [{"pid": 8, "topics": ["ours"]}]})
+
     def test_the_program_that_ends_it_is_named(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(last_program(folder), "before the first step")

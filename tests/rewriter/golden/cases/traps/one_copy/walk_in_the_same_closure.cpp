@@ -31,7 +31,7 @@ class Map {
   int count_ = 0;
 };
 //--- expected
-// publish src/node.cpp:21 sensor_msgs/Image one_copy 'map' TZC1022 line 14 may use its elements for writing after this publish, which copies them
+// publish src/node.cpp:21 sensor_msgs/Image one_copy 'map' TZC1022 line 17 may use its elements for writing after this publish, which copies them
 // advertise src/node.cpp:28 sensor_msgs/Image one_copy 'map'
 //
 // +++ src/node.cpp

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clang/AST/ExprCXX.h>
+
+#include <vector>
+
+#include "facts/content_log.h"
+#include "facts/function_view.h"
+#include "facts/message_parts.h"
+#include "facts/unit.h"
+
+namespace tzc::rewriter {
+
+/// Reads when the bodies of a function's closures run, and with which messages.
+class ContentClosures {
+ public:
+  ContentClosures(const Unit& unit, const FunctionView& view, const MessageParts& parts, ContentLog& log)
+      : unit_(unit), view_(view), parts_(parts), log_(log) {}
+
+  /// A closure comes into being. Who is given it may call it at once.
+  void made(const clang::LambdaExpr* lambda);
+  /// False: it is no call of a closure, nor of what may be one.
+  bool called(const clang::CallExpr* call);
+  /// A library's function gives a closure what it was given itself: std::for_each(begin, end, [](Image& image) { ... })
+  void given_to(const clang::CallExpr* call);
+
+ private:
+  const clang::LambdaExpr* called_closure(const clang::CXXMethodDecl* function) const;
+  void run(const clang::FunctionDecl* body, bool once, llvm::ArrayRef<const clang::Expr*> arguments);
+
+  const Unit& unit_;
+  const FunctionView& view_;
+  const MessageParts& parts_;
+  ContentLog& log_;
+};
+
+/// The closures of a function that something else than a direct call may call.
+std::vector<const clang::LambdaExpr*> closures_called_elsewhere(const FunctionView& view);
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/ended_objects.h"
+
+#include "facts/ast_walk.h"
+
+namespace tzc::rewriter {
+namespace {
+
+constexpr unsigned max_depth = 6;
+
+/// The object that a call may change.
+const clang::Expr* changed_object(const clang::CallExpr* call) {
+  const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(call->getDirectCallee());
+  if (!method || method->isConst()) return nullptr;
+  if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call))
+    return member->getImplicitObjectArgument();
+  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call);
+  return op && op->isAssignmentOp() ? op->getArg(0) : nullptr;
+}
+
+}  // namespace
+
+/// In the order in which they run.
+std::vector<EndedObjects::Ended> EndedObjects::ended_with(clang::QualType type, bool perhaps,
+                                                          unsigned depth) const {
+  std::vector<Ended> found;
+  const clang::CXXRecordDecl* record =
+      type->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();  // also of an array
+  if (!record || !record->hasDefinition() || depth > max_depth) return found;
+  record = record->getDefinition();
+  const auto add = [&](clang::QualType part, bool held) {
+    const std::vector<Ended> more = ended_with(part, held, depth + 1);
+    found.insert(found.end(), more.begin(), more.end());
+  };
+  if (unit_.source.in_package(record->getLocation())) {
+    const clang::CXXDestructorDecl* const destructor = record->getDestructor();
+    if (destructor && destructor->isUserProvided()) found.push_back({destructor, perhaps});
+    for (const clang::FieldDecl* field : record->fields())
+      if (!field->getType()->isReferenceType()) add(field->getType(), perhaps);
+    for (const clang::CXXBaseSpecifier& base : record->bases()) add(base.getType(), perhaps);
+  } else if (const auto* held = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record)) {
+    for (const clang::TemplateArgument& argument : held->getTemplateArgs().asArray())
+      if (argument.getKind() == clang::TemplateArgument::Type) add(argument.getAsType(), true);
+  }
+  return found;
+}
+
+void EndedObjects::add(const Ended& ended, bool perhaps, clang::SourceLocation where) {
+  ContentEvent event;
+  event.kind = ContentEvent::Kind::call;
+  event.callee = usr_of(pattern_of(ended.destructor));
+  event.where = unit_.location(where);
+  if (perhaps)
+    log_.step(PerhapsCall{std::move(event)});
+  else
+    log_.step(std::move(event));
+}
+
+void EndedObjects::object(clang::QualType type, clang::SourceLocation where) {
+  if (type->isReferenceType() || type->isPointerType()) return;
+  for (const Ended& ended : ended_with(type, false, 0)) add(ended, ended.perhaps, where);
+}
+
+/// The object stays, and something that it holds may end: reset, clear, an assignment.
+void EndedObjects::parts_of(clang::QualType object, clang::SourceLocation where) {
+  const clang::CXXRecordDecl* const record = object->getAsCXXRecordDecl();
+  if (!record || unit_.source.in_package(record->getLocation())) return;
+  for (const Ended& ended : ended_with(object, true, 0)) add(ended, true, where);
+}
+
+void EndedObjects::look_at(const clang::Stmt* stmt) {
+  if (const auto* deleted = llvm::dyn_cast<clang::CXXDeleteExpr>(stmt)) {
+    const clang::QualType type = deleted->getDestroyedType();
+    if (!type.isNull()) object(type, deleted->getBeginLoc());
+  } else if (const auto* temporary = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(stmt)) {
+    // Its expression ends soon; a variable that it makes, or that makes it live on, later.
+    for (const Ended& ended : ended_with(temporary->getType(), true, 0))
+      add(ended, true, temporary->getEndLoc());
+  } else if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) {
+    if (const clang::Expr* changed = changed_object(call)) parts_of(changed->getType(), call->getExprLoc());
+  }
+}
+
+}  // namespace tzc::rewriter
