@@ -6,12 +6,12 @@
 namespace tzc {
 namespace channel {
 
-std::size_t descriptor_limit() noexcept {
-  return posix::descriptor_limit();
-}
-
 bool has_spare_descriptors() noexcept {
   return posix::has_spare_descriptors();
+}
+
+std::string descriptors_in_use() {
+  return posix::descriptors_in_use();
 }
 
 }  // namespace channel

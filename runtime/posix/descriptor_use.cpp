@@ -26,5 +26,10 @@ bool has_spare_descriptors() noexcept {
   return lowest_free && leaves_enough(lowest_free.get());
 }
 
+std::string descriptors_in_use() {
+  return "more than seven eighths of the " + std::to_string(descriptor_limit()) +
+         " file descriptors that this process may have are in use";
+}
+
 }  // namespace posix
 }  // namespace tzc

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 namespace tzc {
 namespace posix {
@@ -15,6 +16,8 @@ std::size_t descriptor_limit() noexcept;
 bool leaves_enough(int newest) noexcept;
 /// Whether it might keep one that it opened now. Three system calls.
 bool has_spare_descriptors() noexcept;
+/// Why it may not, for messages to users: "more than seven eighths of the 1024 file descriptors ... are in use".
+std::string descriptors_in_use();
 
 }  // namespace posix
 }  // namespace tzc

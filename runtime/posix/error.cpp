@@ -13,9 +13,8 @@ namespace {
 std::string hint_for(int code) {
   switch (code) {
     case EMFILE:
-      return "too many open files: more than seven eighths of the " + std::to_string(descriptor_limit()) +
-             " file descriptors that this process may have are in use, and the others are left to it: raise "
-             "its limit (ulimit -n)";
+      return "too many open files: " + descriptors_in_use() +
+             ", and the others are left to it: raise its limit (ulimit -n)";
     case ENFILE:
       return "too many open files in the system: raise fs.file-max";
     case ENOSPC:

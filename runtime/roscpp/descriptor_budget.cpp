@@ -5,9 +5,7 @@ namespace tzc {
 namespace detail {
 
 std::string descriptor_advice() {
-  return "more than seven eighths of the " + std::to_string(channel::descriptor_limit()) +
-         " file descriptors that this process may have are in use, and the others are left to roscpp; raise "
-         "the limit (ulimit -n)";
+  return channel::descriptors_in_use() + ", and the others are left to roscpp; raise the limit (ulimit -n)";
 }
 
 }  // namespace detail
