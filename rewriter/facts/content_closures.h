@@ -22,11 +22,15 @@ class ContentClosures {
   void made(const clang::LambdaExpr* lambda);
   /// False: it is no call of a closure, nor of what may be one.
   bool called(const clang::CallExpr* call);
+  /// A function of the package has called what it was given.
+  void after_own(const clang::CallExpr* call);
   /// A library's function gives a closure what it was given itself: std::for_each(begin, end, [](Image& image) { ... })
   void given_to(const clang::CallExpr* call);
 
  private:
-  const clang::LambdaExpr* called_closure(const clang::CXXMethodDecl* function) const;
+  bool may_call_any(const clang::CallExpr* call) const;
+  bool is_given_callable(const clang::CallExpr* call) const;
+  bool is_own_closure(const clang::CXXMethodDecl* function) const;
   void run(const clang::FunctionDecl* body, bool once, llvm::ArrayRef<const clang::Expr*> arguments);
 
   const Unit& unit_;

@@ -302,7 +302,8 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
     const bool shifted =
         llvm::isa<clang::CXXOperatorCallExpr>(call) && llvm::isa<clang::CXXMethodDecl>(function);
     llvm::ArrayRef<const clang::Expr*> arguments(call->getArgs(), call->getNumArgs());
-    return package_call(function, shifted ? arguments.drop_front() : arguments, call);
+    package_call(function, shifted ? arguments.drop_front() : arguments, call);
+    return closures_.after_own(call);
   }
   ended_.look_at(stmt);
   const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);

@@ -29,6 +29,12 @@ void rename(const Given& given, ContentEvent& event) {
   for (auto& [parameter, part] : event.passed) rename(given, part);
 }
 
+ContentEvent call_of_any() {
+  ContentEvent event;
+  event.kind = ContentEvent::Kind::call;
+  return event;
+}
+
 std::unique_ptr<clang::CFG> cfg_of(const Unit& unit, const clang::FunctionDecl* function) {
   clang::CFG::BuildOptions options;
   options.setAllAlwaysAdd();
@@ -188,6 +194,10 @@ unsigned FlowBuilder::call_any_closure(unsigned at) {
   if (!any_closure_) {
     any_closure_ = Part{new_block(), new_block()};
     connect(any_closure_->entry, any_closure_->exit);
+    const unsigned elsewhere = new_block();  // or anything that the package gave away somewhere else
+    flow_.blocks[elsewhere].events.push_back(call_of_any());
+    connect(any_closure_->entry, elsewhere);
+    connect(elsewhere, any_closure_->entry);
     for (const clang::LambdaExpr* lambda : closures_called_elsewhere(view_)) {
       const std::vector<Given> around = std::exchange(given_, {});
       const std::set<const clang::FunctionDecl*> open = std::exchange(open_, {});

@@ -60,9 +60,9 @@ inline bool is_choice(const MessagePart& part) {
   return part.rfind("choice ", 0) == 0;
 }
 
-/// A function's USR: "c:@S@Guard@F@~Guard#"
-inline bool is_destructor(const std::string& usr) {
-  return usr.find("@F@~") != std::string::npos;
+/// A destructor or call operator, by its USR: "c:@S@Guard@F@~Guard#". What holds such an object may call it at any time.
+inline bool is_called_by_holders(const std::string& usr) {
+  return usr.find("@F@~") != std::string::npos || usr.find("@F@operator()#") != std::string::npos;
 }
 
 /// In the name of an element: which one it is may change from one mention to the next.
@@ -107,9 +107,9 @@ struct ContentEvent {
   MessagePart part;  ///< of a call: what it returns
   MessagePart other;
   Location where;
-  PublishPlace site;                          ///< of a publish
-  bool empties = false;                       ///< a reset that leaves no elements, as message = M()
-  std::string callee;                         ///< USR of the function that is called
+  PublishPlace site;     ///< of a publish
+  bool empties = false;  ///< a reset that leaves no elements, as message = M()
+  std::string callee;    ///< USR of the function that is called; empty: any that others may call
   std::map<std::string, MessagePart> passed;  ///< parameter's root -> what it is given
 };
 

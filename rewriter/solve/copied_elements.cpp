@@ -34,9 +34,11 @@ ContentEvent call_of_override(const ContentEvent& call, const std::string& funct
 
 }  // namespace
 
-CopiedElements::CopiedElements(const Facts& facts) : facts_(facts), other_names_(facts) {
+CopiedElements::CopiedElements(const Facts& facts)
+    : facts_(facts), other_names_(facts), unfollowed_(other_names_) {
   add_functions();
   touch_what_callees_touch();
+  find_what_may_be_any();
   for (auto& [usr, function] : functions_)
     if (called_from_outside(usr)) function.entry.emplace();
   while (changed_) {
@@ -62,13 +64,14 @@ void CopiedElements::add_functions() {
     };
     for (const ContentBlock& block : flow.blocks)
       for (const ContentEvent& event : block.events) {
-        note(usr, event);
+        unfollowed_.note(usr, event);
         touch(event.part);
         if (event.kind == ContentEvent::Kind::moved)
           for (const MessagePart& name : other_names_.moved_with(event.part)) touch(name);
         touch(event.other);
         for (const auto& item : event.passed) touch(item.second);
         if (event.kind != ContentEvent::Kind::call || event.callee == usr) continue;
+        if (event.callee.empty()) calls_unknown_.insert(usr);
         called_.insert(event.callee);
         called_.insert(overrides_of(event.callee).begin(), overrides_of(event.callee).end());
       }
@@ -107,31 +110,30 @@ const std::set<std::string>& CopiedElements::overrides_of(const std::string& usr
   return found == facts_.overrides.end() ? none : found->second;
 }
 
-/// A variable that nothing outside of its function has a name of.
-bool CopiedElements::is_of_function(const MessagePart& part) const {
-  std::vector<MessagePart> names = other_names_.of(part);
-  names.push_back(part);
-  return std::all_of(names.begin(), names.end(),
-                     [](const MessagePart& name) { return is_local(name) || is_choice(name); });
-}
-
-void CopiedElements::note(const std::string& usr, const ContentEvent& event) {
-  if (event.kind == ContentEvent::Kind::any) {
-    any_.emplace(event.part, event.where);
-    any_in_[usr].emplace(event.part, event.where);
-  }
-  if (event.kind != ContentEvent::Kind::publish) return;
-  const bool is_first = local_.count(event.site) == 0;
-  std::set<std::string>& functions = local_[event.site];
-  if (!is_of_function(event.part))
-    functions.clear();
-  else if (is_first || !functions.empty())
-    functions.insert(usr);
-}
-
-/// By the middleware, a timer or main's caller: no function of the package calls it. Objects may also end in a library.
+/// By the middleware, a timer or main's caller: no function of the package calls it. Objects may also end, or be called, in a library.
 bool CopiedElements::called_from_outside(const std::string& usr) const {
-  return called_.count(usr) == 0 || facts_.addressed.count(usr) != 0 || is_destructor(usr);
+  return called_.count(usr) == 0 || facts_.addressed.count(usr) != 0 || is_called_by_holders(usr);
+}
+
+/// What a function object or pointer may call, or a library that runs callbacks.
+bool CopiedElements::may_be_any(const std::string& usr) const {
+  const bool is_main = usr.rfind("c:@F@main#", 0) == 0;
+  return called_from_outside(usr) && !is_main && !functions_.at(usr).flow->makes_object;
+}
+
+/// Of functions that have no member in common, none can tell what the other did.
+void CopiedElements::find_what_may_be_any() {
+  for (const std::string& usr : calls_unknown_) {
+    Function& caller = functions_.at(usr);
+    const std::set<std::string> own = caller.touched;
+    for (const auto& [name, other] : functions_) {
+      const bool shares = std::any_of(other.touched.begin(), other.touched.end(),
+                                      [&](const std::string& root) { return own.count(root) != 0; });
+      if (!shares || name == usr || !may_be_any(name)) continue;
+      caller.may_call.push_back(name);
+      caller.touched.insert(other.touched.begin(), other.touched.end());
+    }
+  }
 }
 
 /// False: no call that the block makes has returned yet.
@@ -253,6 +255,7 @@ void CopiedElements::enter(const std::string& usr, const ContentState& state) {
 /// What the callee does, or any function that overrides it. None: none of them has returned yet.
 std::optional<ContentState> CopiedElements::after_call(const ContentEvent& event, const ContentState& before,
                                                        const std::string& caller) {
+  if (event.callee.empty()) return after_any_call(event, before, caller);
   const std::set<std::string>& others = overrides_of(event.callee);
   if (others.empty()) return after(event, before);
   std::optional<ContentState> all;
@@ -266,6 +269,17 @@ std::optional<ContentState> CopiedElements::after_call(const ContentEvent& event
   if (facts_.bodies.count(event.callee) != 0) add(event);
   for (const std::string& other : others)
     if (other != caller) add(call_of_override(event, other));  // which calls what it overrides itself
+  return all;
+}
+
+ContentState CopiedElements::after_any_call(const ContentEvent& event, const ContentState& before,
+                                            const std::string& caller) {
+  ContentState all = before;
+  for (const std::string& name : functions_.at(caller).may_call) {
+    ContentEvent call = event;
+    call.callee = name;
+    if (const std::optional<ContentState> one = after(call, before)) all.join(*one);
+  }
   return all;
 }
 
@@ -322,27 +336,7 @@ std::optional<Obstacle> CopiedElements::why_copied(const SiteId& site) const {
                     "line " + std::to_string(found->second.line) +
                         " may give it more elements after this publish, which copies those that it has",
                     found->second};
-  return why_not_followed(site);
-}
-
-/// A message of a function's own can only be what this function does not follow.
-std::optional<Obstacle> CopiedElements::why_not_followed(const SiteId& site) const {
-  const auto obstacle_in = [&](const std::map<MessagePart, Location>& some) -> std::optional<Obstacle> {
-    const auto found = some.find(any_message(site.type));
-    if (found == some.end()) return {};
-    const Location& where = found->second;
-    return Obstacle{codes::TZC1022,
-                    "line " + std::to_string(where.line) + " of " +
-                        where.file.substr(where.file.rfind('/') + 1) + " uses a " + site.type +
-                        ", and nothing shows which: it may be this one, and be written to after this publish",
-                    where};
-  };
-  const auto local = local_.find({site.file, site.begin});
-  if (local == local_.end() || local->second.empty()) return obstacle_in(any_);
-  for (const std::string& usr : local->second)
-    if (const auto some = any_in_.find(usr); some != any_in_.end())
-      if (const std::optional<Obstacle> obstacle = obstacle_in(some->second)) return obstacle;
-  return {};
+  return unfollowed_.why(site);
 }
 
 std::optional<Obstacle> CopiedElements::why_new(const SiteId& site) const {

@@ -9,6 +9,7 @@
 #include "model/facts.h"
 #include "solve/content_state.h"
 #include "solve/other_names.h"
+#include "solve/unfollowed_uses.h"
 
 namespace tzc::rewriter {
 
@@ -32,7 +33,8 @@ class CopiedElements {
   };
   struct Function {
     const ContentFlow* flow = nullptr;
-    std::set<std::string> touched;            ///< what outlives functions and it, or what it calls, names
+    std::set<std::string> touched;      ///< what outlives functions and it, or what it calls, names
+    std::vector<std::string> may_call;  ///< where nothing shows what it calls: what others may call, too
     std::optional<ContentState> entry, exit;  ///< none: the function is not called, does not return
 
     bool touches(const MessagePart& part) const;
@@ -42,14 +44,15 @@ class CopiedElements {
   void touch_what_callees_touch();
   const std::set<std::string>& overrides_of(const std::string& usr) const;
   bool called_from_outside(const std::string& usr) const;
-  void note(const std::string& usr, const ContentEvent& event);
-  bool is_of_function(const MessagePart& part) const;
-  std::optional<Obstacle> why_not_followed(const SiteId& site) const;
+  bool may_be_any(const std::string& usr) const;
+  void find_what_may_be_any();
   void run(const std::string& usr, Function& function);
   bool step(const std::string& usr, const ContentBlock& block, ContentState& state);
   void apply(const ContentEvent& event, ContentState& state);
   std::optional<ContentState> after_call(const ContentEvent& event, const ContentState& before,
                                          const std::string& caller);
+  ContentState after_any_call(const ContentEvent& event, const ContentState& before,
+                              const std::string& caller);
   std::optional<ContentState> after(const ContentEvent& call, const ContentState& before);
   void refresh(const MessagePart& name, ContentState& state) const;
   void spread(const MessagePart& part, ContentState& state) const;
@@ -58,14 +61,12 @@ class CopiedElements {
 
   const Facts& facts_;
   const OtherNames other_names_;
+  UnfollowedUses unfollowed_;
   std::map<std::string, Function> functions_;
   std::set<std::string> called_;
-  ContentState anytime_;  ///< of what outlives functions, when one is called from outside
+  std::set<std::string> calls_unknown_;  ///< functions that call what nothing shows
+  ContentState anytime_;                 ///< of what outlives functions, when one is called from outside
   Causes causes_;
-  std::map<MessagePart, Location> any_;  ///< of messages that are not followed, by any_message
-  std::map<std::string, std::map<MessagePart, Location>> any_in_;  ///< likewise, by the function around
-  std::map<PublishPlace, std::set<std::string>>
-      local_;                         ///< what is published there is its functions' own; none: it is not
   std::map<PublishPlace, bool> new_;  ///< whether what is published there is new, on all paths so far
   bool changed_ = true;
 };

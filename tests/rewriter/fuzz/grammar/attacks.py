@@ -3,7 +3,7 @@
 publishing. What is written through an old pointer after a publish shows in the next message, which must be the same
 before and after the port; messages that subscribers keep must not change. Others attack what is inserted for the port, by messages that are not there in every step, that are
 named by expressions which do something, or that other threads fill or read."""
-from . import absent, changes, effects, keepers, messages, names, outputs, owners, pointers, readers, subscribers, times, waits
+from . import absent, changes, effects, keepers, later, messages, names, outputs, owners, pointers, readers, subscribers, times, waits
 from .publishers import in_block
 from .uses import Use
 
@@ -142,6 +142,15 @@ def changed(program):
     label(program, program.topics[published:], change.chosen)
 
 
+def written_later(program):
+    """A lasting message is written to behind its publish, by a call or an end that does not name it."""
+    published = len(program.topics)
+    one = Use(program, program.rng.choice(PLAIN), outputs.directly)
+    use = later.Later(program, one.message)
+    program.steps += in_block(use.lines(one.send))
+    label(program, program.topics[published:], use.chosen)
+
+
 def label(program, topics, chosen):
     traits = [f"{what}: {which.__name__}" for what, which in chosen]
     program.traits += traits
@@ -163,7 +172,9 @@ def make(program):
             named(program)
         elif chance < 0.24:
             changed(program)
-        elif chance < 0.5:
+        elif chance < 0.3:
+            written_later(program)
+        elif chance < 0.54:
             reach(program)
         else:
             attack(program)
