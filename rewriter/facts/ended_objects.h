@@ -26,7 +26,9 @@ class EndedObjects {
     const clang::CXXDestructorDecl* destructor;
     bool perhaps;  ///< it is held by a library's object, such as a shared pointer
   };
-  std::vector<Ended> ended_with(clang::QualType type, bool perhaps, unsigned depth) const;
+  class Search;
+
+  std::vector<Ended> ended_with(clang::QualType type, bool perhaps) const;
   void parts_of(clang::QualType object, clang::SourceLocation where);
   void add(const Ended& ended, bool perhaps, clang::SourceLocation where);
 
