@@ -7,29 +7,29 @@
 namespace tzc::rewriter {
 namespace {
 
-/// Whether the call is one of the closure that the expression denotes.
-bool calls(const clang::CXXOperatorCallExpr* call, const clang::Stmt* closure) {
-  return call->getOperator() == clang::OO_Call && call->getArg(0) == closure;
-}
-
 /// Whether the expression's only use is that it is called.
 bool is_called(const FunctionView& view, const clang::Stmt* closure) {
   const clang::Stmt* around = view.parent(closure);
-  while (around && (is_implicit_wrapper(around) || llvm::isa<clang::ParenExpr>(around))) {
+  while (around && is_implicit_wrapper(around)) {
     closure = around;
     around = view.parent(around);
   }
   const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(around);
-  return op && calls(op, closure);
+  return op && op->getOperator() == clang::OO_Call && op->getArg(0) == closure;
 }
 
-/// The variable that holds a closure and nothing else; null: there is none.
-const clang::VarDecl* variable_of(const FunctionView& view, const clang::LambdaExpr* lambda) {
+/// What gets a closure, behind conversions and copies.
+const clang::Stmt* receiver_of(const FunctionView& view, const clang::LambdaExpr* lambda) {
   const clang::Stmt* around = view.parent(lambda);
   while (around &&
          (is_implicit_wrapper(around) || llvm::isa<clang::CastExpr, clang::CXXConstructExpr>(around)))
     around = view.parent(around);
-  const auto* declaration = llvm::dyn_cast_or_null<clang::DeclStmt>(around);
+  return around;
+}
+
+/// The variable that holds a closure and nothing else; null: there is none.
+const clang::VarDecl* variable_of(const FunctionView& view, const clang::LambdaExpr* lambda) {
+  const auto* declaration = llvm::dyn_cast_or_null<clang::DeclStmt>(receiver_of(view, lambda));
   const auto* variable = declaration && declaration->isSingleDecl()
                              ? llvm::dyn_cast<clang::VarDecl>(declaration->getSingleDecl())
                              : nullptr;
@@ -45,18 +45,10 @@ bool is_only_called(const FunctionView& view, const clang::LambdaExpr* lambda) {
                                   [&](const clang::DeclRefExpr* use) { return is_called(view, use); });
 }
 
-/// Whether a library's function gets the closure together with messages.
-bool is_given_to_library(const FunctionView& view, const clang::LambdaExpr* lambda) {
-  const clang::Stmt* around = view.parent(lambda);
-  while (around &&
-         (is_implicit_wrapper(around) || llvm::isa<clang::CastExpr, clang::CXXConstructExpr>(around)))
-    around = view.parent(around);
-  const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(around);
+/// Whether a call gets the closure together with messages: what it gives the closure is among those.
+bool is_given_with_messages(const FunctionView& view, const clang::LambdaExpr* lambda) {
+  const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(receiver_of(view, lambda));
   return call && !message_sources(call).empty();
-}
-
-bool is_name_of_array(clang::QualType type) {
-  return is_pointer_to_array(type) || (type->isReferenceType() && is_stock_or_twin_array(type));
 }
 
 /// Somebody else may call the closure, with any message that it may write to.
@@ -103,7 +95,7 @@ std::vector<const clang::LambdaExpr*> closures_called_elsewhere(const FunctionVi
 
 void ContentClosures::made(const clang::LambdaExpr* lambda) {
   if (is_only_called(view_, lambda)) return;
-  if (!is_given_to_library(view_, lambda)) any_given_to(lambda, log_);
+  if (!is_given_with_messages(view_, lambda)) any_given_to(lambda, log_);
   run(lambda->getCallOperator(), false, {});
 }
 

@@ -282,6 +282,7 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
   names_.look_at(stmt);
   moved_.look_at(stmt);
   moved_whole(stmt);
+  ended_.look_at(stmt);
   if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
     iterator(construct);
     if (!construct->getConstructor()->isCopyOrMoveConstructor())
@@ -296,7 +297,6 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
     if (is_swap(call) && call->getNumArgs() == 2 && !unit_.declares(function))
       exchanged(call->getArg(0), call->getArg(1), call->getExprLoc());
     if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
-    ended_.look_at(call);
     if (closures_.called(call) || !function || rule_call(call, qualified_name_of(function))) return;
     if (!unit_.declares(function)) return closures_.given_to(call);
     const bool shifted =
@@ -305,7 +305,6 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
     package_call(function, shifted ? arguments.drop_front() : arguments, call);
     return closures_.after_own(call);
   }
-  ended_.look_at(stmt);
   const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
   if (!expr || !llvm::isa<clang::MemberExpr, clang::DeclRefExpr>(expr)) return;
   if (is_array_of_data_parts(expr->getType())) array_of_messages(expr);

@@ -52,7 +52,7 @@ class FlowBuilder {
   FlowBuilder& operator=(const FlowBuilder&) = delete;
 
   ContentFlow build(const clang::CFG& cfg, const clang::FunctionDecl* function) {
-    open_.insert(function->getCanonicalDecl());
+    open_.insert(function);
     flow_.exit = add(cfg, function).exit;
     return std::move(flow_);
   }
@@ -151,14 +151,13 @@ unsigned FlowBuilder::perhaps(Part part, unsigned at) {
   return behind;
 }
 
-/// What a closure calls that is being added already runs in no order that shows.
 FlowBuilder::Part FlowBuilder::body_of(const clang::FunctionDecl* closure) {
-  const std::unique_ptr<clang::CFG> cfg =
-      closure->getBody() && open_.insert(closure).second ? cfg_of(unit_, closure) : nullptr;
+  const std::unique_ptr<clang::CFG> cfg = closure->getBody() ? cfg_of(unit_, closure) : nullptr;
   if (!cfg) {
     const unsigned nothing = new_block();
     return {nothing, nothing};
   }
+  open_.insert(closure);
   const Part part = closure->isTemplateInstantiation() ? add_instance(*cfg, closure) : add(*cfg, closure);
   open_.erase(closure);
   return part;
@@ -174,7 +173,9 @@ FlowBuilder::Part FlowBuilder::add_instance(const clang::CFG& cfg, const clang::
   return part;
 }
 
+/// A closure calls itself by another name alone, a parameter or a function object, and so it is one that others may call.
 unsigned FlowBuilder::run(const ClosureRun& closure, unsigned at) {
+  if (open_.count(closure.body) != 0) return call_any_closure(at);
   given_.push_back(closure.given);
   const Part part = body_of(closure.body);
   given_.pop_back();

@@ -75,6 +75,10 @@ bool is_pointer_to_array(clang::QualType type) {
   return !pointee.isNull() && is_stock_or_twin_array(pointee);
 }
 
+bool is_name_of_array(clang::QualType type) {
+  return is_pointer_to_array(type) || (type->isReferenceType() && is_stock_or_twin_array(type));
+}
+
 bool is_message_or_pointer(clang::QualType type) {
   const clang::QualType pointee = pointee_of(type);
   return is_stock_or_twin(pointee.isNull() ? type : pointee);
@@ -110,10 +114,7 @@ std::vector<const clang::Expr*> message_sources(const clang::CallExpr* call) {
 }
 
 bool returns_message(const clang::FunctionDecl* function) {
-  const clang::QualType type = function->getReturnType();
-  const bool names_array =
-      is_pointer_to_array(type) || (type->isReferenceType() && is_stock_or_twin_array(type));
-  return names_array || is_message_or_pointer(type);
+  return is_name_of_array(function->getReturnType()) || is_message_or_pointer(function->getReturnType());
 }
 
 bool is_array_of_data_parts(clang::QualType type) {

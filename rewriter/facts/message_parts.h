@@ -58,6 +58,8 @@ bool returns_message(const clang::FunctionDecl* function);
 bool is_stock_or_twin_array(clang::QualType type);
 /// A pointer to such an array.
 bool is_pointer_to_array(clang::QualType type);
+/// A pointer or reference to one.
+bool is_name_of_array(clang::QualType type);
 /// An array of messages, or of twins, that have data arrays themselves.
 bool is_array_of_data_parts(clang::QualType type);
 /// The statement that uses what is mentioned, behind conversions.
