@@ -133,20 +133,11 @@ def named(program):
     label(program, program.topics[published:], known.chosen)
 
 
-def changed(program):
-    """The elements of one lasting message are let go, and another one's are written and published."""
+def lasting(program, kind):
+    """A lasting message is let go and filled as the class says: changes.Change, later.Later."""
     published = len(program.topics)
     one = Use(program, program.rng.choice(PLAIN), outputs.directly)
-    change = changes.Change(program, one.message)
-    program.steps += in_block(change.lines(one.send))
-    label(program, program.topics[published:], change.chosen)
-
-
-def written_later(program):
-    """A lasting message is written to behind its publish, by a call or an end that does not name it."""
-    published = len(program.topics)
-    one = Use(program, program.rng.choice(PLAIN), outputs.directly)
-    use = later.Later(program, one.message)
+    use = kind(program, one.message)
     program.steps += in_block(use.lines(one.send))
     label(program, program.topics[published:], use.chosen)
 
@@ -171,9 +162,9 @@ def make(program):
         elif chance < 0.18:
             named(program)
         elif chance < 0.24:
-            changed(program)
+            lasting(program, changes.Change)
         elif chance < 0.3:
-            written_later(program)
+            lasting(program, later.Later)
         elif chance < 0.54:
             reach(program)
         else:

@@ -2,9 +2,8 @@
 """One spelling, two messages: the elements of one lasting message are let go, and then another one, which subscribers have since
 the step before, is written and published by the same name, or by one that is easily taken for it. Each write costs a copy, which
 the report's level has to say."""
+from .lasting import SIZE, Lasting
 from .program import indented
-
-SIZE = 40
 
 # What the two are called, and what happens in between. Each returns (statements before, the name of the message that is let go,
 # statements in between, the name of the one that is written). None of the statements declares anything but what it names.
@@ -117,32 +116,21 @@ def array_of_result(program, cpp, let_go, write):
 WHOLE = [given_container, left_loop, array_of_result]
 
 
-class Change:
+class Change(Lasting):
     def __init__(self, program, message):
-        self.program, self.message = program, message
-        self._field, self._element = message.arrays[0]
-        self._way = program.rng.choice(CHANGES + WHOLE)
-        self.chosen = [("change", self._way)]
-
-    def _let_go(self, name):
-        how = self.program.rng.choice(["clear();", f"assign({SIZE}, 0);", "resize(0);"])
-        return [f"{name}.{self._field}.{how}"]
-
-    def _write(self, name):
-        array, value = f"{name}.{self._field}", self._element.value("3")
-        return [f"if ({array}.size() < {SIZE}) {array}.resize({SIZE});", f"{array}[k % {SIZE}] = {value};"]
+        super().__init__(program, message, "change", CHANGES + WHOLE)
 
     def lines(self, send):
         """Statements that write one of two messages, and `send` it."""
         program, cpp = self.program, self.message.cpp
         begun = len(program.setup)
-        if self._way in WHOLE:
-            lines, name = self._way(program, cpp, self._let_go, self._write)
+        if self.way in WHOLE:
+            lines, name = self.way(program, cpp, self.let_go, self.write)
         else:
-            before, gone, between, name = self._way(program, cpp)
-            lines = before + self._let_go(gone) + between + self._write(name)
+            before, gone, between, name = self.way(program, cpp)
+            lines = before + self.let_go(gone) + between + self.write(name)
         program.setup[begun:] = [self._filled_in(line) for line in program.setup[begun:]]
         return [self._filled_in(line) for line in lines] + send(name)
 
     def _filled_in(self, line):
-        return line.replace("{field}", self._field).replace("{value}", self._element.value("3"))
+        return line.replace("{field}", self.field).replace("{value}", self.element.value("3"))

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A lasting message is filled anew and published; then something that is not called by its name writes to it, which costs a
 copy: a function object, or the end of an object. Often the elements are let go behind that, so that the next step finds none."""
+from .lasting import Lasting
 from .program import indented
-
-SIZE = 40
 
 # Each returns (statements before the publish, statements behind it). `write` makes the statements that write to a message of
 # that name, in step `k`.
@@ -110,26 +109,16 @@ WAYS = [function, function_of_function, function_by_reference, lasting_function,
         function_object, end_of_scope, end_of_temporary, end_by_delete, end_by_reset, end_by_clear]
 
 
-class Later:
+class Later(Lasting):
     def __init__(self, program, message):
-        self.program, self.message = program, message
-        self._field, self._element = message.arrays[0]
-        self._way = program.rng.choice(WAYS)
-        self.chosen = [("later", self._way)]
-
-    def _let_go(self, name):
-        return [f"{name}.{self._field}." + self.program.rng.choice(["clear();", f"assign({SIZE}, 0);", "resize(0);"])]
-
-    def _write(self, name):
-        array, value = f"{name}.{self._field}", self._element.value("3")
-        return [f"if ({array}.size() < {SIZE}) {array}.resize({SIZE});", f"{array}[k % {SIZE}] = {value};"]
+        super().__init__(program, message, "later", WAYS)
 
     def lines(self, send):
         """Statements that fill a message, `send` it, and have it written to."""
         frame = self.program.variable(self.message.cpp, "frame")
-        before, behind = self._way(self.program, self.message.cpp, frame, self._write)
-        last = self._let_go(frame) if self.program.rng.random() < 0.5 else []
-        first = self._let_go(frame) + self._write(frame) + before
+        before, behind = self.way(self.program, self.message.cpp, frame, self.write)
+        last = self.let_go(frame) if self.program.rng.random() < 0.5 else []
+        first = self.let_go(frame) + self.write(frame) + before
         if self.program.rng.random() < 0.25:  # not later: nothing is copied
             return first + behind + send(frame) + last
         return first + send(frame) + behind + last
