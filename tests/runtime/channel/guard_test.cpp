@@ -4,80 +4,14 @@
 
 #include <signal.h>
 
-#include <cstdlib>
 #include <cstring>
 
-#include "support.h"
+#include "guard_support.h"
 
 namespace tzc {
 namespace channel {
 namespace test {
 namespace {
-
-std::shared_ptr<SegmentMemory> named_memory(std::size_t size = 16 * mb) {
-  MemoryOptions options;
-  options.size = size;
-  options.name = "/camera/image";
-  return *SegmentMemory::create(options);
-}
-
-struct Exchange {
-  explicit Exchange(std::size_t queue_size = 10) {
-    PublisherOptions options;
-    options.queue_size = queue_size;
-    options.memory = named_memory();
-    out = publish_with(std::move(options));
-    in = idle_subscriber(out->address());
-  }
-  BufferPtr publish(std::size_t size, unsigned char value) const {
-    BufferPtr buffer = filled(*out->memory(), size, value);
-    out->publish(text_record("x", {buffer}));
-    return buffer;
-  }
-
-  std::shared_ptr<Publisher> out;
-  std::shared_ptr<Subscriber> in;
-};
-
-struct Outcome {
-  int status;
-  std::string errors;
-
-  bool says(const std::string& text) const { return errors.find(text) != std::string::npos; }
-  std::size_t reports() const {
-    std::size_t count = 0;
-    for (std::size_t at = 0; (at = errors.find("TZC guard: a", at)) != std::string::npos; ++at) ++count;
-    return count;
-  }
-};
-
-/// Runs `body` in a process of its own, which ends as programs do.
-Outcome run(const std::function<int()>& body) {
-  int ends[2];
-  EXPECT_EQ(::pipe(ends), 0);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    ::dup2(ends[1], STDERR_FILENO);
-    ::close(ends[0]);
-    std::_Exit(body());
-  }
-  ::close(ends[1]);
-  Outcome outcome{};
-  char bytes[4096];
-  for (ssize_t size = 0; (size = ::read(ends[0], bytes, sizeof bytes)) > 0;)
-    outcome.errors.append(bytes, static_cast<std::size_t>(size));
-  ::close(ends[0]);
-  ::waitpid(child, &outcome.status, 0);
-  return outcome;
-}
-
-bool ended_with(const Outcome& outcome, int status) {
-  return WIFEXITED(outcome.status) && WEXITSTATUS(outcome.status) == status;
-}
-
-__attribute__((noinline)) void write_late(std::uint8_t* bytes, std::size_t at) {
-  *const_cast<volatile std::uint8_t*>(bytes + at) = 99;
-}
 
 TEST(Guard, is_on_in_this_program) {
   EXPECT_TRUE(guard::active);
@@ -350,57 +284,7 @@ TEST(Guard, a_forked_child_writes_to_memory_of_its_own_in_a_child) {
   EXPECT_TRUE(ended_with(outcome, 0)) << outcome.errors;
 }
 
-constexpr char write_late_option[] = "--write-late";
-
-/// What this program does with write_late_option.
-int publish_and_write_late() {
-  const Exchange exchange;
-  const BufferPtr sent = exchange.publish(5000, 1);
-  write_late(sent->data(), 3);
-  return 0;
-}
-
-/// A process of this program that writes late, with a setting of its own.
-Outcome write_late_with(const char* setting) {
-  return run([=] {
-    ::setenv("TZC_GUARD", setting, 1);
-    ::execl("/proc/self/exe", "guard_test", write_late_option, nullptr);
-    return 1;
-  });
-}
-
-TEST(GuardSettings, abort_ends_the_process_in_a_child) {
-  const Outcome outcome = write_late_with("abort");
-  EXPECT_TRUE(WIFSIGNALED(outcome.status) && WTERMSIG(outcome.status) == SIGABRT) << outcome.status;
-  EXPECT_EQ(outcome.reports(), 1u) << outcome.errors;
-}
-
-TEST(GuardSettings, the_end_says_what_was_watched_in_a_child) {
-  const Outcome outcome = write_late_with("1");
-  EXPECT_TRUE(outcome.says("1 blocks of published messages were watched, 1 late accesses from 1 places"))
-      << outcome.errors;
-}
-
-TEST(GuardSettings, off_and_misspelt_ones_in_a_child) {
-  for (const char* setting : {"0", "off"}) {
-    const Outcome outcome = write_late_with(setting);
-    EXPECT_TRUE(ended_with(outcome, 0) && outcome.errors.empty()) << outcome.errors;
-  }
-  EXPECT_TRUE(write_late_with("yess").says("TZC_GUARD cannot be 'yess'"));
-}
-
 }  // namespace
 }  // namespace test
 }  // namespace channel
 }  // namespace tzc
-
-int main(int argc, char** argv) {
-  if (std::getenv("TZC_GUARD") == nullptr) {
-    ::setenv("TZC_GUARD", "1", 1);
-    ::execv("/proc/self/exe", argv);
-  }
-  ::testing::InitGoogleTest(&argc, argv);
-  if (argc == 2 && std::strcmp(argv[1], tzc::channel::test::write_late_option) == 0)
-    return tzc::channel::test::publish_and_write_late();
-  return RUN_ALL_TESTS();
-}
