@@ -224,7 +224,8 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
   EscapeAnalysis analysis(context);
   SharedMats mats(context);
   for (const clang::FunctionDecl* function : functions) {
-    const FunctionView& view = analysis.analyse(function);
+    const SeenFunction seen = analysis.analyse(function);
+    const FunctionView& view = seen.view;
     facts_.bodies.insert(usr_of(pattern_of(function)));
     const ThreadCode code(context, view);
     for (const clang::Stmt* stmt : view.statements()) {
@@ -236,7 +237,7 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
       if (code.hands_over(stmt)) facts_.handing_over.insert(code.around(stmt));
     }
     for (ElementUse& use : element_uses(context, view)) facts_.element_uses.push_back(std::move(use));
-    contents(view, code);
+    contents(context, seen, code);
     note_given_messages(unit_, view, facts_);
     mats.analyse(view);
   }
@@ -252,13 +253,13 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
 }
 
 /// A closure that goes to others is called when they like, as a callback is: besides the function that makes it.
-void Collectors::contents(const FunctionView& view, const ThreadCode& code) {
-  if (std::optional<ContentFlow> flow = content_flow(unit_, view))
-    facts_.add_content(usr_of(pattern_of(view.function())), std::move(*flow));
-  for (const clang::Stmt* stmt : view.statements()) {
+void Collectors::contents(EscapeContext& context, const SeenFunction& seen, const ThreadCode& code) {
+  if (std::optional<ContentFlow> flow = content_flow(context, seen))
+    facts_.add_content(usr_of(pattern_of(seen.view.function())), std::move(*flow));
+  for (const clang::Stmt* stmt : seen.view.statements()) {
     const auto* closure = llvm::dyn_cast<clang::LambdaExpr>(stmt);
     if (!closure || !code.hands_over(closure)) continue;
-    if (std::optional<ContentFlow> flow = content_flow(unit_, view, closure))
+    if (std::optional<ContentFlow> flow = content_flow(context, seen, closure))
       facts_.add_content(closure_name(unit_, closure), std::move(*flow));
   }
 }

@@ -13,6 +13,7 @@
 #include "facts/filter_sites.h"
 #include "facts/hidden_calls.h"
 #include "facts/hoisting.h"
+#include "facts/publish_events.h"
 #include "facts/subscribe_sites.h"
 #include "facts/threads.h"
 #include "facts/unit.h"
@@ -48,7 +49,7 @@ class Collectors {
   /// Analyses the escapes in these functions. A mention of an array that this does not reach is an escape.
   void escapes(const std::vector<const clang::FunctionDecl*>& functions,
                const std::vector<const clang::MemberExpr*>& arrays);
-  void contents(const FunctionView& view, const ThreadCode& code);
+  void contents(EscapeContext& context, const SeenFunction& seen, const ThreadCode& code);
   void early_calls(const clang::Stmt* stmt);
   Facts finish();
 

@@ -61,28 +61,6 @@ void any_given_to(const clang::LambdaExpr* lambda, ContentLog& log) {
   }
 }
 
-/// std::function and its like, a pointer to a function, an object with a call operator.
-bool can_be_called(const Unit& unit, clang::QualType type) {
-  type = type.getNonReferenceType();
-  if (type->isFunctionPointerType() || type->isFunctionType() || type->isMemberFunctionPointerType())
-    return true;
-  const clang::CXXRecordDecl* const record = type->getAsCXXRecordDecl();
-  if (!record || !record->hasDefinition()) return false;
-  if (record->isLambda()) return true;
-  const clang::DeclarationName call = unit.ast().DeclarationNames.getCXXOperatorName(clang::OO_Call);
-  return !record->getDefinition()->lookup(call).empty();
-}
-
-/// What runs callables that it was given before: std::future, boost::thread, ros::spinOnce, ros::CallbackQueue.
-bool runs_what_it_was_given(const clang::FunctionDecl* function) {
-  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
-  const std::string name =
-      qualified_name_of(method ? static_cast<const clang::NamedDecl*>(method->getParent()) : function);
-  return llvm::any_of(
-      std::initializer_list<llvm::StringRef>{"thread", "future", "CallbackQueue", "pinner", "::spin"},
-      [&](llvm::StringRef part) { return llvm::StringRef(name).contains(part); });
-}
-
 }  // namespace
 
 std::vector<const clang::LambdaExpr*> closures_called_elsewhere(const FunctionView& view) {
@@ -92,6 +70,9 @@ std::vector<const clang::LambdaExpr*> closures_called_elsewhere(const FunctionVi
       if (!is_only_called(view, lambda)) found.push_back(lambda);
   return found;
 }
+
+ContentClosures::ContentClosures(const FunctionView& view, const MessageParts& parts, ContentLog& log)
+    : view_(view), parts_(parts), log_(log), goes_elsewhere_(!closures_called_elsewhere(view).empty()) {}
 
 void ContentClosures::made(const clang::LambdaExpr* lambda) {
   if (is_only_called(view_, lambda)) return;
@@ -108,31 +89,11 @@ bool ContentClosures::is_own_closure(const clang::CXXMethodDecl* function) const
   });
 }
 
-/// By a pointer, or in code of a library that was given what can be called.
-bool ContentClosures::may_call_any(const clang::CallExpr* call) const {
-  const clang::FunctionDecl* const function = call->getDirectCallee();
-  if (!function) return true;
-  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
-  if (unit_.declares(function) || (method && method->getParent()->isLambda())) return false;
-  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call);
-  if (op) return op->getOperator() == clang::OO_Call;
-  return runs_what_it_was_given(function) || is_given_callable(call);
-}
-
-bool ContentClosures::is_given_callable(const clang::CallExpr* call) const {
-  return llvm::any_of(call->arguments(),
-                      [&](const clang::Expr* argument) { return can_be_called(unit_, argument->getType()); });
-}
-
-void ContentClosures::after_own(const clang::CallExpr* call) {
-  if (is_given_callable(call)) log_.step(UnknownCall{});
+void ContentClosures::package_called() {
+  if (goes_elsewhere_) log_.step(UnknownCall{});
 }
 
 bool ContentClosures::called(const clang::CallExpr* call) {
-  if (may_call_any(call)) {
-    log_.step(UnknownCall{});
-    return false;
-  }
   const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(call->getDirectCallee());
   if (!method || !method->getParent()->isLambda() || !llvm::isa<clang::CXXOperatorCallExpr>(call))
     return false;

@@ -212,7 +212,9 @@ void ContentReader::package_call(const clang::FunctionDecl* function,
     else
       event.passed.emplace(parameter_root(event.callee, i), std::move(part));
   }
+  closures_.package_called();
   log_.step(std::move(event));
+  closures_.package_called();
 }
 
 void ContentReader::member_call(const clang::CXXMemberCallExpr* call) {
@@ -276,6 +278,15 @@ void ContentReader::mention(const clang::Expr* expr) {
   array(expr);
 }
 
+/// A function object ends without a call of what it holds, whose own end may run a destructor.
+void ContentReader::ended_in_library(clang::QualType type) {
+  const clang::CXXRecordDecl* const record = type->getAsCXXRecordDecl();
+  if (record && record->getName() == "function")
+    log_.step(PerhapsCall{call_of_others()});
+  else
+    log_.step(UnknownCall{});
+}
+
 void ContentReader::look_at(const clang::Stmt* stmt) {
   if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) return closures_.made(lambda);
   if (const auto* expr = llvm::dyn_cast<clang::Expr>(stmt)) mention(expr);
@@ -283,6 +294,9 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
   moved_.look_at(stmt);
   moved_whole(stmt);
   ended_.look_at(stmt);
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
+  if (call && closures_.called(call)) return;
+  if (unknown_.at(stmt)) log_.step(UnknownCall{});
   if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
     iterator(construct);
     if (!construct->getConstructor()->isCopyOrMoveConstructor())
@@ -291,19 +305,18 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
       package_call(construct->getConstructor(), {construct->getArgs(), construct->getNumArgs()}, construct);
     return;
   }
-  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) {
+  if (call) {
     const clang::FunctionDecl* function = call->getDirectCallee();
     if (makes_object(call)) made(pointee_of(call->getType())->getAsCXXRecordDecl(), call->getBeginLoc());
     if (is_swap(call) && call->getNumArgs() == 2 && !unit_.declares(function))
       exchanged(call->getArg(0), call->getArg(1), call->getExprLoc());
     if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
-    if (closures_.called(call) || !function || rule_call(call, qualified_name_of(function))) return;
+    if (!function || rule_call(call, qualified_name_of(function))) return;
     if (!unit_.declares(function)) return closures_.given_to(call);
     const bool shifted =
         llvm::isa<clang::CXXOperatorCallExpr>(call) && llvm::isa<clang::CXXMethodDecl>(function);
     llvm::ArrayRef<const clang::Expr*> arguments(call->getArgs(), call->getNumArgs());
-    package_call(function, shifted ? arguments.drop_front() : arguments, call);
-    return closures_.after_own(call);
+    return package_call(function, shifted ? arguments.drop_front() : arguments, call);
   }
   const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
   if (!expr || !llvm::isa<clang::MemberExpr, clang::DeclRefExpr>(expr)) return;

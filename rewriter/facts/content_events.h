@@ -4,16 +4,16 @@
 #include <optional>
 
 #include "facts/function_view.h"
-#include "facts/unit.h"
+#include "facts/publish_events.h"
 #include "model/content_flow.h"
 
 namespace tzc::rewriter {
 
 /// What a function does to the content of messages, in the order of its control flow; none: nothing. Messages of the stock
 /// types and their twins alike, so that a port is seen as its original is.
-std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& view);
+std::optional<ContentFlow> content_flow(EscapeContext& context, const SeenFunction& function);
 /// Likewise what a closure of the function does when it is called.
-std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& view,
+std::optional<ContentFlow> content_flow(EscapeContext& context, const SeenFunction& function,
                                         const clang::LambdaExpr* closure);
 
 }  // namespace tzc::rewriter

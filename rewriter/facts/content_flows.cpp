@@ -29,12 +29,6 @@ void rename(const Given& given, ContentEvent& event) {
   for (auto& [parameter, part] : event.passed) rename(given, part);
 }
 
-ContentEvent call_of_any() {
-  ContentEvent event;
-  event.kind = ContentEvent::Kind::call;
-  return event;
-}
-
 std::unique_ptr<clang::CFG> cfg_of(const Unit& unit, const clang::FunctionDecl* function) {
   clang::CFG::BuildOptions options;
   options.setAllAlwaysAdd();
@@ -46,8 +40,12 @@ std::unique_ptr<clang::CFG> cfg_of(const Unit& unit, const clang::FunctionDecl* 
 /// Puts one function's graph together, and those of its closures where their bodies run.
 class FlowBuilder {
  public:
-  FlowBuilder(const Unit& unit, const FunctionView& view, const DecidedValues& values)
-      : unit_(unit), view_(view), values_(values), own_reader_(unit, view), reader_(&own_reader_) {}
+  FlowBuilder(EscapeContext& context, const SeenFunction& function, const DecidedValues& values)
+      : context_(context),
+        values_(values),
+        own_reader_(context.unit, function.view, UnknownCalls(function.events)),
+        reader_(&own_reader_),
+        closures_(closures_called_elsewhere(function.view)) {}
   FlowBuilder(const FlowBuilder&) = delete;
   FlowBuilder& operator=(const FlowBuilder&) = delete;
 
@@ -71,24 +69,27 @@ class FlowBuilder {
 
   Part add(const clang::CFG& cfg, const clang::FunctionDecl* function);
   unsigned add(std::vector<ContentStep> steps, unsigned at);
-  unsigned add(const clang::CFGElement& element, unsigned at);
+  unsigned add(const clang::CFGElement& element, const clang::FunctionDecl* function, unsigned at);
   unsigned perhaps(Part part, unsigned at);
   unsigned run(const ClosureRun& closure, unsigned at);
   unsigned call(const PerhapsCall& perhaps_called, unsigned at);
-  unsigned call_any_closure(unsigned at);
+  unsigned call_unknown(unsigned at);
+  Part anything();
+  void add_closures(Part any);
   void append(ContentEvent event, unsigned at);
   Part body_of(const clang::FunctionDecl* closure);
   Part add_instance(const clang::CFG& cfg, const clang::FunctionDecl* closure);
 
-  const Unit& unit_;
-  const FunctionView& view_;
+  EscapeContext& context_;
   const DecidedValues& values_;
   ContentReader own_reader_;
   ContentReader* reader_;  ///< of the function, or of the instance of a generic closure that is being added
   ContentFlow flow_;
-  std::vector<Given> given_;                   ///< of the closures around, the innermost last
-  std::set<const clang::FunctionDecl*> open_;  ///< which are being added
-  std::optional<Part> any_closure_;            ///< one of those that something else may call
+  std::vector<Given> given_;                        ///< of the closures around, the innermost last
+  std::set<const clang::FunctionDecl*> open_;       ///< which are being added
+  std::vector<const clang::LambdaExpr*> closures_;  ///< that an unknown call may run
+  std::optional<Part> anything_;  ///< what an unknown call may run, while that is being added
+  unsigned behind_unknown_ = 0;   ///< where the graph goes on behind the last one
 };
 
 /// Blocks in Clang's order, the entry first.
@@ -101,7 +102,7 @@ FlowBuilder::Part FlowBuilder::add(const clang::CFG& cfg, const clang::FunctionD
   for (const clang::CFGBlock* block : cfg) {
     unsigned at = index(*block);
     if (block == &cfg.getEntry()) at = add(reader_->steps_of(function), at);
-    for (const clang::CFGElement& element : *block) at = add(element, at);
+    for (const clang::CFGElement& element : *block) at = add(element, function, at);
     unsigned successor = 0;
     for (const clang::CFGBlock::AdjacentBlock& next : block->succs()) {
       const clang::CFGBlock* const reached = next.getReachableBlock();
@@ -113,12 +114,15 @@ FlowBuilder::Part FlowBuilder::add(const clang::CFG& cfg, const clang::FunctionD
 }
 
 /// Adds what happens at the end of a block, and says where the graph goes on.
-unsigned FlowBuilder::add(const clang::CFGElement& element, unsigned at) {
+unsigned FlowBuilder::add(const clang::CFGElement& element, const clang::FunctionDecl* function,
+                          unsigned at) {
   if (const auto stmt = element.getAs<clang::CFGStmt>()) return add(reader_->steps_of(stmt->getStmt()), at);
   if (const auto initializer = element.getAs<clang::CFGInitializer>())
     return add(reader_->steps_of(initializer->getInitializer()), at);
   if (const auto ended = element.getAs<clang::CFGAutomaticObjDtor>())
     return add(reader_->steps_at_end_of(ended->getVarDecl()), at);
+  if (element.getAs<clang::CFGMemberDtor>() || element.getAs<clang::CFGBaseDtor>())
+    return add(reader_->steps_at_end_of_parts(function), at);
   return at;
 }
 
@@ -131,7 +135,7 @@ unsigned FlowBuilder::add(std::vector<ContentStep> steps, unsigned at) {
     else if (const auto* called = std::get_if<PerhapsCall>(&step))
       at = call(*called, at);
     else
-      at = call_any_closure(at);
+      at = call_unknown(at);
   }
   return at;
 }
@@ -152,7 +156,7 @@ unsigned FlowBuilder::perhaps(Part part, unsigned at) {
 }
 
 FlowBuilder::Part FlowBuilder::body_of(const clang::FunctionDecl* closure) {
-  const std::unique_ptr<clang::CFG> cfg = closure->getBody() ? cfg_of(unit_, closure) : nullptr;
+  const std::unique_ptr<clang::CFG> cfg = closure->getBody() ? cfg_of(context_.unit, closure) : nullptr;
   if (!cfg) {
     const unsigned nothing = new_block();
     return {nothing, nothing};
@@ -166,7 +170,7 @@ FlowBuilder::Part FlowBuilder::body_of(const clang::FunctionDecl* closure) {
 /// The view of the function around knows the pattern alone.
 FlowBuilder::Part FlowBuilder::add_instance(const clang::CFG& cfg, const clang::FunctionDecl* closure) {
   const FunctionView view(closure);
-  ContentReader reader(unit_, view);
+  ContentReader reader(context_.unit, view, UnknownCalls(publish_events(context_, view)));
   ContentReader* const around = std::exchange(reader_, &reader);
   const Part part = add(cfg, closure);
   reader_ = around;
@@ -175,7 +179,7 @@ FlowBuilder::Part FlowBuilder::add_instance(const clang::CFG& cfg, const clang::
 
 /// A closure calls itself by another name alone, a parameter or a function object, and so it is one that others may call.
 unsigned FlowBuilder::run(const ClosureRun& closure, unsigned at) {
-  if (open_.count(closure.body) != 0) return call_any_closure(at);
+  if (open_.count(closure.body) != 0) return call_unknown(at);
   given_.push_back(closure.given);
   const Part part = body_of(closure.body);
   given_.pop_back();
@@ -190,40 +194,53 @@ unsigned FlowBuilder::call(const PerhapsCall& perhaps_called, unsigned at) {
   return perhaps({callee, callee}, at);
 }
 
-/// One graph for all such calls: a closure may call another one.
-unsigned FlowBuilder::call_any_closure(unsigned at) {
-  if (!any_closure_) {
-    any_closure_ = Part{new_block(), new_block()};
-    connect(any_closure_->entry, any_closure_->exit);
-    const unsigned elsewhere = new_block();  // or anything that the package gave away somewhere else
-    flow_.blocks[elsewhere].events.push_back(call_of_any());
-    connect(any_closure_->entry, elsewhere);
-    connect(elsewhere, any_closure_->entry);
-    for (const clang::LambdaExpr* lambda : closures_called_elsewhere(view_)) {
-      const std::vector<Given> around = std::exchange(given_, {});
-      const std::set<const clang::FunctionDecl*> open = std::exchange(open_, {});
-      const Part part = body_of(lambda->getCallOperator());
-      given_ = around;
-      open_ = open;
-      connect(any_closure_->entry, part.entry);
-      connect(part.exit, any_closure_->entry);
-    }
-  }
+/// Calls in a row are as good as one: it runs anything any number of times.
+unsigned FlowBuilder::call_unknown(unsigned at) {
+  if (at == behind_unknown_ && flow_.blocks[at].events.empty()) return at;
+  const Part any = anything_ ? *anything_ : anything();
   const unsigned behind = new_block();
-  connect(at, any_closure_->entry);
-  connect(any_closure_->exit, behind);
-  return behind;
+  connect(at, any.entry);
+  connect(any.exit, behind);
+  return behind_unknown_ = behind;
+}
+
+/// Each call has a graph of its own, in which the closures call one another: with one for all of them, paths would lead from one
+/// to the next. That is what large functions get, for want of a limit otherwise.
+FlowBuilder::Part FlowBuilder::anything() {
+  constexpr std::size_t many_blocks = 4096;
+  const Part any{new_block(), new_block()};
+  connect(any.entry, any.exit);
+  const unsigned elsewhere = new_block();  // what the package gave away somewhere else
+  flow_.blocks[elsewhere].events.push_back(call_of_others());
+  connect(any.entry, elsewhere);
+  connect(elsewhere, any.entry);
+  anything_ = any;
+  add_closures(any);
+  if (flow_.blocks.size() < many_blocks) anything_.reset();
+  return any;
+}
+
+void FlowBuilder::add_closures(Part any) {
+  const std::vector<Given> around = std::exchange(given_, {});
+  const std::set<const clang::FunctionDecl*> open = std::exchange(open_, {});
+  for (const clang::LambdaExpr* lambda : closures_) {
+    const Part part = body_of(lambda->getCallOperator());
+    connect(any.entry, part.entry);
+    connect(part.exit, any.entry);
+  }
+  given_ = around;
+  open_ = open;
 }
 
 /// The flow of a function of the view, or of a closure in it; none: it has no events.
-std::optional<ContentFlow> flow_of(const Unit& unit, const FunctionView& view,
+std::optional<ContentFlow> flow_of(EscapeContext& context, const SeenFunction& seen,
                                    const clang::FunctionDecl* function) {
-  const std::unique_ptr<clang::CFG> cfg = cfg_of(unit, function);
+  const std::unique_ptr<clang::CFG> cfg = cfg_of(context.unit, function);
   if (!cfg) return {};
-  const std::vector<DecidedValues> ways = decided_ways(view, *cfg);
-  ContentFlow flow = FlowBuilder(unit, view, ways.front()).build(*cfg, function);
+  const std::vector<DecidedValues> ways = decided_ways(seen.view, *cfg);
+  ContentFlow flow = FlowBuilder(context, seen, ways.front()).build(*cfg, function);
   for (auto way = std::next(ways.begin()); way != ways.end(); ++way)
-    flow.add_alternative(FlowBuilder(unit, view, *way).build(*cfg, function));
+    flow.add_alternative(FlowBuilder(context, seen, *way).build(*cfg, function));
   const bool is_empty =
       llvm::all_of(flow.blocks, [](const ContentBlock& block) { return block.events.empty(); });
   return is_empty ? std::nullopt : std::optional(std::move(flow));
@@ -231,17 +248,18 @@ std::optional<ContentFlow> flow_of(const Unit& unit, const FunctionView& view,
 
 }  // namespace
 
-std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& view) {
-  std::optional<ContentFlow> flow = flow_of(unit, view, view.function());
+std::optional<ContentFlow> content_flow(EscapeContext& context, const SeenFunction& function) {
+  const FunctionView& view = function.view;
+  std::optional<ContentFlow> flow = flow_of(context, function, view.function());
   const bool has_lambda = llvm::any_of(
       view.statements(), [](const clang::Stmt* stmt) { return llvm::isa<clang::LambdaExpr>(stmt); });
   if (flow) flow->makes_object = llvm::isa<clang::CXXConstructorDecl>(view.function()) && !has_lambda;
   return flow;
 }
 
-std::optional<ContentFlow> content_flow(const Unit& unit, const FunctionView& view,
+std::optional<ContentFlow> content_flow(EscapeContext& context, const SeenFunction& function,
                                         const clang::LambdaExpr* closure) {
-  return flow_of(unit, view, closure->getCallOperator());
+  return flow_of(context, function, closure->getCallOperator());
 }
 
 }  // namespace tzc::rewriter

@@ -21,12 +21,19 @@ struct ClosureRun {
       given;  ///< roots of its parameters, and what they are given
 };
 
+/// A call that may run what the package gave away outside of the function.
+inline ContentEvent call_of_others() {
+  ContentEvent event;
+  event.kind = ContentEvent::Kind::call;
+  return event;
+}
+
 /// A function is called, or not.
 struct PerhapsCall {
   ContentEvent call;
 };
 
-/// Something is called that may be any closure of the function.
+/// A call that may run any closure of the function, or what the package gave away outside of it.
 struct UnknownCall {};
 
 /// What happens next.

@@ -14,6 +14,7 @@
 #include "facts/message_parts.h"
 #include "facts/moved_elements.h"
 #include "facts/unit.h"
+#include "facts/unknown_calls.h"
 #include "model/content_flow.h"
 
 namespace tzc::rewriter {
@@ -21,14 +22,15 @@ namespace tzc::rewriter {
 /// Reads what the statements of one function do to the content of messages.
 class ContentReader {
  public:
-  ContentReader(const Unit& unit, const FunctionView& view)
+  ContentReader(const Unit& unit, const FunctionView& view, UnknownCalls unknown)
       : unit_(unit),
         view_(view),
+        unknown_(std::move(unknown)),
         parts_(unit, view),
         log_(unit, parts_),
         names_(unit, view, parts_, log_),
         moved_(unit, view, parts_, log_),
-        closures_(unit, view, parts_, log_),
+        closures_(view, parts_, log_),
         ended_(unit, log_) {}
   ContentReader(const ContentReader&) = delete;
   ContentReader& operator=(const ContentReader&) = delete;
@@ -50,11 +52,18 @@ class ContentReader {
   /// What the end of a variable does.
   std::vector<ContentStep> steps_at_end_of(const clang::VarDecl* variable) {
     ended_.object(variable->getType(), variable->getLocation());
+    if (unknown_.at_end_of(variable)) ended_in_library(variable->getType());
+    return log_.take();
+  }
+  /// What the end of a destructor's object does behind its body.
+  std::vector<ContentStep> steps_at_end_of_parts(const clang::FunctionDecl* destructor) {
+    if (unknown_.at_end_of_parts(destructor)) log_.step(UnknownCall{});
     return log_.take();
   }
 
  private:
   void look_at(const clang::Stmt* stmt);
+  void ended_in_library(clang::QualType type);
   void mention(const clang::Expr* expr);
   void array(const clang::Expr* expr);
   void array_of_messages(const clang::Expr* expr);
@@ -72,6 +81,7 @@ class ContentReader {
 
   const Unit& unit_;
   const FunctionView& view_;
+  const UnknownCalls unknown_;
   MessageParts parts_;
   ContentLog log_;
   ContentNames names_;

@@ -113,7 +113,7 @@ EscapeAnalysis::Analysed& EscapeAnalysis::analysed(const clang::FunctionDecl* de
   return known->second;
 }
 
-const FunctionView& EscapeAnalysis::analyse(const clang::FunctionDecl* definition) {
+SeenFunction EscapeAnalysis::analyse(const clang::FunctionDecl* definition) {
   const Analysed& here = analysed(definition);
   const ThreadEvents threads(context_, *here.view);
   std::vector<PublishEvent>& effects = context_.found.effects[usr_of(pattern_of(definition))];
@@ -128,7 +128,7 @@ const FunctionView& EscapeAnalysis::analyse(const clang::FunctionDecl* definitio
     note_lasting(stmt);
     start(*here.view, stmt);
   }
-  return *here.view;
+  return {*here.view, here.events};
 }
 
 /// Static locals live on; what a closure holds may be published wherever the closure is called.

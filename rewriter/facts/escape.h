@@ -43,7 +43,7 @@ class EscapeAnalysis {
   explicit EscapeAnalysis(EscapeContext& context) : context_(context) {}
 
   /// A function with a body, not a lambda: those are looked at within the function around them.
-  const FunctionView& analyse(const clang::FunctionDecl* definition);
+  SeenFunction analyse(const clang::FunctionDecl* definition);
   /// Whether an array's mention was part of a function that was analysed.
   bool has_seen(const clang::MemberExpr* array) const { return seen_.count(array) != 0; }
   void escape(const std::vector<EntityId>& messages, const std::string& how, clang::SourceLocation where,

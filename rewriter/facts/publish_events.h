@@ -18,6 +18,12 @@ struct SeenEvent {
   const clang::LambdaExpr* lambda;  ///< in whose body
 };
 
+/// A function, and the events in its body.
+struct SeenFunction {
+  const FunctionView& view;
+  const std::vector<SeenEvent>& events;
+};
+
 /// All that may publish a message in a function's body: publish calls, calls of functions of the package, and
 /// calls of code that is not seen, destructors of locals included.
 std::vector<SeenEvent> publish_events(EscapeContext& context, const FunctionView& view);

@@ -147,6 +147,12 @@ bool ContentState::join(const ContentState& other) {
   return grown || taken_.size() > taken_before;
 }
 
+void ContentState::join_others(const ContentState& other) {
+  std::set<MessagePart> made = new_;
+  join(other);
+  new_ = std::move(made);
+}
+
 void ContentState::add(const ContentState& other) {
   for (const auto& [part, sites] : other.shared_) share(part, sites);
   own_.insert(other.own_.begin(), other.own_.end());

@@ -43,6 +43,8 @@ class ContentState {
 
   /// Adds what another path brings. False: it brings nothing new.
   bool join(const ContentState& other);
+  /// Adds what code may leave that runs in between, or not. What is new stays new.
+  void join_others(const ContentState& other);
   /// Adds what is known of other parts.
   void add(const ContentState& other);
   /// False: these sites share it already.

@@ -98,7 +98,8 @@ void CopiedElements::touch_what_callees_touch() {
       Function& caller = functions_.at(name);
       const std::size_t before = caller.touched.size();
       caller.touched.insert(touched.begin(), touched.end());
-      if (caller.touched.size() > before) open.insert(name);
+      const bool learns = calls_unknown_.count(usr) != 0 && calls_unknown_.insert(name).second;
+      if (learns || caller.touched.size() > before) open.insert(name);
     }
   }
 }
@@ -123,29 +124,37 @@ bool CopiedElements::may_be_any(const std::string& usr) const {
 
 /// Of functions that have no member in common, none can tell what the other did.
 void CopiedElements::find_what_may_be_any() {
+  std::map<std::string, std::set<std::string>> touched;
+  for (const auto& [usr, function] : functions_)
+    if (may_be_any(usr)) touched.emplace(usr, function.touched);
   for (const std::string& usr : calls_unknown_) {
     Function& caller = functions_.at(usr);
     const std::set<std::string> own = caller.touched;
-    for (const auto& [name, other] : functions_) {
-      const bool shares = std::any_of(other.touched.begin(), other.touched.end(),
+    for (const auto& [name, roots] : touched) {
+      const bool shares = std::any_of(roots.begin(), roots.end(),
                                       [&](const std::string& root) { return own.count(root) != 0; });
-      if (!shares || name == usr || !may_be_any(name)) continue;
+      if (!shares || name == usr) continue;
       caller.may_call.push_back(name);
-      caller.touched.insert(other.touched.begin(), other.touched.end());
+      caller.touched.insert(roots.begin(), roots.end());
     }
   }
 }
 
 /// False: no call that the block makes has returned yet.
-bool CopiedElements::step(const std::string& usr, const ContentBlock& block, ContentState& state) {
+bool CopiedElements::step(const std::string& usr, const ContentBlock& block, Others& others,
+                          ContentState& state) {
   for (const ContentEvent& event : block.events) {
     if (event.kind != ContentEvent::Kind::call || event.callee == usr) {
       apply(event, state);
       continue;
     }
+    const bool calls_any = calls_unknown(event);
+    if (calls_any) others.run(state);
+    if (event.callee.empty()) continue;
     std::optional<ContentState> after = after_call(event, state, usr);
     if (!after) return false;
     state = std::move(*after);
+    if (calls_any) others.run(state);
   }
   return true;
 }
@@ -154,12 +163,13 @@ void CopiedElements::run(const std::string& usr, Function& function) {
   const std::vector<ContentBlock>& blocks = function.flow->blocks;
   std::vector<std::optional<ContentState>> states(blocks.size());
   states[0] = function.entry;
+  Others others{left_by_others(function), {}};
   std::set<unsigned> open{0};
   while (!open.empty()) {
     const unsigned index = *open.begin();
     open.erase(open.begin());
     ContentState state = *states[index];
-    if (!step(usr, blocks[index], state)) continue;
+    if (!step(usr, blocks[index], others, state)) continue;
     for (const unsigned next : blocks[index].next) {
       const bool is_new = !states[next];
       if (is_new)
@@ -176,6 +186,7 @@ void CopiedElements::run(const std::string& usr, Function& function) {
       changed_ |= function.exit->join(state);
     }
   }
+  if (others.given) enter_others(function, *others.given);
   leave(usr, function);
 }
 
@@ -252,10 +263,18 @@ void CopiedElements::enter(const std::string& usr, const ContentState& state) {
   changed_ = true;
 }
 
+/// Whether the call may run what nothing names, or a function of the package does that it may run.
+bool CopiedElements::calls_unknown(const ContentEvent& call) const {
+  if (call.callee.empty()) return true;
+  const auto& others = overrides_of(call.callee);
+  return calls_unknown_.count(call.callee) != 0 ||
+         std::any_of(others.begin(), others.end(),
+                     [&](const std::string& other) { return calls_unknown_.count(other) != 0; });
+}
+
 /// What the callee does, or any function that overrides it. None: none of them has returned yet.
 std::optional<ContentState> CopiedElements::after_call(const ContentEvent& event, const ContentState& before,
                                                        const std::string& caller) {
-  if (event.callee.empty()) return after_any_call(event, before, caller);
   const std::set<std::string>& others = overrides_of(event.callee);
   if (others.empty()) return after(event, before);
   std::optional<ContentState> all;
@@ -272,15 +291,30 @@ std::optional<ContentState> CopiedElements::after_call(const ContentEvent& event
   return all;
 }
 
-ContentState CopiedElements::after_any_call(const ContentEvent& event, const ContentState& before,
-                                            const std::string& caller) {
-  ContentState all = before;
-  for (const std::string& name : functions_.at(caller).may_call) {
-    ContentEvent call = event;
-    call.callee = name;
-    if (const std::optional<ContentState> one = after(call, before)) all.join(*one);
+/// They may have run before, or not. What is new to the caller stays new: others have objects of their own.
+void CopiedElements::Others::run(ContentState& state) {
+  if (given)
+    given->join(state);
+  else
+    given = state;
+  state.join_others(left);
+}
+
+ContentState CopiedElements::left_by_others(const Function& caller) const {
+  ContentState left;
+  for (const std::string& name : caller.may_call)
+    if (const std::optional<ContentState>& exit = functions_.at(name).exit)
+      left.join(exit->renamed(
+          [&](const MessagePart& part) { return caller.touches(part) ? part : MessagePart(); }));
+  return left;
+}
+
+void CopiedElements::enter_others(const Function& caller, const ContentState& given) {
+  for (const std::string& name : caller.may_call) {
+    const Function& other = functions_.at(name);
+    enter(name,
+          given.renamed([&](const MessagePart& part) { return other.touches(part) ? part : MessagePart(); }));
   }
-  return all;
 }
 
 /// None: no call of the function has returned yet.

@@ -39,6 +39,13 @@ class CopiedElements {
 
     bool touches(const MessagePart& part) const;
   };
+  /// The functions that the unknown calls of one function may run.
+  struct Others {
+    ContentState left;                  ///< by any of them
+    std::optional<ContentState> given;  ///< to them, by any of the calls
+
+    void run(ContentState& state);
+  };
 
   void add_functions();
   void touch_what_callees_touch();
@@ -47,12 +54,13 @@ class CopiedElements {
   bool may_be_any(const std::string& usr) const;
   void find_what_may_be_any();
   void run(const std::string& usr, Function& function);
-  bool step(const std::string& usr, const ContentBlock& block, ContentState& state);
+  bool step(const std::string& usr, const ContentBlock& block, Others& others, ContentState& state);
   void apply(const ContentEvent& event, ContentState& state);
   std::optional<ContentState> after_call(const ContentEvent& event, const ContentState& before,
                                          const std::string& caller);
-  ContentState after_any_call(const ContentEvent& event, const ContentState& before,
-                              const std::string& caller);
+  bool calls_unknown(const ContentEvent& call) const;
+  ContentState left_by_others(const Function& caller) const;
+  void enter_others(const Function& caller, const ContentState& given);
   std::optional<ContentState> after(const ContentEvent& call, const ContentState& before);
   void refresh(const MessagePart& name, ContentState& state) const;
   void spread(const MessagePart& part, ContentState& state) const;

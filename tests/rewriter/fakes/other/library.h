@@ -24,6 +24,9 @@ inline int gamma(int value, int) {
 inline void read(unsigned char*, std::size_t) {}
 template <class M>
 void log(const M&) {}
+/// Keeps what it is given, for poll() to call.
+inline void post(std::function<void()>) {}
+inline void poll() {}
 /// Advertises for its children and keeps a copy of each publisher.
 class Nodelet {
  protected:

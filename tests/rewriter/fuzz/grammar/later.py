@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A lasting message is filled anew and published; then something that is not called by its name writes to it, which costs a
-copy: a function object, or the end of an object. Often the elements are let go behind that, so that the next step finds none."""
+copy: a function object, a library, or the end of an object. Often the elements are let go behind that, so that the next step finds none."""
 from .lasting import Lasting
 from .program import indented
 
@@ -46,6 +46,29 @@ def list_of_functions(program, cpp, frame, write):
     calls = program.unique("calls")
     return ([f"std::vector<std::function<void(int)>> {calls};", f"{calls}.push_back({closure(write(frame))[0]}"] +
             closure(write(frame))[1:-1] + ["});"], [f"for (auto& one : {calls}) one(k);"])
+
+
+def notified(program, cpp, frame, write):
+    """By a function of the program, which names no message itself."""
+    before, behind = list_of_functions(program, cpp, frame, write)
+    notify = program.unique("notify")
+    return before + [f"const auto {notify} = [&] {{ {behind[0]} }};"], [f"{notify}();"]
+
+
+def signal(program, cpp, frame, write):
+    program.includes.add("boost/signals2/signal.hpp")
+    changed = program.unique("changed")
+    lines = closure(write(frame))
+    return ([f"boost::signals2::signal<void(int)> {changed};", f"{changed}.connect({lines[0]}"] + lines[1:-1] + ["});"],
+            [f"{changed}(k);"])
+
+
+def posted(program, cpp, frame, write):
+    """In a library that is not known to call anything."""
+    program.includes.add("boost/asio/io_service.hpp")
+    loop = program.unique("loop")
+    run = program.rng.choice(["run()", "poll()", "run_one()"])
+    return [f"boost::asio::io_service {loop};", f"{loop}.post([&] {{"] + indented(write(frame)) + ["});"], [f"{loop}.{run};"]
 
 
 def deferred(program, cpp, frame, write):
@@ -105,8 +128,16 @@ def end_by_clear(program, cpp, frame, write):
                     f"{name}.emplace_back(new {kind}{{{frame}, k}});"], [f"{name}.{end};"]
 
 
-WAYS = [function, function_of_function, function_by_reference, lasting_function, list_of_functions, deferred, algorithm,
-        function_object, end_of_scope, end_of_temporary, end_by_delete, end_by_reset, end_by_clear]
+def end_of_pointer(program, cpp, frame, write):
+    """By a deleter that its type does not show."""
+    pointer, end = program.rng.choice(["std::shared_ptr", "boost::shared_ptr"]), program.unique("end")
+    return ([f"{pointer}<void> {end}(static_cast<void*>(nullptr), [&](void*) {{"] + indented(write(frame)) + ["});"],
+            [f"{end}.reset();"])
+
+
+WAYS = [function, function_of_function, function_by_reference, lasting_function, list_of_functions, notified, signal, posted,
+        deferred, algorithm, function_object, end_of_scope, end_of_temporary, end_of_pointer, end_by_delete, end_by_reset,
+        end_by_clear]
 
 
 class Later(Lasting):

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/unknown_calls.h"
+
+namespace tzc::rewriter {
+
+UnknownCalls::UnknownCalls(const std::vector<SeenEvent>& events) {
+  for (const SeenEvent& seen : events) {
+    if (seen.event.kind != PublishEvent::Kind::unknown) continue;
+    const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(seen.at);
+    if (!declaration) {
+      calls_.insert(seen.at);
+      continue;
+    }
+    for (const clang::Decl* decl : declaration->decls())
+      if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl)) ends_.insert(variable);
+  }
+}
+
+}  // namespace tzc::rewriter
