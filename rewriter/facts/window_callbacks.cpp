@@ -35,7 +35,8 @@ bool is_none(const clang::Expr* expr, clang::ASTContext& context) {
 
 bool runs_window_callbacks(const clang::Stmt* stmt) {
   const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
-  return call && calls_one_of(call, {"cv::waitKey", "cv::waitKeyEx", "cv::pollKey"});
+  return call && calls_one_of(call, {"cv::waitKey", "cv::waitKeyEx", "cv::pollKey", "cv::selectROI",
+                                     "cv::selectROIs"});
 }
 
 std::vector<std::string> callbacks_given_to_windows(const clang::CallExpr* call) {
