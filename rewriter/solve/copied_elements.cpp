@@ -124,18 +124,13 @@ bool CopiedElements::may_be_any(const std::string& usr) const {
 
 /// Of functions that have no member in common, none can tell what the other did.
 void CopiedElements::find_what_may_be_any() {
-  std::map<std::string, std::set<std::string>> touched;
-  for (const auto& [usr, function] : functions_)
-    if (may_be_any(usr)) touched.emplace(usr, function.touched);
   for (const std::string& usr : calls_unknown_) {
     Function& caller = functions_.at(usr);
-    const std::set<std::string> own = caller.touched;
-    for (const auto& [name, roots] : touched) {
-      const bool shares = std::any_of(roots.begin(), roots.end(),
-                                      [&](const std::string& root) { return own.count(root) != 0; });
-      if (!shares || name == usr) continue;
-      caller.may_call.push_back(name);
-      caller.touched.insert(roots.begin(), roots.end());
+    for (const auto& [name, other] : functions_) {
+      const bool shares =
+          std::any_of(other.touched.begin(), other.touched.end(),
+                      [&](const std::string& root) { return caller.touched.count(root) != 0; });
+      if (shares && name != usr && may_be_any(name)) caller.may_call.push_back(name);
     }
   }
 }
