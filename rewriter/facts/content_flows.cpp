@@ -88,8 +88,8 @@ class FlowBuilder {
   std::vector<Given> given_;                        ///< of the closures around, the innermost last
   std::set<const clang::FunctionDecl*> open_;       ///< which are being added
   std::vector<const clang::LambdaExpr*> closures_;  ///< that an unknown call may run
-  std::optional<Part> anything_;  ///< what an unknown call may run, while that is being added
-  unsigned behind_unknown_ = 0;   ///< where the graph goes on behind the last one
+  std::optional<Part> anything_;            ///< what an unknown call may run, while that is being added
+  std::optional<unsigned> behind_unknown_;  ///< where the graph goes on behind the last one
 };
 
 /// Blocks in Clang's order, the entry first.
@@ -196,12 +196,13 @@ unsigned FlowBuilder::call(const PerhapsCall& perhaps_called, unsigned at) {
 
 /// Calls in a row are as good as one: it runs anything any number of times.
 unsigned FlowBuilder::call_unknown(unsigned at) {
-  if (at == behind_unknown_ && flow_.blocks[at].events.empty()) return at;
+  if (behind_unknown_ == at && flow_.blocks[at].events.empty()) return at;
   const Part any = anything_ ? *anything_ : anything();
   const unsigned behind = new_block();
   connect(at, any.entry);
   connect(any.exit, behind);
-  return behind_unknown_ = behind;
+  behind_unknown_ = behind;
+  return behind;
 }
 
 /// Each call has a graph of its own, in which the closures call one another: with one for all of them, paths would lead from one
