@@ -106,7 +106,7 @@ bool reaches_the_end(const Unit& unit, const clang::Expr* condition, const clang
 /// The array whose element at the counter is written; null: something else is.
 const clang::Expr* written_array(const clang::BinaryOperator* write, const clang::VarDecl* counter) {
   const auto* target = llvm::dyn_cast<clang::CXXOperatorCallExpr>(write->getLHS()->IgnoreParens());
-  const bool is_element = target && target->getOperator() == clang::OO_Subscript;
+  const bool is_element = target && target->getOperator() == clang::OO_Subscript && target->getNumArgs() == 2;
   return is_element && is_use_of(target->getArg(1), counter) ? target->getArg(0) : nullptr;
 }
 

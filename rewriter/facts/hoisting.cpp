@@ -63,7 +63,7 @@ std::optional<Lookup> lookup_of(const PublisherMention& publisher) {
   const clang::Expr* container = nullptr;
   const clang::Expr* key = nullptr;
   if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(object);
-      op && op->getOperator() == clang::OO_Subscript) {
+      op && op->getOperator() == clang::OO_Subscript && op->getNumArgs() == 2) {
     container = op->getArg(0);
     key = op->getArg(1);
   } else if (const auto* subscript = llvm::dyn_cast<clang::ArraySubscriptExpr>(object)) {

@@ -264,7 +264,7 @@ MessagePart MessageParts::of_operator(const clang::CXXOperatorCallExpr* call, un
     case clang::OO_Minus:
     case clang::OO_PlusEqual:
     case clang::OO_MinusEqual:
-      return element_of(call->getArg(0), call->getArg(1), depth);
+      return call->getNumArgs() == 2 ? element_of(call->getArg(0), call->getArg(1), depth) : MessagePart();
     default:
       return {};
   }

@@ -88,8 +88,8 @@ bool NumberValues::is_element(const clang::Expr* expr) const {
   if (const auto* subscript = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr))
     return is_other_array(subscript->getBase()) && is_number(subscript->getIdx());
   const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(expr);
-  return op && op->getOperator() == clang::OO_Subscript && is_other_array(op->getArg(0)) &&
-         is_number(op->getArg(1));
+  return op && op->getOperator() == clang::OO_Subscript && op->getNumArgs() == 2 &&
+         is_other_array(op->getArg(0)) && is_number(op->getArg(1));
 }
 
 /// values.size()
