@@ -183,15 +183,32 @@ Edits add_message_dependency(const CmakeProject& project, const std::string& tar
   return extend(project, target, "add_dependencies", "", "${${PROJECT_NAME}_EXPORTED_TARGETS}");
 }
 
-Edits add_foreign_messages(const CmakeProject& project, const std::string& package) {
+namespace {
+
+/// Which find what package.xml names.
+std::vector<CmakeCommandRef> calls_of_catkin_simple(const CmakeProject& project) {
+  std::vector<CmakeCommandRef> found;
   for (const CmakeListFile& file : project.files)
     for (const CmakeCommand& command : file.commands)
-      if (command.name == "tzc_generate_messages" && file.values.expand(command).count(package)) return {};
-  const std::vector<CmakeCommandRef> commands = find_packages(project, "catkin");
-  if (commands.empty()) return {};
+      if (command.name == "catkin_simple") found.push_back({&file, &command});
+  return found;
+}
+
+}  // namespace
+
+Expected<Edits> add_foreign_messages(const CmakeProject& project, const std::string& package) {
+  for (const CmakeListFile& file : project.files)
+    for (const CmakeCommand& command : file.commands)
+      if (command.name == "tzc_generate_messages" && file.values.expand(command).count(package))
+        return Edits();
+  std::vector<CmakeCommandRef> commands = find_packages(project, "catkin");
+  if (commands.empty()) commands = calls_of_catkin_simple(project);
+  const std::string line = "tzc_generate_messages(" + package + ")";
+  if (commands.empty())
+    return Error{"no place was found for " + line, project.files.front().path + ":1",
+                 "write it behind the command that finds catkin"};
   const CmakeCommandRef last = commands.back();
-  return {add_line(last.file->path, last.file->content, last.command->close,
-                   "tzc_generate_messages(" + package + ")")};
+  return Edits{add_line(last.file->path, last.file->content, last.command->close, line)};
 }
 
 Edits add_optional_tzc(const CmakeProject& project, const std::set<std::string>& foreign_messages) {

@@ -7,6 +7,7 @@
 
 #include "buildfiles/cmake_project.h"
 #include "model/edit.h"
+#include "model/expected.h"
 
 namespace tzc::rewriter {
 
@@ -26,9 +27,9 @@ Edits add_link(const CmakeProject& project, const std::string& target);
 Edits add_message_dependency(const CmakeProject& project, const std::string& target,
                              const std::string& package);
 
-/// tzc_generate_messages(PACKAGE) after find_package(catkin): this package's build makes another package's
-/// twins.
-Edits add_foreign_messages(const CmakeProject& project, const std::string& package);
+/// tzc_generate_messages(PACKAGE) after find_package(catkin) or catkin_simple(): this package's build makes another package's
+/// twins. Error: neither is there.
+Expected<Edits> add_foreign_messages(const CmakeProject& project, const std::string& package);
 
 /// For --dual, behind find_package(catkin): a block that uses TZC where it is found.
 Edits add_optional_tzc(const CmakeProject& project, const std::set<std::string>& foreign_messages);

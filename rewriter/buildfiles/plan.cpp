@@ -79,7 +79,8 @@ class Planner {
     if (use == CatkinUse::none)
       note(codes::TZC4002, project->files.front().path,
            "no find_package(catkin ...) was found; add tzc to the catkin components where they are listed");
-    needs_.dual ? plan_optional(*project) : plan_required(*project, use);
+    if (!needs_.dual) return plan_required(*project, use);
+    plan_optional(*project);
     return {};
   }
 
@@ -89,14 +90,18 @@ class Planner {
       if (uses_own_messages()) append(plan_.edits, add_message_dependency(project, target, package_.name));
   }
 
-  void plan_required(const CmakeProject& project, CatkinUse use) {
+  Expected<void> plan_required(const CmakeProject& project, CatkinUse use) {
     // catkin_simple takes its components from package.xml.
     if (use == CatkinUse::components) append(plan_.edits, add_component(project));
-    for (const std::string& package : needs_.twinless)
-      append(plan_.edits, add_foreign_messages(project, package));
+    for (const std::string& package : needs_.twinless) {
+      const Expected<Edits> edits = add_foreign_messages(project, package);
+      if (!edits) return edits.error();
+      append(plan_.edits, *edits);
+    }
     for (const std::string& target : targets_) plan_target(project, target);
     if (exports_edited_header(project) || exports_edited_library(project))
       append(plan_.edits, add_catkin_depends(project));
+    return {};
   }
 
   void plan_target(const CmakeProject& project, const std::string& target) {
