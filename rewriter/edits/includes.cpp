@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edits/includes.h"
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
 namespace tzc::rewriter {
 namespace {
 
+/// What a condition of the preprocessor includes or leaves out as a whole; or the file.
+struct Branch {
+  std::size_t begin = 0, end = std::string::npos;
+};
+
 struct Include {
   std::string header;
   std::size_t begin, end;  ///< of its line; end: behind the newline
+  std::size_t branch;      ///< the innermost one around it: index in Scan::branches
 };
 
 struct Line {
@@ -62,14 +69,24 @@ bool is_guard(const std::vector<Line>& lines, std::size_t i) {
 
 struct Scan {
   std::set<std::string> all;      ///< every header that is included
-  std::vector<Include> includes;  ///< outside of conditions, before any code
-  std::size_t top = 0;            ///< behind the include guard, #pragma once and the comments at the top
+  std::vector<Include> includes;  ///< before any code
+  std::vector<Branch> branches{{}};
+  std::size_t top = 0;  ///< behind the include guard, #pragma once and the comments at the top
 };
 
 Scan scan(const std::string& content) {
   Scan result;
   result.top = mark_of(content);
-  int depth = 0;
+  std::vector<std::size_t> open{0};  // branches, the innermost last
+  const auto begin_branch = [&](std::size_t at) {
+    open.push_back(result.branches.size());
+    result.branches.push_back({at, std::string::npos});
+  };
+  const auto end_branch = [&](std::size_t at) {
+    if (open.size() == 1) return;  // of the include guard
+    result.branches[open.back()].end = at;
+    open.pop_back();
+  };
   bool guard_seen = false, code_seen = false, in_comment = false, continues = false;
   const std::vector<Line> lines = lines_of(content);
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -80,17 +97,22 @@ Scan scan(const std::string& content) {
     if (text.find("/*") != std::string::npos) in_comment = true;
     if (text.find("*/") != std::string::npos) in_comment = false;
     if (starts_with(directive, "if")) {
-      const bool guard = !guard_seen && depth == 0 && starts_with(directive, "ifndef") && is_guard(lines, i);
+      const bool guard =
+          !guard_seen && open.size() == 1 && starts_with(directive, "ifndef") && is_guard(lines, i);
       guard_seen = guard_seen || guard;
-      depth += guard ? 0 : 1;
+      if (!guard) begin_branch(lines[i].end);
     }
-    if (starts_with(directive, "endif")) --depth;
+    if (starts_with(directive, "el") && open.size() > 1) {
+      end_branch(lines[i].begin);
+      begin_branch(lines[i].end);
+    }
+    if (starts_with(directive, "endif")) end_branch(lines[i].begin);
     if (starts_with(directive, "include")) result.all.insert(header_of(directive));
-    if (starts_with(directive, "include") && depth == 0 && !code_seen)
-      result.includes.push_back({header_of(directive), lines[i].begin, lines[i].end});
+    if (starts_with(directive, "include") && !code_seen)
+      result.includes.push_back({header_of(directive), lines[i].begin, lines[i].end, open.back()});
     const bool comment = in_comment || starts_with(text, "//") || text.find("*/") != std::string::npos;
     if (directive.empty() && !text.empty() && !comment && !continued) code_seen = true;
-    if (!code_seen && depth == 0 && !continues) result.top = lines[i].end;
+    if (!code_seen && open.size() == 1 && !continues) result.top = lines[i].end;
   }
   return result;
 }
@@ -154,11 +176,29 @@ std::size_t position_for(const Scan& scan, const std::string& header) {
   return scan.includes.empty() ? scan.top : scan.includes.back().end;
 }
 
+/// Where a condition includes ros/ros.h and all that is ported, as in sources for ROS 1 and ROS 2, TZC's header belongs there, too.
+void keep_those_around(Scan& scan, const Edits& edits, const std::string& file) {
+  const auto has_all = [&](const Branch& branch) {
+    return std::all_of(edits.begin(), edits.end(), [&](const Edit& edit) {
+      return edit.file != file || (branch.begin <= edit.offset && edit.offset + edit.length <= branch.end);
+    });
+  };
+  const bool is_edited =
+      std::any_of(edits.begin(), edits.end(), [&](const Edit& edit) { return edit.file == file; });
+  scan.includes.erase(std::remove_if(scan.includes.begin(), scan.includes.end(),
+                                     [&](const Include& include) {
+                                       return include.branch != 0 &&
+                                              (!is_edited || !has_all(scan.branches[include.branch]));
+                                     }),
+                      scan.includes.end());
+}
+
 /// The edit that includes a header in a file; none: it is included already.
 std::optional<Edit> include_edit(const std::string& file, const std::string& content,
-                                 const std::string& header) {
-  const Scan found = scan(content);
+                                 const std::string& header, const Edits& edits) {
+  Scan found = scan(content);
   if (found.all.count(header) != 0) return {};
+  keep_those_around(found, edits, file);
   Edit edit;
   edit.file = file;
   edit.offset = position_for(found, header);
@@ -170,12 +210,13 @@ std::optional<Edit> include_edit(const std::string& file, const std::string& con
 
 }  // namespace
 
-Edits include_edits(const NeededHeaders& needed, const ReadFile& read) {
+Edits include_edits(const NeededHeaders& needed, const Edits& others, const ReadFile& read) {
   Edits edits;
   for (const auto& [file, headers] : needed) {
     const std::string content = read(file).value_or("");
     for (const std::string& header : headers)
-      if (std::optional<Edit> edit = include_edit(file, content, header)) edits.push_back(std::move(*edit));
+      if (std::optional<Edit> edit = include_edit(file, content, header, others))
+        edits.push_back(std::move(*edit));
   }
   return edits;
 }

@@ -22,7 +22,7 @@ DemotionLoop::Attempt DemotionLoop::planned(const Demotions& demotions) const {
   Attempt attempt;
   attempt.result.solution = solve(facts_, components_, options_, demotions);
   PortEdits& plan = attempt.result.plan = edits_of(facts_, components_, attempt.result.solution, options_);
-  const Edits includes = include_edits(plan.headers, read_);
+  const Edits includes = include_edits(plan.headers, plan.edits, read_);
   plan.edits.insert(plan.edits.end(), includes.begin(), includes.end());
   keep_line_endings(plan.edits, read_);
   return attempt;

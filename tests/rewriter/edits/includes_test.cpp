@@ -9,9 +9,18 @@
 namespace tzc::rewriter {
 namespace {
 
-std::string with(const std::string& header, const std::string& content) {
-  const Edits edits =
-      include_edits({{"node.cpp", {header}}}, [&](const std::string&) { return std::optional(content); });
+/// The content with the header included, where all that the file has of `edited` is edited, too.
+std::string with(const std::string& header, const std::string& content, const std::string& edited = "") {
+  Edits others;
+  for (std::size_t at = content.find(edited); !edited.empty() && at != std::string::npos;
+       at = content.find(edited, at + 1)) {
+    others.emplace_back();
+    others.back().file = "node.cpp";
+    others.back().offset = at;
+    others.back().length = edited.size();
+  }
+  const Edits edits = include_edits({{"node.cpp", {header}}}, others,
+                                    [&](const std::string&) { return std::optional(content); });
   return *apply_edits(content, edits);
 }
 
@@ -24,6 +33,32 @@ TEST(Include, stands_with_ros_and_not_behind_the_last_group) {
 TEST(Include, stands_before_a_foreign_header_of_the_same_group) {
   EXPECT_EQ(with("tzc/ros.h", "#include <ros/ros.h>\n#include <opencv2/core.hpp>\n"),
             "#include <ros/ros.h>\n#include <tzc/ros.h>\n#include <opencv2/core.hpp>\n");
+}
+
+TEST(Include, stands_in_the_condition_that_has_all_edits) {
+  EXPECT_EQ(with("tzc/ros.h",
+                 "#pragma once\n#include <a.h>\n#ifdef ROS1\n#include <ros/ros.h>\nint x;\n#endif\n", "x"),
+            "#pragma once\n#include <a.h>\n#ifdef ROS1\n#include <ros/ros.h>\n#include <tzc/ros.h>\nint "
+            "x;\n#endif\n");
+}
+
+TEST(Include, stands_in_the_branch_that_has_all_edits) {
+  EXPECT_EQ(with("tzc/ros.h",
+                 "#ifdef ROS2\n#include <rclcpp/rclcpp.hpp>\n#elif 1\n#include <ros/ros.h>\nint "
+                 "x;\n#else\nint y;\n#endif\n",
+                 "x"),
+            "#ifdef ROS2\n#include <rclcpp/rclcpp.hpp>\n#elif 1\n#include <ros/ros.h>\n#include "
+            "<tzc/ros.h>\nint x;\n#else\n"
+            "int y;\n#endif\n");
+}
+
+TEST(Include, stands_outside_of_a_condition_that_lacks_an_edit) {
+  EXPECT_EQ(with("tzc/ros.h", "#include <a.h>\n#ifdef ROS1\n#include <ros/ros.h>\n#endif\nint x;\n", "x"),
+            "#include <a.h>\n#include <tzc/ros.h>\n#ifdef ROS1\n#include <ros/ros.h>\n#endif\nint x;\n");
+  EXPECT_EQ(with("tzc/ros.h",
+                 "#include <a.h>\n#ifdef ROS1\n#include <ros/ros.h>\nint x;\n#else\nint x;\n#endif\n", "x"),
+            "#include <a.h>\n#include <tzc/ros.h>\n#ifdef ROS1\n#include <ros/ros.h>\nint x;\n#else\nint "
+            "x;\n#endif\n");
 }
 
 TEST(Include, prefers_the_group_of_ros_h) {
