@@ -33,6 +33,12 @@ bool names_meeting(llvm::StringRef name) {
   return llvm::any_of(parts, [&](llvm::StringRef part) { return name.contains_insensitive(part); });
 }
 
+/// Which no threads meet in, whatever its name is.
+bool is_plain_queue(const clang::CXXRecordDecl* record) {
+  return record->isInStdNamespace() &&
+         (record->getName() == "queue" || record->getName() == "priority_queue");
+}
+
 bool is_between_processes(const clang::FunctionDecl* function) {
   static constexpr llvm::StringRef names[] = {"read", "write",    "send",    "sendto", "sendmsg", "recv",
                                               "poll", "recvfrom", "recvmsg", "select", "kill",    "raise"};
@@ -69,6 +75,7 @@ bool may_synchronize(const clang::Stmt* stmt) {
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) callee = call->getDirectCallee();
   if (!callee) return llvm::isa<clang::CallExpr>(stmt);
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
+  if (method && is_plain_queue(method->getParent())) return false;
   const bool has_name = callee->getIdentifier() != nullptr;
   return (has_name && (names_meeting(callee->getName()) || is_between_processes(callee))) ||
          (method && method->getParent()->getIdentifier() && names_meeting(method->getParent()->getName()));
