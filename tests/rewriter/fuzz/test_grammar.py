@@ -11,8 +11,8 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from copies import check_copies, mark_needless  # noqa: E402
 from execution import differences, keep_counters_of, last_program  # noqa: E402
-from grammar import absent, attacks, builders, effects, keepers, libraries, messages, names, outputs  # noqa: E402
-from grammar import owners, package, pointers, publishers, subscribers, times  # noqa: E402
+from grammar import absent, attacks, builders, changes, effects, keepers, later, libraries, messages, names  # noqa: E402
+from grammar import outputs, owners, package, pointers, publishers, subscribers, times  # noqa: E402
 from grammar.program import Program  # noqa: E402
 from grammar.uses import Use  # noqa: E402
 from port import check_levels, check_sites  # noqa: E402
@@ -38,11 +38,12 @@ class Programs(unittest.TestCase):
 
     def test_every_attack_occurs(self):
         seen = set()
-        for index in range(1000):
+        for index in range(2000):
             seen.update(package.make_program("1", index, adversarial=True).traits)
         ways = [("owner", owners.OWNERS), ("store", pointers.STORES + keepers.STORES), ("transfer", owners.TRANSFERS),
                 ("output", outputs.PLAIN + outputs.HIDDEN), ("time", [*times.ONCE, *times.ANEW, attacks.in_next_step]),
-                ("home", names.HOMES), ("name", names.STANDS_FOR), ("use", names.DOES), *attacks.REACHES.items()]
+                ("home", names.HOMES), ("name", names.STANDS_FOR), ("use", names.DOES), ("change", changes.CHANGES + changes.WHOLE),
+                ("later", later.WAYS), *attacks.REACHES.items()]
         self.assertEqual({f"{kind}: {way.__name__}" for kind, some in ways for way in some} - seen, set())
 
     def test_what_writes_when_it_ends_does_not_outlive_the_elements(self):
