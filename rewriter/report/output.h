@@ -66,7 +66,7 @@ std::string to_html(const RunReport& run, const RunInfo& info);
 /// Work is left: the site stays on TCPROS, and no comment and no option of the run asks for that.
 bool is_refusal(const Site& site);
 
-/// The chain without a single step that only repeats the reason.
+/// The chain; of a single step that only repeats the reason no more than its place, and nothing where that is the site's line.
 std::vector<FlowStep> shown_flow_path(const Site& site);
 
 /// The site's file relative to the package.

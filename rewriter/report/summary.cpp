@@ -21,8 +21,10 @@ bool is_refusal(const Site& site) {
 }
 
 std::vector<FlowStep> shown_flow_path(const Site& site) {
-  const bool repeats = site.flow_path.size() == 1 && site.flow_path[0].what == site.reason;
-  return repeats ? std::vector<FlowStep>() : site.flow_path;
+  if (site.flow_path.size() != 1 || site.flow_path[0].what != site.reason) return site.flow_path;
+  const Location& where = site.flow_path[0].where;
+  if (where.file == site.where.file && where.line == site.where.line) return {};
+  return {{where, "here"}};
 }
 
 std::string relative_file(const Report& report, const std::string& file) {

@@ -235,11 +235,14 @@ TEST(IsRefusal, plain_unless_somebody_wants_it_so) {
   site.suppressed = false;
   EXPECT_FALSE(is_refusal(site));
 }
-TEST(ShownChain, one_step_that_repeats_the_reason_is_not_shown) {
+TEST(ShownChain, one_step_that_repeats_the_reason_and_the_line_is_not_shown) {
   Site site = test::site(SiteKind::publish, "a.cpp", 1, "sensor_msgs/Image", Level::one_copy);
   site.reason = "r";
   site.flow_path = {{site.where, "r"}};
   EXPECT_TRUE(shown_flow_path(site).empty());
+  site.flow_path[0].where.line = 7;
+  ASSERT_EQ(shown_flow_path(site).size(), 1u);
+  EXPECT_EQ(shown_flow_path(site)[0].what, "here") << "the reason does not say where";
   site.flow_path.push_back({site.where, "s"});
   EXPECT_EQ(shown_flow_path(site).size(), 2u);
 }
