@@ -71,9 +71,6 @@ std::vector<const clang::LambdaExpr*> closures_called_elsewhere(const FunctionVi
   return found;
 }
 
-ContentClosures::ContentClosures(const FunctionView& view, const MessageParts& parts, ContentLog& log)
-    : view_(view), parts_(parts), log_(log), goes_elsewhere_(!closures_called_elsewhere(view).empty()) {}
-
 void ContentClosures::made(const clang::LambdaExpr* lambda) {
   if (is_only_called(view_, lambda)) return;
   if (!is_given_with_messages(view_, lambda)) any_given_to(lambda, log_);
@@ -87,10 +84,6 @@ bool ContentClosures::is_own_closure(const clang::CXXMethodDecl* function) const
     return lambda &&
            lambda->getLambdaClass()->getCanonicalDecl() == function->getParent()->getCanonicalDecl();
   });
-}
-
-void ContentClosures::package_called() {
-  if (goes_elsewhere_) log_.step(UnknownCall{});
 }
 
 bool ContentClosures::called(const clang::CallExpr* call) {

@@ -15,14 +15,13 @@ namespace tzc::rewriter {
 /// Reads when the bodies of a function's closures run, and with which messages.
 class ContentClosures {
  public:
-  ContentClosures(const FunctionView& view, const MessageParts& parts, ContentLog& log);
+  ContentClosures(const FunctionView& view, const MessageParts& parts, ContentLog& log)
+      : view_(view), parts_(parts), log_(log) {}
 
   /// A closure comes into being. Who is given it may call it at once.
   void made(const clang::LambdaExpr* lambda);
   /// False: it is no call of a closure.
   bool called(const clang::CallExpr* call);
-  /// A function of the package runs, which may call what it, or anything before, was given.
-  void package_called();
   /// A library's function gives a closure what it was given itself: std::for_each(begin, end, [](Image& image) { ... })
   void given_to(const clang::CallExpr* call);
 
@@ -33,7 +32,6 @@ class ContentClosures {
   const FunctionView& view_;
   const MessageParts& parts_;
   ContentLog& log_;
-  const bool goes_elsewhere_;  ///< something else than a direct call may call one of the closures
 };
 
 /// The closures of a function that something else than a direct call may call.

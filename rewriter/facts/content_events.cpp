@@ -212,9 +212,9 @@ void ContentReader::package_call(const clang::FunctionDecl* function,
     else
       event.passed.emplace(parameter_root(event.callee, i), std::move(part));
   }
-  closures_.package_called();
+  log_.step(CallOfPackage{});
   log_.step(std::move(event));
-  closures_.package_called();
+  log_.step(CallOfPackage{});
 }
 
 void ContentReader::member_call(const clang::CXXMemberCallExpr* call) {

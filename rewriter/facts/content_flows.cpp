@@ -134,7 +134,7 @@ unsigned FlowBuilder::add(std::vector<ContentStep> steps, unsigned at) {
       at = run(*closure, at);
     else if (const auto* called = std::get_if<PerhapsCall>(&step))
       at = call(*called, at);
-    else
+    else if (std::holds_alternative<UnknownCall>(step) || !closures_.empty())
       at = call_unknown(at);
   }
   return at;

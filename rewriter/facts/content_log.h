@@ -36,8 +36,11 @@ struct PerhapsCall {
 /// A call that may run any closure of the function, or what the package gave away outside of it.
 struct UnknownCall {};
 
+/// A function of the package is called, which may run what the function gave away itself.
+struct CallOfPackage {};
+
 /// What happens next.
-using ContentStep = std::variant<ContentEvent, ClosureRun, PerhapsCall, UnknownCall>;
+using ContentStep = std::variant<ContentEvent, ClosureRun, PerhapsCall, UnknownCall, CallOfPackage>;
 
 /// Collects what statements do to the content of messages, in their order.
 class ContentLog {

@@ -53,6 +53,10 @@ bool CopiedElements::Function::touches(const MessagePart& part) const {
   return outlives_functions(part) && touched.count(root_of(part)) != 0;
 }
 
+ContentState CopiedElements::Function::touched_of(const ContentState& state) const {
+  return state.renamed([this](const MessagePart& part) { return touches(part) ? part : MessagePart(); });
+}
+
 void CopiedElements::add_functions() {
   for (const auto& [usr, flow] : facts_.contents) {
     Function& function = functions_[usr];
@@ -190,8 +194,7 @@ void CopiedElements::leave(const std::string& usr, Function& function) {
   if (!called_from_outside(usr)) return;
   if (function.exit) changed_ |= anytime_.join(function.exit->renamed(only_lasting));
   if (function.flow->makes_object) return;
-  changed_ |= function.entry->join(anytime_.renamed(
-      [&](const MessagePart& part) { return function.touches(part) ? part : MessagePart(); }));
+  changed_ |= function.entry->join(function.touched_of(anytime_));
 }
 
 void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
@@ -299,17 +302,12 @@ ContentState CopiedElements::left_by_others(const Function& caller) const {
   ContentState left;
   for (const std::string& name : caller.may_call)
     if (const std::optional<ContentState>& exit = functions_.at(name).exit)
-      left.join(exit->renamed(
-          [&](const MessagePart& part) { return caller.touches(part) ? part : MessagePart(); }));
+      left.join(caller.touched_of(*exit));
   return left;
 }
 
 void CopiedElements::enter_others(const Function& caller, const ContentState& given) {
-  for (const std::string& name : caller.may_call) {
-    const Function& other = functions_.at(name);
-    enter(name,
-          given.renamed([&](const MessagePart& part) { return other.touches(part) ? part : MessagePart(); }));
-  }
+  for (const std::string& name : caller.may_call) enter(name, functions_.at(name).touched_of(given));
 }
 
 /// None: no call of the function has returned yet.

@@ -38,6 +38,7 @@ class CopiedElements {
     std::optional<ContentState> entry, exit;  ///< none: the function is not called, does not return
 
     bool touches(const MessagePart& part) const;
+    ContentState touched_of(const ContentState& state) const;
   };
   /// The functions that the unknown calls of one function may run.
   struct Others {
