@@ -206,7 +206,7 @@ Expected<Edits> add_foreign_messages(const CmakeProject& project, const std::str
   const std::string line = "tzc_generate_messages(" + package + ")";
   if (commands.empty())
     return Error{"no place was found for " + line, project.files.front().path + ":1",
-                 "write it behind the command that finds catkin"};
+                 "write it behind the command that finds catkin with the component tzc, then run again"};
   const CmakeCommandRef last = commands.back();
   return Edits{add_line(last.file->path, last.file->content, last.command->close, line)};
 }
