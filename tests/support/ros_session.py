@@ -12,6 +12,8 @@ import random
 import signal
 import socket
 import subprocess
+import sys
+import threading
 import time
 import xmlrpc.client
 
@@ -30,6 +32,13 @@ def free_port():
                 return port
             except OSError:
                 continue
+
+
+def end_as_usual_when_terminated():
+    """A process that is terminated stops what it has started, unless it has a handler of its own."""
+    is_default = signal.getsignal(signal.SIGTERM) == signal.SIG_DFL
+    if is_default and threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
 
 
 class Process:
@@ -96,8 +105,13 @@ class RosSession:
         self._count = 0
 
     def __enter__(self):
-        self.core = self.start(["roscore", "-p", str(self.port)], name="roscore")
-        self.wait_until(self.master_answers, 30, "roscore to answer")
+        end_as_usual_when_terminated()
+        try:
+            self.core = self.start(["roscore", "-p", str(self.port)], name="roscore")
+            self.wait_until(self.master_answers, 30, "roscore to answer")
+        except BaseException:
+            self.__exit__()
+            raise
         return self
 
     def restart_core(self):

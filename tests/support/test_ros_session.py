@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a session's processes find in their environment."""
+"""What a session's processes find in their environment, and that none of them outlives it."""
 import os
+import signal
+import subprocess
+import sys
 import tempfile
+import time
 import unittest
 
 from ros_session import RosSession
@@ -27,6 +31,54 @@ class Environment(unittest.TestCase):
             self.assertNotIn("ROS_HOSTNAME", self.session().env)
         finally:
             del os.environ["ROS_HOSTNAME"]
+
+
+def processes_of(folder):
+    found = []
+    for pid in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open(f"/proc/{pid}/environ", "rb") as environment:
+                found += [pid] if f"ROS_HOME={folder}".encode() in environment.read().split(b"\0") else []
+        except OSError:  # it has ended, or is another user's
+            continue
+    return found
+
+
+class End(unittest.TestCase):
+    """Of a session whose process is terminated: at once, while roscore starts, or later."""
+    PROGRAM = """
+import sys, time
+from ros_session import RosSession
+with RosSession(sys.argv[1]) as ros:
+    print("entered", flush=True)
+    time.sleep(60)
+"""
+
+    def terminated(self, folder, when):
+        environment = dict(os.environ, PYTHONPATH=os.path.dirname(os.path.abspath(__file__)))
+        with subprocess.Popen([sys.executable, "-c", self.PROGRAM, folder], env=environment, stdout=subprocess.PIPE) as child:
+            when(child)
+            child.send_signal(signal.SIGTERM)
+            return child.wait(60)
+
+    def assert_none_left(self, folder):
+        """Each process of the session has the folder in its environment."""
+        self.assertEqual(processes_of(folder), [])
+
+    @staticmethod
+    def core_is_started(folder):
+        while not processes_of(folder):
+            time.sleep(0.01)
+
+    def test_while_roscore_starts(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(self.terminated(folder, lambda child: self.core_is_started(folder)), 143)
+            self.assert_none_left(folder)
+
+    def test_while_it_runs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(self.terminated(folder, lambda child: child.stdout.readline()), 143)
+            self.assert_none_left(folder)
 
 
 if __name__ == "__main__":

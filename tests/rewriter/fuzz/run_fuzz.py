@@ -14,7 +14,6 @@ import json
 import os
 import re
 import shutil
-import signal
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -76,7 +75,6 @@ def run_batch(options, batch, indices, summary, twice):
 
 def main():
     options = parse_arguments()
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # which stops what was started
     with open(options.config) as file:
         toolchain = Toolchain(json.load(file), options.jobs)
     summary, failed = Summary(), 0
