@@ -22,6 +22,7 @@
 #include "facts/threads.h"
 #include "facts/window_callbacks.h"
 #include "model/codes.h"
+#include "parse/versions.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -73,7 +74,7 @@ void Collectors::bases(const clang::CXXRecordDecl* record) {
     if (const clang::CXXRecordDecl* of = base.getType()->getAsCXXRecordDecl())
       facts_.bases[usr_of(record)].insert(usr_of(of));
   for (const clang::CXXMethodDecl* method : record->methods())
-    if (!method->isPureVirtual() && !llvm::isa<clang::CXXDestructorDecl>(method))
+    if (!is_pure_virtual(method) && !llvm::isa<clang::CXXDestructorDecl>(method))
       note_overrides(method, method, facts_.overrides);
   facts_.records.insert(usr_of(record));
   hidden_.note(record);

@@ -7,6 +7,7 @@
 #include "facts/exported_uses.h"
 #include "facts/spelling.h"
 #include "model/codes.h"
+#include "parse/versions.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -90,7 +91,7 @@ namespace {
 /// Closures have theirs where they stand.
 bool needs_body(const clang::FunctionDecl* function) {
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
-  return !function->isPureVirtual() && !(method && method->getParent()->isLambda());
+  return !is_pure_virtual(function) && !(method && method->getParent()->isLambda());
 }
 
 }  // namespace
