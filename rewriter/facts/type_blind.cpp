@@ -60,8 +60,12 @@ class TypeQuestions : public AstVisitor {
   explicit TypeQuestions(const Unit& unit) : unit_(unit) {}
   bool found = false;
 
-  /// std::is_pointer<It>(), as a value or to choose a function by.
+  /// std::is_pointer<It>(), as a value or to choose a function by. Before Clang 19 std::is_pointer<It>::value in a method may be a
+  /// member of its object.
   bool VisitStmt(clang::Stmt* stmt) override {
+    if (const auto* member = llvm::dyn_cast<clang::CXXDependentScopeMemberExpr>(stmt))
+      return note(member->isImplicitAccess() && member->getQualifier() &&
+                  !is_of_parameter(member->getQualifier()));
     const auto* made = llvm::dyn_cast<clang::CXXUnresolvedConstructExpr>(stmt);
     const auto* type = made ? made->getTypeAsWritten()->getAs<clang::TemplateSpecializationType>() : nullptr;
     const clang::TemplateDecl* name = type ? type->getTemplateName().getAsTemplateDecl() : nullptr;
