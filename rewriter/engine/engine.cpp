@@ -49,7 +49,7 @@ class PortPlanner {
   std::optional<Error> read_with_more_headers_in_use(CollectOptions& options);
   std::vector<std::size_t> units_that_miss(const std::set<std::string>& shown) const;
   std::optional<Error> lacks_units() const;
-  std::optional<Error> sort_out(const CompileUnit& unit, const Diagnostic& error);
+  std::optional<Error> sort_out(const CompileUnit& unit, const UnitReading& reading);
   std::vector<std::string> include_dirs() const;
   void step(const std::string& stage, unsigned done, std::size_t of, const std::string& what);
   UnseenCode unseen_code() const;
@@ -85,6 +85,12 @@ Error does_not_parse(const Diagnostic& error, const CompileUnit& unit) {
               unit.file + " was being read."};
 }
 
+Error defect(const Diagnostic& crash, const CompileUnit& unit) {
+  return {
+      crash.text, unit.file,
+      "this is a defect of tzc-rewrite, please report it with this file; nothing of the package was written"};
+}
+
 /// Folders of headers that other packages may include.
 std::set<std::string> exported_dirs(const FolderSet& packages) {
   std::set<std::string> folders;
@@ -114,7 +120,9 @@ std::vector<std::string> PortPlanner::include_dirs() const {
 
 /// A unit that does not parse is left out when the package's compiler rejects it, too: then it is not part of
 /// the build. Otherwise it is an error.
-std::optional<Error> PortPlanner::sort_out(const CompileUnit& unit, const Diagnostic& error) {
+std::optional<Error> PortPlanner::sort_out(const CompileUnit& unit, const UnitReading& reading) {
+  const Diagnostic& error = reading.errors.front();
+  if (reading.crashed) return defect(error, unit);
   if (options_.strict || !options_.judges.original_errors) return does_not_parse(error, unit);
   const Expected<std::vector<CompilerError>> errors = options_.judges.original_errors(unit.file);
   if (!errors || errors->empty()) return does_not_parse(error, unit);
@@ -188,7 +196,7 @@ std::optional<Error> PortPlanner::read(const std::vector<std::size_t>& units, co
     UnitReading& reading = readings_[units[i]];
     reading = read_unit(unit, options, options_.accesses);
     const std::lock_guard<std::mutex> lock(mutex);
-    if (!reading.errors.empty() && !failure) failure = sort_out(unit, reading.errors.front());
+    if (!reading.errors.empty() && !failure) failure = sort_out(unit, reading);
     failed = failure.has_value();
     step(stage, ++done, units.size(), unit.file);
   });

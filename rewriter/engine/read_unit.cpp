@@ -4,6 +4,7 @@
 #include <clang/AST/ASTContext.h>
 
 #include <iterator>
+#include <memory>
 
 #include "engine/api_calls.h"
 
@@ -35,21 +36,25 @@ void UnitReading::merge(UnitReading&& other) {
 }
 
 UnitReading read_unit(const CompileUnit& unit, const CollectOptions& options, FileAccesses* accesses) {
-  UnitReading reading;
+  auto reading = std::make_unique<UnitReading>();
   ParseOptions parse_options;
   parse_options.accesses = accesses;
   parse_options.include_dirs = options.include_dirs;
   parse_options.skip_system_bodies = true;
   ParseResult parsed = parse(unit, parse_options, [&](clang::ASTContext& ast) {
-    if (ast.getDiagnostics().hasErrorOccurred()) return;
-    reading.facts = collect_unit(ast, unit, options);
-    reading.api_calls = api_calls(ast, options.packages, options.exported_dirs);
-    reading.calls[unit.id()] = package_calls(ast, options.packages);
+    reading->facts = collect_unit(ast, unit, options);
+    reading->api_calls = api_calls(ast, options.packages, options.exported_dirs);
+    reading->calls[unit.id()] = package_calls(ast, options.packages);
   });
-  reading.skipped = skipped_in_packages(parsed, options);
-  reading.compiled = std::move(parsed.compiled);
-  reading.errors = std::move(parsed.errors);
-  return reading;
+  if (parsed.crashed) {
+    static_cast<void>(reading.release());  // half made: nothing may touch it again
+    reading = std::make_unique<UnitReading>();
+  }
+  reading->crashed = parsed.crashed;
+  reading->skipped = skipped_in_packages(parsed, options);
+  reading->compiled = std::move(parsed.compiled);
+  reading->errors = std::move(parsed.errors);
+  return std::move(*reading);
 }
 
 }  // namespace tzc::rewriter

@@ -23,6 +23,7 @@ struct UnitReading {
   std::vector<Place> skipped;          ///< preprocessor branches that a unit does not compile
   std::set<BranchDirective> compiled;  ///< of the branches that a unit compiles
   std::vector<Diagnostic> errors;      ///< the unit does not parse; all else is empty
+  bool crashed = false;                ///< reading it did, which is the only error
 
   void merge(UnitReading&& other);
 };

@@ -11,12 +11,15 @@
 #include <clang/Tooling/Tooling.h>
 #include <llvm/Support/VirtualFileSystem.h>
 
+#include <cstring>
 #include <map>
 #include <memory>
 #include <utility>
 
 #include "edits/files.h"
+#include "parse/crash_net.h"
 #include "parse/edited_files.h"
+#include "parse/errors.h"
 #include "parse/gcc_headers.h"
 #include "parse/recorded_files.h"
 
@@ -24,41 +27,6 @@ namespace tzc::rewriter {
 namespace {
 
 using Then = std::function<void(clang::ASTContext&)>;
-
-class Errors : public clang::DiagnosticConsumer {
- public:
-  explicit Errors(std::vector<Diagnostic>& errors) : errors_(errors) {}
-
-  void HandleDiagnostic(clang::DiagnosticsEngine::Level level, const clang::Diagnostic& info) override {
-    DiagnosticConsumer::HandleDiagnostic(level, info);
-    if (level == clang::DiagnosticsEngine::Note && last_was_error_) {
-      errors_.back().notes.push_back(location_of(info));
-      return;
-    }
-    last_was_error_ = level >= clang::DiagnosticsEngine::Error;
-    if (!last_was_error_) return;
-    llvm::SmallString<256> text;
-    info.FormatDiagnostic(text);
-    errors_.push_back({location_of(info), text.str().str(), {}});
-  }
-
- private:
-  static Location location_of(const clang::Diagnostic& info) {
-    if (!info.hasSourceManager() || info.getLocation().isInvalid()) return {};
-    const clang::SourceManager& manager = info.getSourceManager();
-    const clang::SourceLocation at = manager.getFileLoc(info.getLocation());
-    const clang::PresumedLoc presumed = manager.getPresumedLoc(at, false);
-    if (presumed.isInvalid()) return {};
-    std::string file = presumed.getFilename();
-    if (const auto entry = manager.getFileEntryRefForID(manager.getFileID(at)))
-      if (const llvm::StringRef real = entry->getFileEntry().tryGetRealPathName(); !real.empty())
-        file = real.str();
-    return {canonical_path(file), presumed.getLine(), presumed.getColumn()};
-  }
-
-  std::vector<Diagnostic>& errors_;
-  bool last_was_error_ = false;
-};
 
 /// Clang announces each directive that it looks at, and then what it skips behind it: behind the others it compiles.
 class Branches : public clang::PPCallbacks {
@@ -111,9 +79,12 @@ class Branches : public clang::PPCallbacks {
 
 class Consumer : public clang::ASTConsumer {
  public:
-  Consumer(const ParseOptions& options, const Then& then) : options_(options), then_(then) {}
+  Consumer(const ParseOptions& options, const Then& then, const ParseResult& result)
+      : options_(options), then_(then), result_(result) {}
 
-  void HandleTranslationUnit(clang::ASTContext& ast) override { then_(ast); }
+  void HandleTranslationUnit(clang::ASTContext& ast) override {
+    if (result_.errors.empty()) then_(ast);
+  }
 
   bool shouldSkipFunctionBody(clang::Decl* decl) override {
     if (!options_.skip_system_bodies || decl->isTemplated()) return false;
@@ -124,6 +95,7 @@ class Consumer : public clang::ASTConsumer {
  private:
   const ParseOptions& options_;
   const Then& then_;
+  const ParseResult& result_;
 };
 
 class Action : public clang::ASTFrontendAction {
@@ -136,7 +108,7 @@ class Action : public clang::ASTFrontendAction {
     compiler.getPreprocessor().addPPCallbacks(
         std::make_unique<Branches>(compiler.getSourceManager(), result_));
     compiler.getFrontendOpts().SkipFunctionBodies = options_.skip_system_bodies;
-    return std::make_unique<Consumer>(options_, then_);
+    return std::make_unique<Consumer>(options_, then_, result_);
   }
 
  private:
@@ -159,7 +131,7 @@ std::vector<std::string> command_line(const CompileUnit& unit, const ParseOption
   line.insert(line.end(), std::begin(leniency), std::end(leniency));
   line.push_back("-resource-dir");
   line.push_back(TZC_CLANG_RESOURCE_DIR);
-  line.push_back(options.all_errors ? "-ferror-limit=0" : "-ferror-limit=20");
+  line.push_back("-ferror-limit=0");  // so that one round of verification finds as many as possible
   for (const std::string& dir : options.include_dirs) {
     line.push_back("-idirafter");
     line.push_back(dir);
@@ -183,10 +155,7 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> files_of(const CompileUnit& unit
   return files;
 }
 
-}  // namespace
-
-ParseResult parse(const CompileUnit& unit, const ParseOptions& options, const Then& then) {
-  ParseResult result;
+void run_clang(const CompileUnit& unit, const ParseOptions& options, const Then& then, ParseResult& result) {
   clang::FileSystemOptions file_options;
   file_options.WorkingDir = unit.directory;
   auto manager = llvm::makeIntrusiveRefCnt<clang::FileManager>(file_options, files_of(unit, options));
@@ -194,9 +163,22 @@ ParseResult parse(const CompileUnit& unit, const ParseOptions& options, const Th
                                             std::make_unique<Action>(options, then, result), manager.get());
   Errors errors(result.errors);
   invocation.setDiagnosticConsumer(&errors);
-  if (!invocation.run() && result.errors.empty())
+  if (!invocation.run() && result.errors.empty() && !errors.has_excused())
     result.errors.push_back({{unit.file, 0, 0}, "the compile command is not understood", {}});
-  return result;
+}
+
+}  // namespace
+
+ParseResult parse(const CompileUnit& unit, const ParseOptions& options, const Then& then) {
+  auto result = std::make_unique<ParseResult>();
+  const int signal = signal_that_ends([&] { run_clang(unit, options, then, *result); });
+  if (signal == 0) return std::move(*result);
+  static_cast<void>(result.release());  // half made: nothing may touch it again
+  ParseResult crashed;
+  crashed.crashed = true;
+  crashed.errors.push_back(
+      {{unit.file, 0, 0}, std::string("tzc-rewrite crashed on it (") + ::strsignal(signal) + ")", {}});
+  return crashed;
 }
 
 }  // namespace tzc::rewriter

@@ -70,7 +70,6 @@ Verifier::Judgement Verifier::ask_clang(const VerifyRequest& request, const File
   ParseOptions options = options_;
   options.overlay = contents;
   options.skip_system_bodies = true;  // edits cannot break what system headers define
-  options.all_errors = true;          // so that one round finds as many as possible
   const std::vector<const CompileUnit*> units = touched(contents, request.only);
   Judgement all;
   std::mutex mutex;

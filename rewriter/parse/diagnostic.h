@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/location.h"
+
+namespace tzc::rewriter {
+
+/// An error.
+struct Diagnostic {
+  Location where;
+  std::string text;
+  std::vector<Location> notes;  ///< "in instantiation of ...": places that led there
+};
+
+}  // namespace tzc::rewriter
