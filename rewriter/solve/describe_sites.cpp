@@ -190,8 +190,10 @@ bool SiteDescriber::publishes_without_copy(const Advertise& fact) const {
 Site SiteDescriber::describe(const Advertise& fact) const {
   Site site = site_of(fact, options_.packages);
   const Decision* publisher = decision_of(fact.publisher);
-  if (!fact.has_data_part || (is(publisher, Outcome::not_needed) && fact.obstacles.empty())) {
-    return left_alone(std::move(site), fact);
+  if (!fact.has_data_part) return left_alone(std::move(site), fact);
+  if (is(publisher, Outcome::not_needed) && fact.obstacles.empty()) {
+    site.level = Level::not_needed;
+    site.reason = publisher->why_not.reason;
   } else if (is(publisher, Outcome::ported)) {
     site.rule = fact.rule;
     site.memory_note = memory_size(fact, options_).note;

@@ -54,6 +54,7 @@ class Solver {
   std::optional<Decision> wrong_shape(const Component& component) const;
   Decision bind_allocations(const Component& component);
   bool has_data_part(const Component& publisher) const;
+  bool all_publishers_known() const;
   bool all_local(const Component& component) const;
   std::optional<std::uint64_t> known_bytes(const Component& component) const;
 
@@ -114,6 +115,20 @@ bool Solver::has_data_part(const Component& publisher) const {
                      [](const Advertise* a) { return a->has_data_part; });
 }
 
+/// Otherwise any of them may be what is published with.
+bool Solver::all_publishers_known() const {
+  return std::all_of(facts_.publishes.begin(), facts_.publishes.end(),
+                     [&](const auto& item) { return components_.of(item.second.publisher) != nullptr; });
+}
+
+Obstacle not_advertised(const Entity& publisher) {
+  const std::string why =
+      publisher.storage == Storage::parameter
+          ? "nothing that the package advertises is given to the parameter '" + publisher.name + "'"
+          : "no advertise call for '" + publisher.name + "' was found in the package";
+  return {codes::TZC1017, why, publisher.where};
+}
+
 Decision Solver::decide_publisher(const Component& component) const {
   if (!has_data_part(component)) return {};
   if (is_ported_already(component)) return {Outcome::ported, {}, {}};
@@ -122,9 +137,9 @@ Decision Solver::decide_publisher(const Component& component) const {
     return refused({codes::TZC1015, "this run leaves everything on TCPROS", first.where});
   if (auto refusal = blocked(component)) return *refusal;
   if (auto refusal = unwanted(component)) return *refusal;
-  if (sites_.advertised(component).empty())
-    return refused(
-        {codes::TZC1017, "no advertise call for '" + first.name + "' was found in the package", first.where});
+  if (sites_.advertised(component).empty()) return refused(not_advertised(first));
+  if (sites_.published_by(component).empty() && all_publishers_known())
+    return {Outcome::not_needed, {"", "nothing in the package publishes with it", {}}, {}};
   return contradicted(component).value_or(Decision{Outcome::ported, {}, {}});
 }
 

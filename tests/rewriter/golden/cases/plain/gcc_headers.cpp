@@ -9,4 +9,4 @@ void run(ros::Publisher& pub, nullptr_t) {
   pub.publish(image);
 }
 //--- expected
-// publish src/node.cpp:9 sensor_msgs/Image plain TZC1017 no advertise call for 'pub' was found in the package
+// publish src/node.cpp:9 sensor_msgs/Image plain TZC1017 nothing that the package advertises is given to the parameter 'pub'

@@ -8,4 +8,4 @@ void send(const ros::Publisher& pub) {
   pub.publish(image);
 }
 //--- expected
-// publish src/node.cpp:8 sensor_msgs/Image plain TZC1017 no advertise call for 'pub' was found in the package
+// publish src/node.cpp:8 sensor_msgs/Image plain TZC1017 nothing that the package advertises is given to the parameter 'pub'
