@@ -6,6 +6,7 @@
 
 #include "edits/files.h"
 #include "proof/cmake_reads.h"
+#include "proof/generated_headers.h"
 #include "proof/unit_needs.h"
 
 namespace tzc::rewriter {
@@ -123,13 +124,17 @@ class Prover {
                                          const std::vector<CmakeTarget>& targets,
                                          const ScratchWorkspace& copy) {
     std::set<std::string> unseen = package.units;
+    const PathMap& to_user = copy.to_user();
+    const GeneratedHeaders generated(targets, package.contents, package.made, to_user);
     for (const CompileCommand& command : commands)
       for (const std::string& file : sources_of(command, copy)) {
         if (!package.units.count(file) && !package.users.count(file)) continue;
         unseen.erase(file);
-        const auto lack = lack_of(command, targets);
-        if (lack && package.units.count(file)) return about(command, file, *lack);
-        if (lack && includes_any(command, package.contents, copy.to_user()))
+        const bool ported = package.units.count(file) != 0;
+        auto lack = lack_of(command, targets);
+        if (!lack && ported) lack = generated.lack(command, file);
+        if (lack && ported) return about(command, file, *lack);
+        if (lack && includes_any(command, package.contents, to_user))
           return about(command, file, as_user(*lack));
       }
     if (unseen.empty()) return {};

@@ -23,6 +23,7 @@ struct PortedPackage {
   FileContents contents;             ///< sources and build files
   std::set<std::string> units;       ///< main files that must see TZC, canonical
   std::set<std::string> users = {};  ///< main files that must, too, if they include one of `contents`
+  std::set<std::string> made = {};   ///< TZC's headers that the build has to make: "tzc/demo_msgs/Cloud.h"
 };
 
 struct ProofOptions {
@@ -38,8 +39,8 @@ struct ProofOptions {
 std::optional<Error> outdated_user(const PortedPackage& package, const std::vector<CompileCommand>& users);
 
 /// The reasons why packages cannot be written, by folder. A package is proved when the scratch workspace can
-/// be configured with it, and when every command that compiles one of its units then finds TZC's headers,
-/// asks for C++14 or later, and ends in a link with TZC's libraries. All packages belong to one build tree.
+/// be configured with it, and when every command that compiles one of its units then finds TZC's headers, those that the build makes
+/// included, asks for C++14 or later, and ends in a link with TZC's libraries. All packages belong to one build tree.
 std::map<std::string, Error> unproved_packages(const UserBuild& user,
                                                const std::vector<PortedPackage>& packages,
                                                const ProofOptions& options);

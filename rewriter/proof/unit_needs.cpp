@@ -16,19 +16,6 @@ namespace {
 /// Folders that compilers search by default.
 const std::vector<std::string> default_folders = {"/usr/local/include", "/usr/include"};
 
-std::vector<std::string> include_folders(const CompileCommand& command) {
-  std::vector<std::string> folders = default_folders;
-  const auto& words = command.arguments;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    for (const std::string flag : {"-I", "-isystem", "-iquote", "-idirafter"}) {
-      if (words[i] == flag && i + 1 < words.size())
-        folders.push_back(words[i + 1]);
-      else if (words[i].rfind(flag, 0) == 0)
-        folders.push_back(words[i].substr(flag.size()));
-    }
-  return folders;
-}
-
 bool sees_tzc(const CompileCommand& command) {
   const std::vector<std::string> folders = include_folders(command);
   return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
@@ -58,6 +45,19 @@ std::string standard_of(const CompileCommand& command) {
 
 }  // namespace
 
+std::vector<std::string> include_folders(const CompileCommand& command) {
+  std::vector<std::string> folders = default_folders;
+  const auto& words = command.arguments;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    for (const std::string flag : {"-I", "-isystem", "-iquote", "-idirafter"}) {
+      if (words[i] == flag && i + 1 < words.size())
+        folders.push_back(words[i + 1]);
+      else if (words[i].rfind(flag, 0) == 0)
+        folders.push_back(words[i].substr(flag.size()));
+    }
+  return folders;
+}
+
 std::optional<Lack> lacks_standard(const CompileCommand& command) {
   static const char* const raise_it =
       "raise the standard there to C++14 or later, as in set(CMAKE_CXX_STANDARD 14), and run tzc-rewrite "
@@ -77,10 +77,11 @@ std::optional<Lack> lacks_for_tzc(const CompileCommand& command) {
   return lacks_standard(command);
 }
 
-/// A header that is not found counts: it may be what the file is changed to include.
-bool includes_any(const CompileCommand& command, const FileContents& files, const PathMap& to_user) {
+bool includes_any(const CompileCommand& command, const FileContents& files, const PathMap& to_user,
+                  MissingHeaders missing) {
   Command run{without_outputs(command.arguments), command.directory, {}};
   run.arguments.push_back("-M");
+  if (missing == MissingHeaders::are_made) run.arguments.push_back("-MG");
   const ProcessResult result = run_process(run);
   if (result.status != 0) return true;
   const std::vector<std::string> read = prerequisites_of(result.output);

@@ -25,7 +25,15 @@ std::optional<Lack> lacks_for_tzc(const CompileCommand& command);
 /// A target that links the objects of `target` without TZC's libraries; none: there is none.
 const CmakeTarget* linked_without_tzc(const std::vector<CmakeTarget>& all, const std::string& target);
 
-/// Whether what the command compiles reads one of the files, by the compiler's own word. `to_user`: the files' names are the user's.
-bool includes_any(const CompileCommand& command, const FileContents& files, const PathMap& to_user);
+/// The folders that the command searches for headers, in order, behind the compiler's own.
+std::vector<std::string> include_folders(const CompileCommand& command);
+
+/// Headers that are not there: one of them may be what is asked for, or the build makes them, and they include nothing that is.
+enum class MissingHeaders { count, are_made };
+
+/// Whether what the command compiles reads one of the files, by the compiler's own word; true where it has none. `to_user`: the
+/// files' names are the user's.
+bool includes_any(const CompileCommand& command, const FileContents& files, const PathMap& to_user,
+                  MissingHeaders missing = MissingHeaders::count);
 
 }  // namespace tzc::rewriter

@@ -101,6 +101,7 @@ class Porter {
     for (const Edit& edit : plan_.edits) needs.edited_files.insert(edit.file);
     needs.tzc_types = plan_.tzc_types;
     needs.twinless = twinless();
+    port_.made = made_headers();
     needs.dual = dual_;
     Expected<BuildPlan> build = plan_build_files(needs);
     if (!build) return build.error();
@@ -126,6 +127,15 @@ class Porter {
         packages.insert(package);
     }
     return packages;
+  }
+
+  std::map<std::string, std::string> made_headers() const {
+    std::map<std::string, std::string> headers;
+    for (const std::string& type : plan_.tzc_types)
+      if (const auto found = workspace_messages_.find(type.substr(0, type.find('/')));
+          found != workspace_messages_.end())
+        headers["tzc/" + type + ".h"] = found->second;
+    return headers;
   }
 
   Expected<void> apply() {

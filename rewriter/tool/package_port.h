@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,9 +19,11 @@ struct PackagePort {
   FileContents contents;  ///< absolute path -> new content
   Snapshot before;        ///< what was analysed
   PackageReport result;
-  std::string build_dir;         ///< holds compile_commands.json, or configured a package without units
-  bool has_units = false;        ///< something of it is compiled
-  std::set<std::string> units;   ///< main files that must see TZC
+  std::string build_dir;        ///< holds compile_commands.json, or configured a package without units
+  bool has_units = false;       ///< something of it is compiled
+  std::set<std::string> units;  ///< main files that must see TZC
+  std::map<std::string, std::string>
+      made;                      ///< TZC's header of a message of the workspace -> the folder of its package
   HeaderChangeUsers users;       ///< that must see TZC, too, if they really include what is changed
   std::vector<Note> hints;       ///< build file edits that the user must make
   std::set<std::string> joined;  ///< folders of other packages: all of them are written, or none

@@ -33,8 +33,14 @@ std::map<std::string, Group> groups_of(std::vector<PackagePort>& ports) {
   return groups;
 }
 
-PortedPackage as_ported(const PackagePort& port) {
-  return {port.result.report.package, port.package_dir, port.contents, port.units, port.users.sources};
+/// `sources`: of the build tree. What the messages of others become is there already, or comes with their next build.
+PortedPackage as_ported(const PackagePort& port, const std::string& sources) {
+  PortedPackage package{
+      port.result.report.package, port.package_dir, port.contents, port.units, port.users.sources, {}};
+  const std::string root = canonical_path(sources);
+  for (const auto& [header, folder] : port.made)
+    if (folder == root || is_below(folder, root)) package.made.insert(header);
+  return package;
 }
 
 void note(PackagePort& port, const char* code, const std::string& file, const std::string& text) {
@@ -102,7 +108,7 @@ Failures failures_of(const Group& group, const PortInputs& inputs) {
     return failures;
   }
   std::vector<PortedPackage> packages;
-  for (const PackagePort* port : group.ports) packages.push_back(as_ported(*port));
+  for (const PackagePort* port : group.ports) packages.push_back(as_ported(*port, group.user->source));
   ProofOptions options;
   options.prefixes = find_tzc_prefixes(inputs.options.tzc_includes);
   options.build = inputs.options.verify == Verify::build;

@@ -52,7 +52,7 @@ class BuildProof : public ::testing::Test {
   /// Why the package with these files is refused; "" when it is proved.
   std::string prove(const std::map<std::string, std::string>& files, bool build = false,
                     const std::set<std::string>& units = {"src/node.cpp"}) {
-    PortedPackage package{"demo", folder / "demo", {}, {}};
+    PortedPackage package{"demo", folder / "demo", {}, {}, {}, made};
     for (const auto& [name, content] : files) package.contents[folder / ("demo/" + name)] = content;
     for (const std::string& unit : units) package.units.insert(folder / ("demo/" + unit));
     const std::unique_ptr<UserBuild> user = UserBuild::find(folder / build_dir);
@@ -73,6 +73,7 @@ class BuildProof : public ::testing::Test {
 
   TempDir folder;
   std::string build_dir = "build";
+  std::set<std::string> made;  ///< TZC's headers that the build has to make
   const std::string plain = "add_executable(node src/node.cpp)\n";
   const std::string with_tzc =
       "find_package(tzc REQUIRED)\nadd_executable(node src/node.cpp)\n"
@@ -91,6 +92,50 @@ TEST_F(BuildProof, include_folder_standard_and_library) {
   EXPECT_THAT(
       prove_cmake("set(STD 11)\nset(CMAKE_CXX_STANDARD ${STD})\n" + with_tzc),
       AllOf(HasSubstr("-std=gnu++11, TZC's headers need C++14"), HasSubstr("set(CMAKE_CXX_STANDARD 14)")));
+}
+
+/// A header of TZC that is made only later, or never, is an error of the build that no look at the sources finds.
+TEST_F(BuildProof, headers_that_the_build_makes) {
+  configure(plain);
+  made = {"tzc/demo_msgs/Cloud.h"};
+  const std::string include = "#include <tzc/demo_msgs/Cloud.h>\n", main = "int main() {}\n";
+  const auto prove_node = [&](const std::string& cmake) {
+    return prove({{"CMakeLists.txt", head + cmake}, {"src/node.cpp", include + main}});
+  };
+  const std::string making =
+      "set(CLOUD ${CMAKE_BINARY_DIR}/made/tzc/demo_msgs/Cloud.h)\n"
+      "add_custom_command(OUTPUT ${CLOUD}.first ${CLOUD} COMMAND ${CMAKE_COMMAND} -E touch ${CLOUD})\n"
+      "add_custom_target(messages_of_demo DEPENDS ${CLOUD})\nadd_custom_target(messages)\n"
+      "add_dependencies(messages messages_of_demo)\n" +
+      with_tzc;
+  const std::string seen = "target_include_directories(node PRIVATE made ${CMAKE_BINARY_DIR}/made)\n";
+  EXPECT_THAT(prove_node(with_tzc),
+              AllOf(HasSubstr("nothing makes <tzc/demo_msgs/Cloud.h>, which it includes"),
+                    HasSubstr("write tzc_generate_messages(demo_msgs)")));
+  EXPECT_THAT(prove_node(making), HasSubstr("nothing makes <tzc/demo_msgs/Cloud.h>"));  // where it looks
+  EXPECT_THAT(prove_node(making + seen),
+              AllOf(HasSubstr("nothing says that messages_of_demo makes <tzc/demo_msgs/Cloud.h> before it"),
+                    HasSubstr("add_dependencies(node messages_of_demo)")));
+  EXPECT_EQ(prove_node(making + seen + "add_dependencies(node messages)\n"), "");
+  EXPECT_EQ(prove({{"CMakeLists.txt", head + with_tzc}, {"src/node.cpp", main}}), "");
+}
+
+TEST_F(BuildProof, headers_that_are_there_and_headers_that_a_changed_header_includes) {
+  put("src/other.cpp", "#include \"absent.h\"\nint main() {}\n");
+  const std::string both = with_tzc +
+                           "add_executable(other src/other.cpp)\n"
+                           "target_include_directories(other PRIVATE ${tzc_INCLUDE_DIRS})\n"
+                           "target_link_libraries(other ${tzc_LIBRARIES})\n";
+  configure(plain + "add_executable(other src/other.cpp)\n");
+  made = {"tzc/demo_msgs/Cloud.h"};
+  const std::map<std::string, std::string> files = {{"CMakeLists.txt", head + both},
+                                                    {"src/node.h", "#include <tzc/demo_msgs/Cloud.h>\n"},
+                                                    {"src/node.cpp", "#include \"node.h\"\nint main() {}\n"}};
+  EXPECT_EQ(prove(files, false, {"src/other.cpp"}), "");
+  EXPECT_THAT(prove(files, false, {"src/node.cpp", "src/other.cpp"}),
+              AllOf(HasSubstr("src/node.cpp"), HasSubstr("nothing makes <tzc/demo_msgs/Cloud.h>")));
+  folder.write("tzc/include/tzc/demo_msgs/Cloud.h", "");
+  EXPECT_EQ(prove(files, false, {"src/node.cpp", "src/other.cpp"}), "");
 }
 
 TEST_F(BuildProof, nothing_of_the_users_trees_is_touched) {
