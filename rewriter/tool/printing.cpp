@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "model/codes.h"
 #include "tool/next_steps.h"
 #include "tool/terminal.h"
 #include "tool/writing.h"
@@ -21,11 +22,22 @@ std::vector<BuiltPackage> changed_packages(const std::vector<PackagePort>& ports
   return packages;
 }
 
+/// What a package's own compiler refuses was not looked at; most often the package was not built, and lacks headers.
+std::string unread(const std::vector<PackagePort>& ports) {
+  std::size_t files = 0;
+  for (const PackagePort& port : ports)
+    for (const Note& note : port.result.report.notes) files += note.code == codes::TZC3003;
+  if (files == 0) return "";
+  return fmt::format(" in what was read; {} not (TZC3003): build the packages first, then run again",
+                     files == 1 ? "1 file was" : fmt::format("{} files were", files));
+}
+
 std::string closing_line(const Options& options, const std::vector<PackagePort>& ports,
                          const Outcome& outcome) {
   const std::vector<BuiltPackage> changed = changed_packages(ports);
   const bool open = std::any_of(ports.begin(), ports.end(), has_refusal);
-  if (changed.empty()) return open ? "no change; some sites stay on TCPROS\n" : "nothing to port\n";
+  if (changed.empty())
+    return open ? "no change; some sites stay on TCPROS\n" : "nothing to port" + unread(ports) + "\n";
   switch (options.action) {
     case Action::apply:
       return next_steps(changed) +

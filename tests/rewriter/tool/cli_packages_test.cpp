@@ -83,7 +83,18 @@ TEST_F(Cli, a_package_without_cpp_needs_no_compile_commands) {
   EXPECT_THAT(result.errors, HasSubstr("nothing to port"));
 }
 
-/// The kill hits at a random step here; swap_test.cpp kills at each step.
+/// Most often the package was not built, and all that publishes lacks a generated header.
+TEST_F(Cli, nothing_to_port_is_not_all_that_is_said_where_files_were_not_read) {
+  ws.plan()["edits"] = json::array();
+  ws.plan()["sites"] = json::array();
+  EXPECT_THAT(ws.rewrite({}).errors, HasSubstr("nothing to port\n"));
+  ws.plan()["unread"] = {"src/node.cpp"};
+  EXPECT_THAT(ws.rewrite({}).errors,
+              HasSubstr("nothing to port in what was read; 1 file was not (TZC3003): build"));
+  ws.plan()["unread"] = {"src/node.cpp", "src/other.cpp"};
+  EXPECT_THAT(ws.rewrite({}).errors,
+              HasSubstr("nothing to port in what was read; 2 files were not (TZC3003)"));
+}
 
 TEST_F(Cli, a_package_of_which_nothing_is_compiled_is_no_error_where_it_was_configured) {
   ws.folder().write("ws/build/compile_commands.json", "[]");

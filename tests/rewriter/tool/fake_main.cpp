@@ -3,7 +3,7 @@
 //   {"edits": [{"file", "find", "replace"}], "sites": [{"id", "kind", "file", "line", "type", "topic",
 //   "level", "code"}],
 //    "error": "...", "touch": "file to change while analysing", "echo": true, "progress": 3,
-//    "reads": [absolute paths]}
+//    "reads": [absolute paths], "unread": [files that the package's compiler refuses]}
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -12,6 +12,7 @@
 
 #include "edits/apply.h"
 #include "edits/files.h"
+#include "model/codes.h"
 #include "report/output.h"
 #include "tool/run.h"
 
@@ -81,6 +82,8 @@ Expected<PortPlan> fake_plan(const EngineOptions& options, const std::string& pa
     const Site site = site_of(entry, package_dir);
     if (!options.wanted || options.wanted(site)) plan.report.sites.push_back(site);
   }
+  for (const std::string& file : script.value("unread", std::vector<std::string>()))
+    plan.report.notes.push_back({codes::TZC3003, Location{package_dir + "/" + file, 1, 1}, "refused"});
   for (const auto& [file, edits] : by_file(plan.edits)) {
     Expected<std::string> text = apply_edits(*read_file(file), edits);
     if (text) text = options.judges.written_text(file, *read_file(file), *text);
