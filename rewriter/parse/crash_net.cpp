@@ -12,7 +12,7 @@ namespace tzc::rewriter {
 namespace {
 
 /// Long sums and long chains of << are deep trees, and some walks over them are recursive.
-constexpr unsigned stack_size = 256U << 20;
+constexpr unsigned stack_size = 64U << 20;
 
 /// LLVM's handlers run on the stack of the thread, where nothing is left after it was exhausted.
 void run_on_alternate_stack(int signal) {

@@ -5,6 +5,8 @@
 #include <clang/Lex/Lexer.h>
 #include <clang/Parse/ParseDiagnostic.h>
 
+#include <utility>
+
 #include "edits/files.h"
 
 namespace tzc::rewriter {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "proof/generated_headers.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace tzc::rewriter {
@@ -22,13 +23,15 @@ std::set<std::string> included_headers(const std::string& text, const std::set<s
   return included;
 }
 
-/// One that makes something in the header's folder, which is its package's: CMake's reply names a rule by the first of its outputs.
-const CmakeTarget* GeneratedHeaders::maker_of(const std::string& path) const {
+/// Those that make something in the header's folder, which is its package's: CMake's reply names a rule by the first of its outputs.
+std::vector<const CmakeTarget*> GeneratedHeaders::makers_of(const std::string& path) const {
   const fs::path folder = fs::path(path).parent_path();
+  std::vector<const CmakeTarget*> makers;
   for (const CmakeTarget& target : targets_)
-    for (const std::string& source : target.sources)
-      if (fs::path(source).parent_path() == folder) return &target;
-  return nullptr;
+    if (std::any_of(target.sources.begin(), target.sources.end(),
+                    [&](const std::string& source) { return fs::path(source).parent_path() == folder; }))
+      makers.push_back(&target);
+  return makers;
 }
 
 std::set<std::string> GeneratedHeaders::made_before(const std::string& target) const {
@@ -55,19 +58,33 @@ std::set<std::string> GeneratedHeaders::needed(const CompileCommand& command, co
   return needed;
 }
 
-std::optional<Lack> GeneratedHeaders::lack_of_header(const CompileCommand& command,
-                                                     const std::string& header) const {
+std::optional<GeneratedHeaders::Order> GeneratedHeaders::order_of(const CompileCommand& command,
+                                                                  const std::string& header) const {
   for (const std::string& folder : include_folders(command)) {
     const fs::path path = (fs::path(command.directory) / folder / header).lexically_normal();
-    if (fs::exists(path)) return {};
-    const CmakeTarget* maker = maker_of(path);
-    if (!maker) continue;
-    if (made_before(command.target).count(maker->name)) return {};
-    return Lack{"nothing says that " + maker->name + " makes <" + header + "> before it",
-                "add_dependencies(" + command.target + " " + maker->name + ") says so"};
+    if (fs::exists(path)) return Order{"", true};
+    const std::vector<const CmakeTarget*> makers = makers_of(path);
+    if (makers.empty()) continue;
+    const std::set<std::string> before = made_before(command.target);
+    return Order{makers.front()->name, std::any_of(makers.begin(), makers.end(), [&](auto* maker) {
+                   return before.count(maker->name) != 0;
+                 })};
   }
-  return Lack{"nothing makes <" + header + ">, which it includes",
-              "write tzc_generate_messages(" + package_of(header) + ") behind the command that finds catkin"};
+  return {};
+}
+
+std::optional<Lack> GeneratedHeaders::lack_of_header(const CompileCommand& command,
+                                                     const std::string& header) const {
+  const std::optional<Order> order = order_of(command, header);
+  if (!order)
+    return Lack{
+        "nothing makes <" + header + ">, which it includes",
+        "write tzc_generate_messages(" + package_of(header) + ") behind the command that finds catkin"};
+  // A build that leaves the order of roscpp's own header to chance is no worse than before.
+  const std::optional<Order> stock = order_of(command, header.substr(std::string("tzc/").size()));
+  if (order->is_before || (stock && !stock->is_before)) return {};
+  return Lack{"nothing says that " + order->maker + " makes <" + header + "> before it",
+              "add_dependencies(" + command.target + " " + order->maker + ") says so"};
 }
 
 std::optional<Lack> GeneratedHeaders::lack(const CompileCommand& command, const std::string& unit) const {

@@ -30,10 +30,16 @@ class GeneratedHeaders {
   std::optional<Lack> lack(const CompileCommand& command, const std::string& unit) const;
 
  private:
+  /// What makes a header, the one that is found first, and whether it does so before the command runs.
+  struct Order {
+    std::string maker;
+    bool is_before = false;
+  };
+  std::optional<Order> order_of(const CompileCommand& command, const std::string& header) const;
   std::optional<Lack> lack_of_header(const CompileCommand& command, const std::string& header) const;
   std::set<std::string> needed(const CompileCommand& command, const std::string& unit) const;
   std::set<std::string> made_before(const std::string& target) const;
-  const CmakeTarget* maker_of(const std::string& path) const;
+  std::vector<const CmakeTarget*> makers_of(const std::string& path) const;
 
   const std::vector<CmakeTarget>& targets_;
   const FileContents& contents_;

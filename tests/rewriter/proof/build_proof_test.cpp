@@ -117,6 +117,13 @@ TEST_F(BuildProof, headers_that_the_build_makes) {
               AllOf(HasSubstr("nothing says that messages_of_demo makes <tzc/demo_msgs/Cloud.h> before it"),
                     HasSubstr("add_dependencies(node messages_of_demo)")));
   EXPECT_EQ(prove_node(making + seen + "add_dependencies(node messages)\n"), "");
+  // The package leaves the order of roscpp's header to chance, too.
+  const std::string stock =
+      "add_custom_command(OUTPUT made/demo_msgs/Cloud.h COMMAND ${CMAKE_COMMAND} -E echo)\n"
+      "add_custom_target(stock DEPENDS made/demo_msgs/Cloud.h)\n";
+  EXPECT_EQ(prove_node(stock + making + seen), "");
+  EXPECT_THAT(prove_node(stock + making + seen + "add_dependencies(node stock)\n"),
+              HasSubstr("nothing says that messages_of_demo makes"));
   EXPECT_EQ(prove({{"CMakeLists.txt", head + with_tzc}, {"src/node.cpp", main}}), "");
 }
 
