@@ -13,15 +13,12 @@ std::string package_of(const std::string& header) {
   return fs::path(header).parent_path().filename();
 }
 
-}  // namespace
-
-std::set<std::string> included_headers(const std::string& text, const std::set<std::string>& headers) {
-  std::set<std::string> included;
-  for (const std::string& header : headers)
-    for (const std::string& written : {"<" + header + ">", "\"" + header + "\""})
-      if (text.find(written) != std::string::npos) included.insert(header);
-  return included;
+bool includes(const std::string& text, const std::string& header) {
+  return text.find("<" + header + ">") != std::string::npos ||
+         text.find("\"" + header + "\"") != std::string::npos;
 }
+
+}  // namespace
 
 /// Those that make something in the header's folder, which is its package's: CMake's reply names a rule by the first of its outputs.
 std::vector<const CmakeTarget*> GeneratedHeaders::makers_of(const std::string& path) const {
@@ -44,18 +41,6 @@ std::set<std::string> GeneratedHeaders::made_before(const std::string& target) c
       if (one.name == next) left.insert(one.made_before.begin(), one.made_before.end());
   }
   return all;
-}
-
-/// The unit's own, and those of changed headers that it reads.
-std::set<std::string> GeneratedHeaders::needed(const CompileCommand& command, const std::string& unit) const {
-  std::set<std::string> needed;
-  for (const auto& [file, text] : contents_) {
-    std::set<std::string> of_file = included_headers(text, headers_);
-    if (of_file.empty()) continue;
-    if (file == unit || includes_any(command, {{file, text}}, to_user_, MissingHeaders::are_made))
-      needed.merge(of_file);
-  }
-  return needed;
 }
 
 std::optional<GeneratedHeaders::Order> GeneratedHeaders::order_of(const CompileCommand& command,
@@ -88,9 +73,15 @@ std::optional<Lack> GeneratedHeaders::lack_of_header(const CompileCommand& comma
 }
 
 std::optional<Lack> GeneratedHeaders::lack(const CompileCommand& command, const std::string& unit) const {
-  if (headers_.empty() || targets_.empty()) return {};
-  for (const std::string& header : needed(command, unit))
-    if (std::optional<Lack> lack = lack_of_header(command, header)) return lack;
+  if (targets_.empty()) return {};
+  for (const std::string& header : headers_)
+    for (const auto& [file, text] : contents_) {
+      if (!includes(text, header)) continue;
+      const std::optional<Lack> lack = lack_of_header(command, header);
+      // The compiler is asked last, since it takes a second.
+      if (lack && (file == unit || includes_any(command, {{file, text}}, to_user_, MissingHeaders::are_made)))
+        return lack;
+    }
   return {};
 }
 

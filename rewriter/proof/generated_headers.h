@@ -14,9 +14,6 @@
 
 namespace tzc::rewriter {
 
-/// Those of the headers ("tzc/demo_msgs/Cloud.h") that a ported text includes.
-std::set<std::string> included_headers(const std::string& text, const std::set<std::string>& headers);
-
 /// What keeps the configured build from making TZC's headers before what includes them is compiled.
 class GeneratedHeaders {
  public:
@@ -37,7 +34,6 @@ class GeneratedHeaders {
   };
   std::optional<Order> order_of(const CompileCommand& command, const std::string& header) const;
   std::optional<Lack> lack_of_header(const CompileCommand& command, const std::string& header) const;
-  std::set<std::string> needed(const CompileCommand& command, const std::string& unit) const;
   std::set<std::string> made_before(const std::string& target) const;
   std::vector<const CmakeTarget*> makers_of(const std::string& path) const;
 

@@ -25,7 +25,7 @@ std::optional<Lack> lacks_for_tzc(const CompileCommand& command);
 /// A target that links the objects of `target` without TZC's libraries; none: there is none.
 const CmakeTarget* linked_without_tzc(const std::vector<CmakeTarget>& all, const std::string& target);
 
-/// The folders that the command searches for headers, in order, behind the compiler's own.
+/// The folders that the command names for headers, and those that compilers search by default.
 std::vector<std::string> include_folders(const CompileCommand& command);
 
 /// Headers that are not there: one of them may be what is asked for, or the build makes them, and they include nothing that is.
