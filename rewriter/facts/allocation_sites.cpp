@@ -50,14 +50,15 @@ class Connector {
     AllocationSite& site = draft.site;
     const std::optional<unsigned> at = offset_of(site);
     if (!at || *at == 0) return;
-    if (draft.function && site.record.empty() && !record_usr_of(draft.function).empty()) return;
+    if (site.is_early && !record_usr_of(draft.function).empty()) return;
     const auto* inserted = std::get_if<InsertedAllocation>(&site.how);
     std::ptrdiff_t own = 0;
     for (const PublisherMention& mention : mentions_) {
       if (mention.function != draft.function || mention.id.empty()) continue;
-      const std::optional<EarlyName> name = hoisting_.name_at(mention, *at);
+      const NameOrReason answer = hoisting_.name_at(mention, *at);
+      const auto* name = std::get_if<EarlyName>(&answer);
       if (!name) {
-        site.later.push_back(mention.id);
+        site.later.push_back(later(mention, std::get<NoEarlyName>(answer).reason));
         continue;
       }
       site.publishers.push_back(
@@ -87,6 +88,10 @@ class Connector {
   }
 
  private:
+  LaterName later(const PublisherMention& mention, std::string reason) const {
+    const clang::SourceLocation where = mention.object->getBeginLoc();
+    return {mention.id, unit_.text(mention.object), unit_.location(where).line, std::move(reason)};
+  }
   /// The end of the line that declares a local publisher.
   std::optional<Place> line_behind(const PublisherMention& mention) const {
     const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(mention.object->IgnoreParenImpCasts());
@@ -121,11 +126,6 @@ bool is_before_body(const Unit& unit, const clang::FunctionDecl* function, clang
   return !outer || is_before_body(unit, outer, method->getParent()->getLocation());
 }
 
-/// The class whose members can be named at a place of the function.
-std::string usable_record(const Unit& unit, const clang::FunctionDecl* function, clang::SourceLocation at) {
-  return is_before_body(unit, function, at) ? "" : record_usr_of(function);
-}
-
 }  // namespace
 
 AllocationDraft draft_at(const Unit& unit, const EntityTable& entities, const EntityId& id,
@@ -134,7 +134,8 @@ AllocationDraft draft_at(const Unit& unit, const EntityTable& entities, const En
   draft.site.entity = id;
   draft.site.where = unit.location(where.getBeginLoc());
   if (draft.function) {
-    draft.site.record = usable_record(unit, draft.function, where.getBeginLoc());
+    draft.site.is_early = is_before_body(unit, draft.function, where.getBeginLoc());
+    if (!draft.site.is_early) draft.site.record = record_usr_of(draft.function);
     draft.site.function = entities.result_id(draft.function);
   }
   return draft;

@@ -8,6 +8,8 @@
 namespace tzc::rewriter {
 namespace {
 
+constexpr const char* a_wait = "another thread may be waited for in between, and may replace it";
+
 /// The local variable that an expression names; of a structured binding, what is taken apart.
 const clang::VarDecl* local_of(const clang::Expr* expr) {
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr->IgnoreParenImpCasts());
@@ -22,13 +24,6 @@ bool is_map(clang::QualType type) {
   const auto* record = type.getNonReferenceType().getCanonicalType()->getAsCXXRecordDecl();
   return record && record->getName().ends_with("map");
 }
-
-/// An element of a standard container: pubs_[key], pubs_.at(key), pubs_.front(), pubs_.back().
-struct Lookup {
-  const clang::Expr* container;
-  const clang::Expr* key;  ///< null: the first or the last
-  bool is_last = false;
-};
 
 bool is_sequence(clang::QualType type) {
   type = type.getNonReferenceType().getCanonicalType();
@@ -139,12 +134,12 @@ NameParts parts_of(const Unit& unit, llvm::ArrayRef<const clang::Expr*> exprs) {
   return visitor.parts;
 }
 
-/// Whether one of the variables changes between two offsets of the function.
+/// Finds a variable that changes between two offsets of the function.
 class Changes : public AstVisitor {
  public:
   Changes(const Unit& unit, const std::vector<const clang::VarDecl*>& variables, unsigned from, unsigned to)
       : unit_(unit), variables_(variables), from_(from), to_(to) {}
-  bool found = false;
+  const clang::VarDecl* found = nullptr;
 
   bool VisitUnaryOperator(clang::UnaryOperator* op) override {
     if (op->isIncrementDecrementOp()) check(op->getSubExpr());
@@ -164,7 +159,7 @@ class Changes : public AstVisitor {
     const clang::VarDecl* variable = local_of(target);
     if (!variable || !llvm::is_contained(variables_, variable)) return;
     const unsigned here = unit_.offset(target->getBeginLoc());
-    found = found || (here > from_ && here < to_);
+    if (here > from_ && here < to_) found = variable;
   }
 
   const Unit& unit_;
@@ -177,45 +172,65 @@ const clang::Stmt* body_around(const PublisherMention& publisher) {
   return publisher.function ? publisher.function->getBody() : nullptr;
 }
 
-bool means_the_same(const Unit& unit, const PublisherMention& publisher, const NameParts& parts,
-                    unsigned at) {
+/// A variable of the name that is not there yet, or means something else then; null: none.
+const clang::VarDecl* changed_local(const Unit& unit, const PublisherMention& publisher,
+                                    const NameParts& parts, unsigned at) {
   for (const clang::VarDecl* local : parts.locals)
-    if (unit.offset(local->getLocation()) >= at) return false;
+    if (unit.offset(local->getLocation()) >= at) return local;
   const clang::Stmt* body = body_around(publisher);
-  if (parts.locals.empty() || !body) return true;
+  if (parts.locals.empty() || !body) return nullptr;
   Changes changes(unit, parts.locals, at, publisher.begin);
   changes.TraverseStmt(const_cast<clang::Stmt*>(body));
-  return !changes.found;
+  return changes.found;
+}
+
+std::string in_quotes(llvm::StringRef code) {
+  return "'" + code.str() + "'";
 }
 
 }  // namespace
 
-std::optional<EarlyName> Hoisting::name_at(const PublisherMention& publisher, unsigned at) const {
-  std::optional<EarlyName> name = as_written_at(publisher, at);
-  return name ? name : looked_up_at(publisher, at);
+NameOrReason Hoisting::name_at(const PublisherMention& publisher, unsigned at) const {
+  NameOrReason name = as_written_at(publisher, at);
+  if (std::holds_alternative<EarlyName>(name)) return name;
+  const std::optional<Lookup> lookup = lookup_of(publisher);
+  return lookup ? looked_up_at(publisher, *lookup, at) : name;
 }
 
 bool Hoisting::names_the_same(const clang::Expr* object, const clang::FunctionDecl* function,
                               unsigned at) const {
-  const std::optional<EarlyName> name =
+  const NameOrReason name =
       as_written_at({object, false, {}, {}, function, unit_.offset(object->getBeginLoc())}, at);
-  return name && !name->guarded;
+  const auto* early = std::get_if<EarlyName>(&name);
+  return early && !early->guarded;
 }
 
-std::optional<EarlyName> Hoisting::as_written_at(const PublisherMention& publisher, unsigned at) const {
+std::string Hoisting::difference(const PublisherMention& publisher, const NameParts& parts,
+                                 unsigned at) const {
+  if (parts.has_effects) return "to name it, the program calls a function, assigns, or converts a pointer";
+  const clang::VarDecl* changed = changed_local(unit_, publisher, parts, at);
+  if (!changed) return {};
+  const bool is_taken_apart = llvm::isa<clang::DecompositionDecl>(changed);
+  return (is_taken_apart ? "what it is part of" : in_quotes(changed->getName())) +
+         " is declared or changes in between";
+}
+
+NameOrReason Hoisting::as_written_at(const PublisherMention& publisher, unsigned at) const {
   NameParts parts = parts_of(unit_, publisher.object);
-  if (parts.has_effects || !means_the_same(unit_, publisher, parts, at)) return {};
+  if (std::string other = difference(publisher, parts, at); !other.empty())
+    return NoEarlyName{std::move(other)};
   const bool can_be_asked =
       publisher.pointer && parts.steps.empty() && !publisher.object->getType()->isPointerType();
   if (publisher.pointer) {
     parts.steps.insert(unit_.text(publisher.object) + "->");
     add_followed(parts, publisher.object);
   }
-  const bool valid = are_taken(publisher, parts, at);
-  if (!valid && !can_be_asked) return {};
+  const std::string untaken = untaken_step(publisher, parts, at);
+  const bool valid = untaken.empty();
+  if (!valid && !can_be_asked) return NoEarlyName{untaken};
   Waits waits = waits_between(publisher, parts, at);
   if (valid && !may_change_elsewhere(parts)) waits = {};
-  if (waits.locks) return {};
+  if (waits.locks) return NoEarlyName{a_wait};
   return EarlyName{unit_.text(publisher.object), !valid, std::move(waits.callees)};
 }
 
@@ -243,28 +258,36 @@ Waits Hoisting::waits_between(const PublisherMention& publisher, const NameParts
   return MustExecute(unit_, parts, body).waits_between(from, std::max(mentioned, at));
 }
 
-std::optional<EarlyName> Hoisting::looked_up_at(const PublisherMention& publisher, unsigned at) const {
-  const std::optional<Lookup> lookup = lookup_of(publisher);
-  if (!lookup) return {};
-  const NameParts parts = parts_of(unit_, {lookup->container, lookup->key});
-  if (parts.has_effects || !means_the_same(unit_, publisher, parts, at)) return {};
+NameOrReason Hoisting::looked_up_at(const PublisherMention& publisher, const Lookup& lookup,
+                                    unsigned at) const {
+  const NameParts parts = parts_of(unit_, {lookup.container, lookup.key});
+  if (std::string other = difference(publisher, parts, at); !other.empty())
+    return NoEarlyName{std::move(other)};
   // Allocated from another publisher, the message would be copied. Other threads may change a container while it is not locked.
   const clang::Stmt* body = body_around(publisher);
   const MustExecute between(unit_, parts, body);
   const unsigned mentioned = unit_.offset(publisher.object->getBeginLoc());
-  if (body && (between.changes_between(at, mentioned) || between.waits_between(at, mentioned).locks))
-    return {};
-  if (!are_taken(publisher, parts, at)) return {};
-  const std::string container = unit_.text(lookup->container);
-  std::string key = lookup->is_last ? container + ".size() - 1" : "0";
-  if (lookup->key) key = unit_.text(lookup->key);
+  const std::string container = unit_.text(lookup.container);
+  if (body && between.changes_between(at, mentioned))
+    return NoEarlyName{in_quotes(container) + " or the index may change in between"};
+  if (body && between.waits_between(at, mentioned).locks) return NoEarlyName{a_wait};
+  if (std::string untaken = untaken_step(publisher, parts, at); !untaken.empty())
+    return NoEarlyName{std::move(untaken)};
+  std::string key = lookup.is_last ? container + ".size() - 1" : "0";
+  if (lookup.key) key = unit_.text(lookup.key);
   return EarlyName{"tzc::find_publisher(" + container + ", " + key + ")"};
 }
 
-bool Hoisting::are_taken(const PublisherMention& publisher, const NameParts& parts, unsigned at) const {
+std::string Hoisting::untaken_step(const PublisherMention& publisher, const NameParts& parts,
+                                   unsigned at) const {
   const clang::Stmt* body = body_around(publisher);
   const MustExecute paths(unit_, parts, body);
-  return llvm::all_of(parts.steps, [&](const std::string& step) { return body && paths.takes(step, at); });
+  for (llvm::StringRef step : parts.steps) {
+    if (body && paths.takes(step.str(), at)) continue;
+    step.consume_back("->");
+    return in_quotes(step) + " may be invalid there";
+  }
+  return {};
 }
 
 }  // namespace tzc::rewriter

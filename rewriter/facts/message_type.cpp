@@ -99,7 +99,10 @@ void look_into(clang::QualType type, bool nested, MessageType& message) {
   const auto* templated = specialization_of(type);
   if (is_std_template(templated, "vector")) {
     const clang::QualType element = first_argument(templated);
-    if (!is_fixed_length(element)) return look_into(element, true, message);
+    if (!is_fixed_length(element)) {
+      message.has_varied_elements = true;
+      return look_into(element, true, message);
+    }
     note_data_array(nested, message);
   } else if (templated && templated->getName() == "array") {
     const std::optional<std::uint64_t> before = message.most_bytes;
@@ -145,7 +148,10 @@ void look_into_pattern(clang::QualType type, bool nested, MessageType& message, 
   if (!decl || depth > 8) return;
   if (decl->getName() == "vector") {
     const clang::QualType element = written->template_arguments()[0].getAsType();
-    if (!is_fixed_pattern(element, 0)) return look_into_pattern(element, true, message, depth + 1);
+    if (!is_fixed_pattern(element, 0)) {
+      message.has_varied_elements = true;
+      return look_into_pattern(element, true, message, depth + 1);
+    }
     note_data_array(nested, message);
   } else if (decl->getName() == "array") {
     const std::optional<std::uint64_t> before = message.most_bytes;
@@ -222,6 +228,7 @@ std::optional<MessageType> message_of(const clang::CXXRecordDecl* record) {
 void set_message(SiteFact& site, const MessageType& message) {
   site.type = message.name;
   site.has_data_part = message.has_data_part;
+  site.has_varied_elements = message.has_varied_elements;
   site.most_bytes = message.most_bytes;
 }
 

@@ -19,6 +19,7 @@ struct MessageType {
   std::string name;                   ///< "sensor_msgs/Image"
   bool has_data_part = false;         ///< has a data part: an array of a fixed-length type, at any depth
   bool has_direct_data_part = false;  ///< has a data part outside arrays of messages
+  bool has_varied_elements = false;   ///< an array whose elements have strings or arrays of their own
   bool service = false;               ///< request or response of a service
   std::optional<std::uint64_t> most_bytes = 0;  ///< that its arrays hold, by the types they are part of
 };

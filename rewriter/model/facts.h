@@ -101,6 +101,14 @@ struct PublisherName {
       callees;  ///< functions, none of which may take a lock, by USR; "": one that is not seen
 };
 
+/// A publisher that the function around an allocation site names later, and that cannot be named at the site.
+struct LaterName {
+  EntityId publisher;
+  std::string text;  ///< "pubs_[i]"
+  unsigned line;     ///< of the name
+  std::string why;   ///< "'i' is declared or changes in between"
+};
+
 /// A statement that calls `allocate` is inserted.
 struct InsertedAllocation {
   std::optional<Place> at;  ///< insertion point; none: there is none
@@ -126,10 +134,11 @@ struct AllocationSite {
   EntityId entity;
   std::variant<InsertedAllocation, AdapterAllocation, FactoryAllocation> how;
   std::vector<PublisherName> publishers;  ///< that publish it in this function and are available here
-  std::vector<EntityId> later;            ///< publishers that this function names later, and cannot name here
-  std::string record;                     ///< USR of the class whose `this` is available here
-  EntityId function;                      ///< result of the function around it
-  std::string refusal;  ///< why there is no place for allocate, where it is something special
+  std::vector<LaterName> later;
+  bool is_early = false;  ///< it stands before the body of its function, and members may not be there yet
+  std::string record;     ///< USR of the class whose `this` is available here
+  EntityId function;      ///< result of the function around it
+  std::string refusal;    ///< why there is no place for allocate, where it is something special
   Location where;
 };
 
@@ -146,6 +155,7 @@ struct SiteFact {
   std::string function;  ///< qualified name of the function around it
   std::string type;      ///< "sensor_msgs/Image"
   bool has_data_part = true;
+  bool has_varied_elements = false;         ///< an array whose elements have strings or arrays of their own
   std::optional<std::uint64_t> most_bytes;  ///< that its arrays hold, by its type; none: any number
   std::vector<Obstacle> obstacles;
 

@@ -25,6 +25,14 @@ bool is_possible(const AllocationSite& site) {
   return !std::get<FactoryAllocation>(site.how).changes.empty();
 }
 
+/// Why there is none.
+const char* no_place(const AllocationSite& site) {
+  const auto* inserted = std::get_if<InsertedAllocation>(&site.how);
+  if (!inserted) return "a macro writes the call that builds it";
+  return inserted->object.empty() ? "it has no name where it is built"
+                                  : "it is built in the head of a statement, or by a macro";
+}
+
 BoundAllocation bound(const AllocationSite& site, const PublisherName& name, const Entity* publisher) {
   const std::string guard = name.guarded ? "if (" + name.text + ") " : "";
   return {&site, name.pointer ? "*" + name.text : name.text,
@@ -74,7 +82,9 @@ bool Binder::may_be_missing(const AllocationSite& site, const Entity& publisher)
 }
 
 bool Binder::visible(const AllocationSite& site, const Entity& publisher) {
-  if (std::count(site.later.begin(), site.later.end(), publisher.id) != 0) return false;
+  if (std::any_of(site.later.begin(), site.later.end(),
+                  [&](const LaterName& name) { return name.publisher == publisher.id; }))
+    return false;
   if (may_be_missing(site, publisher)) return false;
   if (publisher.storage == Storage::member) return inherits(site.record, publisher.member_of.record);
   return publisher.storage == Storage::global && publisher.where.file == site.where.file &&
@@ -115,11 +125,37 @@ bool Binder::may_wait(const PublisherName& name) {
 }
 
 /// Why no publisher is available there.
-const char* Binder::lack_at(const AllocationSite& site) {
-  return std::any_of(site.publishers.begin(), site.publishers.end(),
-                     [&](const PublisherName& name) { return may_wait(name); })
-             ? too_early
-             : nowhere;
+std::string Binder::lack_at(const AllocationSite& site) {
+  if (!is_possible(site)) return no_place(site);
+  for (const PublisherName& name : site.publishers) {
+    if (may_wait(name)) return too_early;
+    if (name.guarded) return nowhere + (": '" + name.text) + "' may be null there";
+  }
+  for (const LaterName& name : site.later) {
+    const Component* publisher = components_.of(name.publisher);
+    if (publisher && publishers_.count(publisher->id) != 0)
+      return nowhere + (": '" + name.text) + "' of line " + std::to_string(name.line) + " cannot, since " +
+             name.why;
+  }
+  for (const ComponentId id : publishers_)
+    for (const Entity* entity : components_[id].entities)
+      if (std::string lack = lack_of(*entity, site); !lack.empty()) return nowhere + (": " + lack);
+  return nowhere;
+}
+
+/// Why a publisher that its function does not name is not available there; empty: the entity has no name of its own.
+std::string Binder::lack_of(const Entity& publisher, const AllocationSite& site) {
+  if (publisher.storage == Storage::temporary || publisher.storage == Storage::result) return {};
+  const std::string name = "'" + publisher.name + "'";
+  if (publisher.form == Form::contained) return "nothing tells there which part of " + name + " it is";
+  if (publisher.form == Form::elsewhere) return name + " may lead nowhere there";
+  if (site.is_early || may_be_missing(site, publisher)) return name + " may not be there yet";
+  const Component* component = components_.of(publisher.id);
+  if (component && visible(site, publisher) && may_change_under_lock(component->id))
+    return name + " may be replaced under a lock that is not held there";
+  if (publisher.storage == Storage::member) return name + " is a member of another object";
+  if (publisher.storage == Storage::global) return name + " is declared later, or in another file";
+  return name + " is a variable of another function";
 }
 
 bool Binder::is_in_factory(const AllocationSite& site) const {

@@ -36,7 +36,8 @@ class Binder {
   int closeness(const PublisherName& name, const AllocationSite& site) const;
   std::optional<BoundAllocation> available_at(const AllocationSite& site);
   bool may_wait(const PublisherName& name);
-  const char* lack_at(const AllocationSite& site);
+  std::string lack_at(const AllocationSite& site);
+  std::string lack_of(const Entity& publisher, const AllocationSite& site);
   bool may_change_under_lock(ComponentId publisher) const;
   bool may_be_missing(const AllocationSite& site, const Entity& publisher);
   bool visible(const AllocationSite& site, const Entity& publisher);

@@ -23,11 +23,14 @@ void refuse(Site& site, const Obstacle& obstacle, Level level) {
   if (obstacle.where.line != 0) site.flow_path.push_back({obstacle.where, obstacle.reason});
 }
 
-/// A message without large arrays. A light type is named, since it has arrays.
+/// A message without large arrays, or none that shared memory can hold: then it says so, since the message may be large.
 Site left_alone(Site site, const SiteFact& fact) {
   site.level = Level::not_needed;
-  if (!fact.has_data_part && fact.most_bytes && *fact.most_bytes > 0)
+  if (fact.has_data_part) return site;
+  if (fact.most_bytes && *fact.most_bytes > 0)
     site.reason = "its arrays are light by their type";
+  else if (fact.has_varied_elements)
+    site.reason = "the elements of its arrays have strings or arrays of their own, and stay in the message";
   return site;
 }
 

@@ -18,12 +18,16 @@ enum class Outcome { ported, refused, not_needed };
 /// What happens to a component.
 struct Decision {
   Outcome outcome = Outcome::not_needed;
-  Obstacle why_not;  ///< of a refused one
+  Obstacle why_not;  ///< of one that is not ported
   EntityId at;       ///< the entity that has the obstacle; empty: none of them
 };
 
 inline Decision refused(Obstacle why_not, EntityId at = {}) {
   return {Outcome::refused, std::move(why_not), std::move(at)};
+}
+
+inline Decision not_needed(std::string reason) {
+  return {Outcome::not_needed, {"", std::move(reason), {}}, {}};
 }
 
 /// An allocation site, with the publisher that allocates there.

@@ -139,7 +139,7 @@ Decision Solver::decide_publisher(const Component& component) const {
   if (auto refusal = unwanted(component)) return *refusal;
   if (sites_.advertised(component).empty()) return refused(not_advertised(first));
   if (sites_.published_by(component).empty() && all_publishers_known())
-    return {Outcome::not_needed, {"", "nothing in the package publishes with it", {}}, {}};
+    return not_needed("nothing in the package publishes with it");
   return contradicted(component).value_or(Decision{Outcome::ported, {}, {}});
 }
 
@@ -175,7 +175,8 @@ void Solver::leave_idle_publishers() {
       const Decision* decision = message ? solution_.of(message->id) : nullptr;
       return (!site->has_data_part && !site->pcl) || (decision && decision->outcome == Outcome::not_needed);
     });
-    if (idle && solution_.ports(publisher.id)) solution_.decisions[publisher.id] = {};
+    if (idle && solution_.ports(publisher.id))
+      solution_.decisions[publisher.id] = not_needed("what is published with it needs no shared memory");
   }
 }
 
@@ -199,10 +200,10 @@ Decision Solver::decide_message(const Component& component) {
   if (auto refusal = blocked(component)) return *refusal;
   const std::optional<std::uint64_t> bytes = known_bytes(component);
   const bool mentioned = light_.mentions_arrays(component);
-  if (bytes && !mentioned && all_local(component)) return {};
+  if (bytes && !mentioned && all_local(component))
+    return not_needed("no array of it that shared memory can hold is filled");
   if (bytes && mentioned && *bytes < options_.small)
-    return {
-        Outcome::not_needed, {"", "its arrays hold at most " + std::to_string(*bytes) + " bytes", {}}, {}};
+    return not_needed("its arrays hold at most " + std::to_string(*bytes) + " bytes");
   if (auto refusal = wrong_shape(component)) return *refusal;
   if (const auto danger = soundness_.danger(component)) return refused(danger->why, danger->at);
   return bind_allocations(component);

@@ -11,22 +11,35 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// The publishers that are available where the function's only local message is allocated; in question marks
-/// those that may be null there.
-std::vector<std::string> available(const std::string& body,
-                                   const std::string& parameters = "Node* node, bool ready, int i") {
-  const Facts facts = facts_of(
+constexpr const char* node_and_index = "Node* node, bool ready, int i";
+
+Facts facts_with(const std::string& body, const std::string& parameters) {
+  return facts_of(
       "#include <map>\n#include <memory>\n#include <vector>\n"
       "struct Node { ros::Publisher pub; std::vector<ros::Publisher> pubs; };\n"
       "ros::Publisher& choose();\n"
       "void f(" +
       parameters + ") {\n  " + body + "\n}\n");
+}
+
+/// The publishers that are available where the function's only local message is allocated; in question marks
+/// those that may be null there.
+std::vector<std::string> available(const std::string& body, const std::string& parameters = node_and_index) {
+  const Facts facts = facts_with(body, parameters);
   std::vector<std::string> names;
   for (const AllocationSite& site : facts.allocations)
     if (std::holds_alternative<InsertedAllocation>(site.how))
       for (const PublisherName& name : site.publishers)
         names.push_back(name.guarded ? "?" + name.text + "?" : name.text);
   return names;
+}
+
+/// Why those that it names are not: "name: reason".
+std::vector<std::string> unavailable(const std::string& body) {
+  std::vector<std::string> reasons;
+  for (const AllocationSite& site : facts_with(body, node_and_index).allocations)
+    for (const LaterName& name : site.later) reasons.push_back(name.text + ": " + name.why);
+  return reasons;
 }
 
 TEST(Hoisting, a_reference_to_a_publisher_is_available_everywhere_in_its_function) {
@@ -76,6 +89,21 @@ TEST(Hoisting, a_local_publisher_is_available_behind_its_declaration_only) {
   EXPECT_THAT(available("sensor_msgs::Image image;\n  image.data.resize(9);\n  ros::Publisher pub = "
                         "node->pub;\n  pub.publish(image);"),
               IsEmpty());
+}
+
+TEST(Hoisting, a_reason_names_what_forbids_it) {
+  const std::string image = "sensor_msgs::Image image;\n  ";
+  EXPECT_THAT(unavailable(image + "++i;\n  node->pubs[i].publish(image);"),
+              ElementsAre("node->pubs[i]: 'i' is declared or changes in between"));
+  EXPECT_THAT(unavailable(image + "if (ready) node->pub.publish(image);"),
+              ElementsAre("node->pub: 'node' may be invalid there"));
+  EXPECT_THAT(unavailable(image + "if (i) node->pubs[7 % i].publish(image);"),
+              ElementsAre("node->pubs[7 % i]: '7 % i' may be invalid there"));
+  EXPECT_THAT(
+      unavailable(image + "choose().publish(image);"),
+      ElementsAre("choose(): to name it, the program calls a function, assigns, or converts a pointer"));
+  EXPECT_THAT(unavailable(image + "node->pubs.clear();\n  node->pubs[i].publish(image);"),
+              ElementsAre("node->pubs[i]: 'node->pubs' or the index may change in between"));
 }
 
 }  // namespace

@@ -31,9 +31,9 @@ class Node {
   std_msgs::Float32MultiArray member_;
 };
 //--- expected
-// advertise src/node.cpp:8 std_msgs/Float32MultiArray not_needed 'member'
+// advertise src/node.cpp:8 std_msgs/Float32MultiArray not_needed 'member' what is published with it needs no shared memory
 // publish src/node.cpp:13 std_msgs/Float32MultiArray not_needed 'member' its arrays hold at most 24 bytes
-// advertise src/node.cpp:14 std_msgs/Float32MultiArray not_needed 'local'
+// advertise src/node.cpp:14 std_msgs/Float32MultiArray not_needed 'local' what is published with it needs no shared memory
 // publish src/node.cpp:17 std_msgs/Float32MultiArray not_needed 'local' its arrays hold at most 48 bytes
 // publish src/node.cpp:20 std_msgs/Float32MultiArray not_needed 'local' its arrays hold at most 12 bytes
 // publish src/node.cpp:25 std_msgs/Float32MultiArray not_needed 'local' its arrays hold at most 8 bytes

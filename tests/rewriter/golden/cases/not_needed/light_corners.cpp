@@ -26,8 +26,8 @@ void corners(ros::NodeHandle& nh, bool more) {
   pub.publish(cleared);
 }
 //--- expected
-// advertise src/node.cpp:8 visualization_msgs/Marker not_needed 'marker'
+// advertise src/node.cpp:8 visualization_msgs/Marker not_needed 'marker' what is published with it needs no shared memory
 // publish src/node.cpp:12 visualization_msgs/Marker not_needed 'marker' its arrays hold at most 48 bytes
-// advertise src/node.cpp:16 sensor_msgs/LaserScan not_needed 'scan'
+// advertise src/node.cpp:16 sensor_msgs/LaserScan not_needed 'scan' what is published with it needs no shared memory
 // publish src/node.cpp:22 sensor_msgs/LaserScan not_needed 'scan' its arrays hold at most 4092 bytes
 // publish src/node.cpp:26 sensor_msgs/LaserScan not_needed 'scan' its arrays hold at most 0 bytes

@@ -10,5 +10,5 @@ void run(ros::NodeHandle& nh) {
   pub.publish(marker);
 }
 //--- expected
-// advertise src/node.cpp:6 visualization_msgs/Marker not_needed 'image'
-// publish src/node.cpp:10 visualization_msgs/Marker not_needed 'image'
+// advertise src/node.cpp:6 visualization_msgs/Marker not_needed 'image' what is published with it needs no shared memory
+// publish src/node.cpp:10 visualization_msgs/Marker not_needed 'image' no array of it that shared memory can hold is filled

@@ -24,7 +24,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:14 sensor_msgs/Image one_copy 'debug'
-// publish src/node.cpp:18 sensor_msgs/Image one_copy 'debug' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:18 sensor_msgs/Image one_copy 'debug' TZC1019 it is built where its publisher cannot be named: 'debug_' may be null there
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -10,7 +10,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:8 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:9 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:9 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pub' of line 9 cannot, since 'pub' is declared or changes in between
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

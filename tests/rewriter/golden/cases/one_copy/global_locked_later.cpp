@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   publish();
 }
 //--- expected
-// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pub' of line 14 cannot, since another thread may be waited for in between, and may replace it
 // advertise src/node.cpp:20 sensor_msgs/Image one_copy 'image'
 //
 // +++ src/node.cpp

@@ -55,10 +55,10 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:20 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:27 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
-// publish src/node.cpp:33 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
-// publish src/node.cpp:40 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
-// publish src/node.cpp:46 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:27 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'outputs_[i].pub' of line 27 cannot, since 'outputs_[i]' may be invalid there
+// publish src/node.cpp:33 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'outputs_[i].pub' of line 33 cannot, since 'outputs_[i]' may be invalid there
+// publish src/node.cpp:40 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'it->second.pub' of line 40 cannot, since 'it' may be invalid there
+// publish src/node.cpp:46 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'output->pub' of line 46 cannot, since 'output' may be invalid there
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -24,7 +24,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:11 sensor_msgs/Image one_copy
-// publish src/node.cpp:17 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:17 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named: 'pub_' of line 17 cannot, since another thread may be waited for in between, and may replace it
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -46,9 +46,9 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:24 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:29 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
-// publish src/node.cpp:35 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
-// publish src/node.cpp:40 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:29 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'output_->publisher' of line 29 cannot, since 'output_' may be invalid there
+// publish src/node.cpp:35 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'output_->publisher' of line 35 cannot, since 'output_' may be invalid there
+// publish src/node.cpp:40 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'output_->publisher' of line 40 cannot, since 'output_' may be invalid there
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

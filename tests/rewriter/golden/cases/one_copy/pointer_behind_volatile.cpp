@@ -24,7 +24,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:8 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:17 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:17 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pub_' of line 17 cannot, since 'pub_' may be invalid there
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

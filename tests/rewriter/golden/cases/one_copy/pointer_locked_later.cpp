@@ -36,8 +36,8 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:12 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:18 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
-// publish src/node.cpp:28 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:18 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pub_' of line 18 cannot, since another thread may be waited for in between, and may replace it
+// publish src/node.cpp:28 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pub_' of line 28 cannot, since another thread may be waited for in between, and may replace it
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

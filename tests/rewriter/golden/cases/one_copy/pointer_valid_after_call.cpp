@@ -30,8 +30,8 @@ class Node {
   std::function<void()> choose_ = [this] { output_ = &left_; };
 };
 //--- expected
-// publish src/node.cpp:17 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
-// publish src/node.cpp:23 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:17 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'output_->publisher' of line 17 cannot, since 'output_' may be invalid there
+// publish src/node.cpp:23 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'output_->publisher' of line 23 cannot, since 'output_' may be invalid there
 // advertise src/node.cpp:28 sensor_msgs/Image one_copy 'image'
 //
 // +++ src/node.cpp

@@ -47,11 +47,11 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:13 sensor_msgs/Image one_copy
-// publish src/node.cpp:19 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named
-// publish src/node.cpp:25 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named
-// publish src/node.cpp:32 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:19 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named: 'pubs_[chosen_]' of line 19 cannot, since 'pubs_' or the index may change in between
+// publish src/node.cpp:25 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named: 'pubs_[chosen_]' of line 25 cannot, since 'pubs_' or the index may change in between
+// publish src/node.cpp:32 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named: 'pubs_[i]' of line 32 cannot, since 'pubs_' or the index may change in between
 // advertise src/node.cpp:38 sensor_msgs/Image one_copy 'middle'
-// publish src/node.cpp:39 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:39 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named: 'pubs_.front()' of line 39 cannot, since 'pubs_' or the index may change in between
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

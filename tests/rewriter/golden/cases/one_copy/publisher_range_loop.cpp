@@ -17,7 +17,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:11 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:11 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pub' of line 11 cannot, since 'pub' is declared or changes in between
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -13,7 +13,7 @@ void run(ros::NodeHandle& nh) {
   publish(&pub, true);
 }
 //--- expected
-// publish src/node.cpp:8 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:8 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pub' of line 8 cannot, since 'pub' may be invalid there
 // advertise src/node.cpp:12 sensor_msgs/Image one_copy 'image'
 //
 // +++ src/node.cpp

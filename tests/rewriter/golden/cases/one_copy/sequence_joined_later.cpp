@@ -21,7 +21,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:9 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pubs_.front()' of line 14 cannot, since another thread may be waited for in between, and may replace it
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -28,8 +28,8 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:9 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
-// publish src/node.cpp:20 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pubs_[n]' of line 14 cannot, since another thread may be waited for in between, and may replace it
+// publish src/node.cpp:20 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pubs_[n]' of line 20 cannot, since another thread may be waited for in between, and may replace it
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -18,7 +18,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:7 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:7 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pub_' is a member of another object
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -20,7 +20,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:8 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:8 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pub_' may not be there yet
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

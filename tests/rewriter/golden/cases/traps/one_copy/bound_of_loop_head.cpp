@@ -12,7 +12,7 @@ void run(ros::NodeHandle& nh, int n) {
 }
 //--- expected
 // advertise src/node.cpp:7 std_msgs/Float32MultiArray one_copy 'values'
-// publish src/node.cpp:10 std_msgs/Float32MultiArray one_copy 'values' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:10 std_msgs/Float32MultiArray one_copy 'values' TZC1019 it is built in the head of a statement, or by a macro
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -34,7 +34,7 @@ class Viewer {
 // advertise src/node.cpp:13 sensor_msgs/Image zero_copy 'image'
 // advertise src/node.cpp:14 sensor_msgs/PointCloud2 one_copy 'cloud'
 // publish src/node.cpp:18 sensor_msgs/Image zero_copy 'image'
-// publish src/node.cpp:24 sensor_msgs/PointCloud2 one_copy 'cloud' TZC1019 it is built where its publisher cannot be named
+// publish src/node.cpp:24 sensor_msgs/PointCloud2 one_copy 'cloud' TZC1019 it is built where its publisher cannot be named: 'clouds_' of line 24 cannot, since another thread may be waited for in between, and may replace it
 //
 // +++ src/node.cpp
 // +#include <tzc/cv_bridge.h>
