@@ -5,7 +5,9 @@
 
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/ASTTypeTraits.h>
+#include <clang/AST/Expr.h>
 #include <clang/AST/ParentMapContext.h>
+#include <clang/AST/Stmt.h>
 
 #include <optional>
 #include <string>
@@ -64,6 +66,18 @@ std::string record_usr_of(const clang::FunctionDecl* function);
 /// Parentheses around an expression, and nodes that nobody wrote. Null is neither.
 bool is_wrapping(const clang::Stmt* around);
 bool is_lambda(const clang::FunctionDecl* function);
+
+/// ({ ...; label: value; }): whether it is such a value, by a function that gives a statement's parent.
+template <class ParentOf>
+bool is_value_of_statements(const clang::Stmt* value, const ParentOf& parent_of) {
+  const clang::Stmt* around = parent_of(value);
+  while (llvm::isa_and_nonnull<clang::LabelStmt, clang::AttributedStmt>(around)) {
+    value = around;
+    around = parent_of(value);
+  }
+  const auto* block = llvm::dyn_cast_or_null<clang::CompoundStmt>(around);
+  return block && block->body_back() == value && llvm::isa_and_nonnull<clang::StmtExpr>(parent_of(block));
+}
 
 /// The operand of a cast, and of what nobody wrote around an expression; null: it is neither.
 const clang::Expr* converted(const clang::Expr* expr);

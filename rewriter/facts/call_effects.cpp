@@ -54,6 +54,24 @@ bool shows_its_end(const clang::CXXConstructExpr* construct) {
   return destructor && destructor->isUserProvided();
 }
 
+/// The only one that takes so many arguments; null: none, or one of several, a base class's or a template's.
+const clang::CXXConstructorDecl* only_constructor(const clang::CXXRecordDecl* record, unsigned arguments) {
+  const clang::CXXConstructorDecl* only = nullptr;
+  if (!record || !record->hasDefinition()) return nullptr;
+  for (const clang::Decl* decl : record->decls()) {
+    if (llvm::isa<clang::ConstructorUsingShadowDecl>(decl)) return nullptr;
+    const auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(decl);
+    if (pattern && llvm::isa<clang::CXXConstructorDecl>(pattern->getTemplatedDecl())) return nullptr;
+    const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(decl);
+    if (!constructor || constructor->isCopyOrMoveConstructor() || constructor->getNumParams() < arguments ||
+        constructor->getMinRequiredArguments() > arguments)
+      continue;
+    if (only) return nullptr;
+    only = constructor;
+  }
+  return only;
+}
+
 }  // namespace
 
 bool serves_plain_field(const Unit& unit, const clang::Expr* cast) {
@@ -170,6 +188,19 @@ CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr*
   return CallEffect::done;
 }
 
+/// make_shared<Image>(image), make_shared<ImagePtr>(image), make_shared<Viewer>(image)
+void CallEffects::into_new_object(const EntityId& id, const clang::CallExpr* call, unsigned argument) {
+  if (const EntityId made = entities_.declare_temporary(call); !made.empty())
+    return entities_.add_flow(id, made, call->getBeginLoc(), "copied into a new object");
+  const clang::CXXRecordDecl* record = pointee_of(call->getType())->getAsCXXRecordDecl();
+  const clang::CXXConstructorDecl* constructor = only_constructor(record, call->getNumArgs());
+  if (unit_.declares(constructor))
+    into_package(id, {constructor, argument, call->getBeginLoc()});
+  else
+    entities_.add_obstacle(id, entities_.is_message(id) ? codes::TZC1001 : codes::TZC1010,
+                           "nothing shows which constructor takes it", call->getBeginLoc());
+}
+
 CallEffect CallEffects::of_call(const EntityId& id, const clang::CallExpr* call, unsigned argument) {
   const clang::FunctionDecl* function = call->getDirectCallee();
   if (!function) {
@@ -182,8 +213,7 @@ CallEffect CallEffects::of_call(const EntityId& id, const clang::CallExpr* call,
     return CallEffect::done;
   }
   if (makes_object(call)) {
-    entities_.add_flow(id, entities_.declare_temporary(call), call->getBeginLoc(),
-                       "copied into a new object");
+    into_new_object(id, call, argument);
     return CallEffect::done;
   }
   if (passes_through(function)) return CallEffect::result;

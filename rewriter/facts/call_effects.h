@@ -36,6 +36,7 @@ class CallEffects {
   CallEffect into_package(const EntityId& id, const Passed& passed);
   CallEffect into_method(const EntityId& id, const clang::CXXMemberCallExpr* call);
   std::optional<CallEffect> into_bound(const EntityId& id, const clang::Expr* call, unsigned argument);
+  void into_new_object(const EntityId& id, const clang::CallExpr* call, unsigned argument);
   CallEffect into_swap(const EntityId& id, const clang::CallExpr* call);
   void escape(const EntityId& id, const std::string& receiver, clang::SourceLocation where);
   void use_rule(const EntityId& id, const clang::CallExpr* call, const LibraryCall& rule);

@@ -120,7 +120,10 @@ const clang::Expr* SourceFinder::operand_of(const clang::Expr* expr) const {
   if (const auto* made = llvm::dyn_cast<clang::MaterializeTemporaryExpr>(expr)) return made->getSubExpr();
   if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(expr)) return bound->getSubExpr();
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr)) return op->getSubExpr();
-  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(expr)) return op->getLHS();
+  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(expr)) {
+    const bool is_offset = op->getOpcode() == clang::BO_Add && op->getLHS()->getType()->isIntegerType();
+    return is_offset || op->getOpcode() == clang::BO_Comma ? op->getRHS() : op->getLHS();
+  }
   if (const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr)) return element->getBase();
   if (const auto* list = llvm::dyn_cast<clang::CXXStdInitializerListExpr>(expr)) return list->getSubExpr();
   return nullptr;

@@ -6,6 +6,7 @@
 #include "facts/array_bounds.h"
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
+#include "facts/generic_callables.h"
 #include "facts/overwrites.h"
 #include "facts/stock_vectors.h"
 #include "model/codes.h"
@@ -17,6 +18,14 @@ unsigned argument_index(llvm::ArrayRef<const clang::Expr*> arguments, const clan
   for (unsigned i = 0; i < arguments.size(); ++i)
     if (arguments[i] == argument) return i;
   return static_cast<unsigned>(arguments.size());
+}
+
+/// Of array.resize(n).
+std::optional<Change> without_zero_fill_of(const Unit& unit, const clang::MemberExpr* array) {
+  const auto* method = parent_as<clang::MemberExpr>(unit.ast(), *array);
+  if (!method || method->getMemberDecl()->getNameAsString() != "resize") return {};
+  const auto* resize = parent_as<clang::CXXMemberCallExpr>(unit.ast(), *method);
+  return resize ? without_zero_fill(unit, resize) : std::nullopt;
 }
 
 }  // namespace
@@ -40,6 +49,13 @@ bool UseFollower::refuse(const char* code, const std::string& reason) {
   return false;
 }
 
+/// The value goes on: what it becomes must not be ported either.
+template <class Call>
+void UseFollower::note_generic_code(const Call* call) {
+  if (entities_.is_message(id_) && may_call_generic_code(unit_, call))
+    refuse(codes::TZC1001, "a library may give it to a template that takes anything");
+}
+
 bool UseFollower::step() {
   const auto around = written_parent(unit_.ast(), clang::DynTypedNode::create(*at_));
   if (!around) return false;
@@ -50,6 +66,10 @@ bool UseFollower::step() {
   if (const auto* returned = llvm::dyn_cast<clang::ReturnStmt>(statement)) return into_return(returned);
   if (llvm::isa<clang::AsmStmt, clang::CoreturnStmt>(statement))
     return refuse(codes::TZC1001, "this use of it is not understood");
+  const auto parent_of = [&](const clang::Stmt* of) { return parent_as<clang::Stmt>(unit_.ast(), *of); };
+  if (is_value_of_statements(at_, parent_of))
+    return refuse(codes::TZC1001, "it is the value of a statement expression");
+  // No other statement uses the value of an expression.
   const auto* parent = llvm::dyn_cast<clang::Expr>(statement);
   return parent ? into_expression(parent) : false;
 }
@@ -147,6 +167,7 @@ bool UseFollower::into_type_question(Question question) {
 bool UseFollower::into_method(const clang::MemberExpr* member) {
   const auto* call = parent_as<clang::CXXMemberCallExpr>(unit_.ast(), *member);
   if (!call) return refuse(codes::TZC1001, "a member function of it is named but not called");
+  note_generic_code(call);
   if (unit_.rules.find_class_or_ported(qualified_name_of(call->getRecordDecl()))) return false;
   const std::string method = member->getMemberDecl()->getNameAsString();
   for (const clang::Expr* argument : call->arguments())
@@ -163,7 +184,8 @@ bool UseFollower::into_member(const clang::MemberExpr* member) {
   if (!llvm::isa<clang::FieldDecl>(member->getMemberDecl())) return false;
   if (is_data_array(member->getType())) {
     entities_.add_data_use(id_, member->getMemberLoc(), growth_at(unit_, member, entities_[id_].type));
-    note_resize(member);
+    if (std::optional<Change> change = without_zero_fill_of(unit_, member))
+      entities_.add_use(id_, std::move(*change));
     for (Change& change : changes_for_stock_vector(unit_, member)) entities_.add_use(id_, std::move(change));
     return false;
   }
@@ -188,15 +210,6 @@ bool UseFollower::into_list(const clang::InitListExpr* list) {
   return refuse(codes::TZC1001, "it becomes part of an aggregate");
 }
 
-void UseFollower::note_resize(const clang::MemberExpr* array) {
-  const auto* method = parent_as<clang::MemberExpr>(unit_.ast(), *array);
-  if (!method || method->getMemberDecl()->getNameAsString() != "resize") return;
-  const auto* resize = parent_as<clang::CXXMemberCallExpr>(unit_.ast(), *method);
-  if (!resize) return;
-  if (std::optional<Change> change = without_zero_fill(unit_, resize))
-    entities_.add_use(id_, std::move(*change));
-}
-
 /// What is assigned must be understood too: else the value may be one that cannot be ported.
 void UseFollower::check_source(const clang::Expr* value) {
   if (!sources_.of(value).foreign) return;
@@ -218,12 +231,17 @@ void UseFollower::assign(const clang::Expr* target, const clang::Expr* value, co
            "it becomes part of '" + unit_.text(target) + "', whose type does not tell");
     return;
   }
-  for (const EntityId& to : sources_.of(target).entities)
+  const FlowSources targets = sources_.of(target);
+  for (const EntityId& to : targets.entities)
     entities_.add_flow(id_, to, at_->getBeginLoc(), "assigned to '" + unit_.text(target) + "'");
+  if (targets.foreign && !message_of(at_->getType()))  // a message is copied
+    refuse(entities_.is_message(id_) ? codes::TZC1001 : codes::TZC1010,
+           "it is assigned to '" + unit_.text(target) + "', and nothing shows where that is");
 }
 
 bool UseFollower::into_operator(const clang::CXXOperatorCallExpr* call) {
   const clang::OverloadedOperatorKind op = call->getOperator();
+  note_generic_code(call);
   if (op == clang::OO_Equal) {
     const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(call->getDirectCallee());
     if (method && at_ == call->getArg(1) && unit_.declares(method) && method->isUserProvided())
@@ -239,11 +257,10 @@ bool UseFollower::into_operator(const clang::CXXOperatorCallExpr* call) {
   return only_reads ? false : refuse(codes::TZC1001, "it is given to an operator of a library");
 }
 
+/// What is assigned goes to the target, which is the value of the assignment.
 bool UseFollower::into_binary(const clang::BinaryOperator* op) {
-  if (op->getOpcode() == clang::BO_Assign) {
-    assign(op->getLHS(), op->getRHS(), op);
-    return false;
-  }
+  if (op->getOpcode() == clang::BO_Assign) assign(op->getLHS(), op->getRHS(), op);
+  if (op->isAssignmentOp()) return at_ == op->getLHS() ? go_on(op) : false;
   if (op->getOpcode() == clang::BO_Comma) return at_ == op->getRHS() ? go_on(op) : false;
   if (op->isPtrMemOp()) return refuse(codes::TZC1001, "it is used through a pointer to member");
   return op->isAdditiveOp() ? go_on(op) : false;
@@ -252,6 +269,7 @@ bool UseFollower::into_binary(const clang::BinaryOperator* op) {
 bool UseFollower::into_call(const clang::CallExpr* call) {
   if (call->getCallee() == at_) return false;
   const llvm::ArrayRef<const clang::Expr*> arguments(call->getArgs(), call->getNumArgs());
+  note_generic_code(call);
   unsigned index = argument_index(arguments, at_);
   if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) {
     const clang::CXXRecordDecl* record = method->getRecordDecl();
@@ -271,6 +289,7 @@ bool UseFollower::into_call(const clang::CallExpr* call) {
 bool UseFollower::into_constructor(const clang::CXXConstructExpr* construct) {
   const llvm::ArrayRef<const clang::Expr*> arguments(construct->getArgs(), construct->getNumArgs());
   const unsigned index = argument_index(arguments, at_);
+  note_generic_code(construct);
   if (effects_.of_constructor(id_, construct, index) == CallEffect::done) return false;
   if (!llvm::isa<clang::CXXTemporaryObjectExpr>(construct)) return go_on(construct);
   entities_.add_flow(id_, entities_.declare_temporary(construct), at_->getBeginLoc(),

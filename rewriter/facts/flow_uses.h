@@ -42,10 +42,11 @@ class UseFollower {
   bool into_return(const clang::ReturnStmt* statement);
   bool into_initializer(const clang::CXXConstructorDecl* constructor);
   bool go_on(const clang::Expr* next);
+  template <class Call>
+  void note_generic_code(const Call* call);
   bool refuse(const char* code, const std::string& reason);
   void assign(const clang::Expr* target, const clang::Expr* value, const clang::Expr* statement);
   void check_source(const clang::Expr* value);
-  void note_resize(const clang::MemberExpr* array);
 
   const Unit& unit_;
   EntityTable& entities_;

@@ -3,6 +3,7 @@
 
 #include <clang/AST/StmtCXX.h>
 
+#include "facts/ast_walk.h"
 #include "facts/bound_calls.h"
 #include "facts/calls.h"
 #include "facts/shared_types.h"
@@ -47,6 +48,8 @@ SharedClimb::Next SharedClimb::into_statement(const clang::Stmt* parent) {
     for (const clang::Decl* decl : declaration->decls())
       if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl); variable && variable->getInit() == at_)
         return into_variable(variable);
+  const auto parent_of = [&](const clang::Stmt* of) { return view_.parent(of); };
+  if (is_value_of_statements(at_, parent_of) && go_on(at_)) return write(at_);  // it is not followed
   if (!llvm::isa<clang::ReturnStmt>(parent)) return done();
   const clang::LambdaExpr* lambda = view_.lambda_around(parent);
   elements_.hold(lambda ? lambda->getCallOperator() : view_.function());
@@ -75,7 +78,7 @@ SharedClimb::Next SharedClimb::into_binary(const clang::BinaryOperator* op) {
     const bool is_value = op->isAdditiveOp() || (op->getOpcode() == clang::BO_Comma && op->getRHS() == at_);
     return is_value ? go_on(op) : done();
   }
-  if (op->getLHS() == at_) return at_->getType()->isAnyPointerType() ? done() : write(at_);
+  if (op->getLHS() == at_) return at_->getType()->isAnyPointerType() ? go_on(op) : write(at_);
   if (leads_to_elements(at_->getType())) elements_.hold_object(op->getLHS());
   return done();
 }
@@ -87,7 +90,7 @@ SharedClimb::Next SharedClimb::into_assignment(const clang::CXXOperatorCallExpr*
   if (call->getArg(0) == at_) {
     const bool is_handle = leads_to_elements(at_->getType());
     const bool lets_go = is_handle && (!is_mat(at_->getType()) || leads_to_elements(value->getType()));
-    return is_plain && lets_go ? done() : write(at_);
+    return is_plain && lets_go ? go_on(call) : write(at_);
   }
   if (is_plain && leads_to_elements(at_->getType())) elements_.hold_object(call->getArg(0));
   return done();

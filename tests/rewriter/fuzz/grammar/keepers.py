@@ -160,11 +160,42 @@ def second_closure(program, element, source, array):
                    f"auto h = [&inner](int i, {element} v) {{ inner(i, v); }};"], call="h({index}, {value});")
 
 
+# Code that takes anything, and that a library gives the message to
+# ----------------------------------------------------------------------------------------------------------------------
+
+
+def message_and_field(array):
+    message, arrow, field = array.rpartition("->" if "->" in array else ".")
+    return (f"(*{message})" if arrow == "->" else message), field
+
+
+def generic_algorithm(program, element, source, array):
+    message, field = message_and_field(array)
+    return Handle([f"{element}* h = nullptr;",
+                   f"std::find_if(&{message}, &{message} + 1, [&](auto& one) {{ return !(h = one.{field}.data()); }});"],
+                  "h[{index}]")
+
+
+def generic_call(program, element, source, array):
+    message, field = message_and_field(array)
+    closure = f"[&](auto& one) -> auto& {{ return h = one.{field}.data(), one; }}"
+    call = program.rng.choice([f"std::invoke({closure}, {message});", f"std::apply({closure}, std::tie({message}));"])
+    return Handle([f"{element}* h = nullptr;", call], "h[{index}]")
+
+
+def generic_object(program, element, source, array):
+    message, field = message_and_field(array)
+    kind = program.unique("Keeper")
+    program.prelude += [f"struct {kind} {{", "  template <class Message>",
+                        f"  explicit {kind}(Message& message) : p(message.{field}.data()) {{}}", f"  {element}* p;", "};"]
+    return Handle([f"const auto h = std::make_shared<{kind}>({message});"], "h->p[{index}]")
+
+
 STORES = [in_closure, in_function, closure_over_message, in_class, smart_pointer, by_function, kept_by_algorithm,
           in_standard_function, in_function_member, in_bound_call, in_initialized_capture, in_generic_closure,
           in_template_class, in_converting_class, kept_by_helper, returned_by_helper, kept_by_virtual_call,
           kept_by_template, passed_through, written_by_destructor, written_by_deleter, written_by_thread, by_context,
-          unique_pointer, pointer_to_member, second_closure]
+          unique_pointer, pointer_to_member, second_closure, generic_algorithm, generic_call, generic_object]
 
 # They write when they end, which is after what took the elements over ended.
 WRITE_AT_END = [written_by_destructor, written_by_deleter]

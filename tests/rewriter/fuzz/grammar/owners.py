@@ -47,6 +47,38 @@ def raw_pointer_to_local(program, message):
     return Owned([f"{message.cpp} msg;", f"{message.cpp}* same = &msg;"], "same->", "msg")
 
 
+# Names whose type the compiler deduces: nothing but the analysis ties them to the message.
+
+
+def deduced_name(program, message):
+    return Owned([f"{message.cpp} msg;", f"auto{program.rng.choice(['&', '&&'])} same = msg;"], "same.", "msg")
+
+
+def value_of_assignment(program, message):
+    """Of a pointer's own operator, and of the language's."""
+    if program.rng.random() < 0.5:
+        return Owned([f"{message.cpp}Ptr msg;", f"auto same = (msg = boost::make_shared<{message.cpp}>());"], "same->",
+                     "msg", True)
+    ways = [["auto& same = *(at = &msg);", "auto* const access = &same;"], ["auto* access = (at = &msg);"],
+            ["auto* access = at;", "access = at = &msg;"]]
+    return Owned([f"{message.cpp} msg;", f"{message.cpp}* at = nullptr;"] + program.rng.choice(ways), "access->", "*at")
+
+
+def stepped_pointer(program, message):
+    return Owned([f"{message.cpp} both[2];", f"{message.cpp}* at = both;",
+                  f"auto* same = {program.rng.choice(['(at += 1)', '++at', '(k, 1 + at++)'])};"], "same->", "both[1]")
+
+
+def value_of_statements(program, message):
+    return Owned([f"{message.cpp} msg;", f"auto* same = ({{ {message.cpp}* at = &msg; at; }});"], "same->", "msg")
+
+
+def cast_pointer(program, message):
+    made = f"{message.cpp}Ptr(new {message.cpp})"
+    lines = program.rng.choice([[f"{message.cpp}Ptr msg;", f"msg = {made};"], [f"auto msg = {made};"]])
+    return Owned(lines, "msg->", "msg", True)
+
+
 def unique_pointer(program, message):
     return Owned([f"std::unique_ptr<{message.cpp}> msg(new {message.cpp});"], "msg->", "*msg")
 
@@ -112,10 +144,11 @@ def from_shared_factory(program, message):
 
 
 LASTING = [kept, static, kept_pointer_made_once, in_struct, in_map, behind_accessor]
-FRESH = [local, shared, second_name, raw_pointer_to_local, from_factory, from_shared_factory]
+DEDUCED = [deduced_name, value_of_assignment, stepped_pointer, value_of_statements, cast_pointer]
+FRESH = [local, shared, second_name, raw_pointer_to_local, from_factory, from_shared_factory] + DEDUCED
 OWNERS = [local, shared, kept, static, second_name, second_shared_pointer, raw_pointer_to_local, unique_pointer,
           optional, kept_pointer, kept_pointer_made_once, in_struct, in_container, in_map, in_array, one_of_two,
-          behind_accessor, from_factory, from_shared_factory]
+          behind_accessor, from_factory, from_shared_factory] + DEDUCED
 
 
 # What takes the elements over, after a handle to them was made. Each returns statements and the new owner.
