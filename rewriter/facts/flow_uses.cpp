@@ -28,15 +28,25 @@ std::optional<Change> without_zero_fill_of(const Unit& unit, const clang::Member
   return resize ? without_zero_fill(unit, resize) : std::nullopt;
 }
 
+/// What a message is copied into is another object; what a pointer is copied into leads to the same one.
+bool leads_to_the_same(const clang::Expr* pointer, const clang::Expr* copy) {
+  return !message_of(pointer->getType()) && !message_of(copy->getType());
+}
+
 }  // namespace
 
 FlowEnd UseFollower::follow(const clang::Expr* leaf, const EntityId& id) {
+  const auto known = ends_.find({leaf, id});
+  if (known != ends_.end()) return known->second;
   at_ = leaf;
   id_ = id;
   end_ = {};
+  handle_ = nullptr;
   while (step()) {
   }
-  return end_;
+  FlowEnd end = end_;
+  if (const clang::Expr* handle = handle_) end = follow(handle, entities_.declare_temporary(handle));
+  return ends_[{leaf, id}] = end;
 }
 
 bool UseFollower::go_on(const clang::Expr* next) {
@@ -294,6 +304,7 @@ bool UseFollower::into_constructor(const clang::CXXConstructExpr* construct) {
   if (!llvm::isa<clang::CXXTemporaryObjectExpr>(construct)) return go_on(construct);
   entities_.add_flow(id_, entities_.declare_temporary(construct), at_->getBeginLoc(),
                      "copied into a temporary");
+  if (leads_to_the_same(at_, construct)) handle_ = construct;
   return false;
 }
 
@@ -303,6 +314,7 @@ bool UseFollower::into_cast(const clang::ExplicitCastExpr* cast) {
     return refuse(codes::TZC1001, "it is cast to '" + cast->getType().getAsString() + "'");
   const EntityId target = entities_.declare_temporary(cast);
   entities_.add_flow(id_, target, at_->getBeginLoc(), "cast");
+  if (leads_to_the_same(at_, cast)) handle_ = cast;
   return false;
 }
 

@@ -3,6 +3,9 @@
 
 #include <clang/AST/ExprCXX.h>
 
+#include <map>
+#include <utility>
+
 #include "facts/call_effects.h"
 #include "facts/flow_sources.h"
 
@@ -22,7 +25,8 @@ class UseFollower {
   UseFollower(const Unit& unit, EntityTable& entities)
       : unit_(unit), entities_(entities), sources_(unit, entities), effects_(unit, entities) {}
 
-  /// Follows the value of `leaf`, which is the entity `id`, to where it ends up: flows, uses, obstacles.
+  /// Follows the value of `leaf`, which is the entity `id`, to where it ends up: flows, uses, obstacles. A pointer that becomes
+  /// another one, as in ImagePtr(new Image), ends where that one does. Each value is followed once.
   FlowEnd follow(const clang::Expr* leaf, const EntityId& id);
 
  private:
@@ -55,6 +59,8 @@ class UseFollower {
   const clang::Expr* at_ = nullptr;
   EntityId id_;
   FlowEnd end_;
+  const clang::Expr* handle_ = nullptr;  ///< another pointer that the value becomes
+  std::map<std::pair<const clang::Expr*, EntityId>, FlowEnd> ends_;
 };
 
 }  // namespace tzc::rewriter
