@@ -5,6 +5,7 @@
 #include <clang/AST/ExprCXX.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "parse/names.h"
 
@@ -25,6 +26,14 @@ std::optional<clang::DynTypedNode> written_parent(clang::ASTContext& ast, const 
   if (parents.empty()) return std::nullopt;
   const auto* written = std::find_if(parents.begin(), parents.end(), is_written_place);
   return written == parents.end() ? parents[0] : *written;
+}
+
+std::vector<clang::DynTypedNode> written_parents(clang::ASTContext& ast, const clang::DynTypedNode& node) {
+  std::vector<clang::DynTypedNode> written;
+  const auto parents = ast.getParents(node);
+  std::copy_if(parents.begin(), parents.end(), std::back_inserter(written), is_written_place);
+  if (written.empty() && !parents.empty()) written.push_back(parents[0]);
+  return written;
 }
 
 Ancestors::Iterator& Ancestors::Iterator::operator++() {

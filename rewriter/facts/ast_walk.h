@@ -11,12 +11,17 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tzc::rewriter {
 
 /// The node directly around a node, where the source has it: a default argument or initializer belongs to its declaration,
 /// not to one of the calls and constructors that use it (Clang 19 names them, too, and 16 does not). None: the top.
 std::optional<clang::DynTypedNode> written_parent(clang::ASTContext& ast, const clang::DynTypedNode& node);
+
+/// The same of all trees that share the node, that parent first: a template's instances share with it what does not depend on its
+/// parameters.
+std::vector<clang::DynTypedNode> written_parents(clang::ASTContext& ast, const clang::DynTypedNode& node);
 
 /// The same, when it is a T; null otherwise.
 template <class T, class Node>

@@ -14,6 +14,9 @@
 namespace tzc::rewriter {
 namespace {
 
+/// sizeof, typeid, decltype: a ported message has another type.
+constexpr const char* asks_for_its_type = "the program asks for its type";
+
 unsigned argument_index(llvm::ArrayRef<const clang::Expr*> arguments, const clang::Expr* argument) {
   for (unsigned i = 0; i < arguments.size(); ++i)
     if (arguments[i] == argument) return i;
@@ -31,6 +34,12 @@ std::optional<Change> without_zero_fill_of(const Unit& unit, const clang::Member
 /// What a message is copied into is another object; what a pointer is copied into leads to the same one.
 bool leads_to_the_same(const clang::Expr* pointer, const clang::Expr* copy) {
   return !message_of(pointer->getType()) && !message_of(copy->getType());
+}
+
+/// A variable template, or a static member of a class template: its instances are not looked into.
+bool is_templated_for_long(const clang::VarDecl* variable) {
+  return variable->getDescribedVarTemplate() || llvm::isa<clang::VarTemplateSpecializationDecl>(variable) ||
+         (variable->isStaticDataMember() && variable->getDeclContext()->isDependentContext());
 }
 
 }  // namespace
@@ -66,17 +75,35 @@ void UseFollower::note_generic_code(const Call* call) {
     refuse(codes::TZC1001, "a library may give it to a template that takes anything");
 }
 
+/// Where instances of a template share the expression, the value goes on in each of them; what it ends in is written there once.
 bool UseFollower::step() {
-  const auto around = written_parent(unit_.ast(), clang::DynTypedNode::create(*at_));
-  if (!around) return false;
-  if (const auto* decl = around->get<clang::Decl>()) return into_decl(decl);
-  if (around->get<clang::TypeLoc>()) return into_type_question(Question::declares);
-  const auto* statement = around->get<clang::Stmt>();
+  const auto parents = written_parents(unit_.ast(), clang::DynTypedNode::create(*at_));
+  if (parents.empty()) return false;
+  const clang::Expr* here = at_;
+  const FlowEnd end = end_;
+  for (const clang::DynTypedNode& instance : llvm::ArrayRef(parents).drop_front()) {
+    if (into(instance))
+      while (step()) {
+      }
+    at_ = here;
+  }
+  end_ = end;
+  return into(parents.front());
+}
+
+bool UseFollower::into(const clang::DynTypedNode& around) {
+  if (const auto* decl = around.get<clang::Decl>()) return into_decl(decl);
+  // A publisher that decltype declares takes part in the port.
+  if (around.get<clang::TypeLoc>())
+    return entities_.is_message(id_) && refuse(codes::TZC1001, asks_for_its_type);
+  const auto* statement = around.get<clang::Stmt>();
   if (!statement) return false;
   if (const auto* returned = llvm::dyn_cast<clang::ReturnStmt>(statement)) return into_return(returned);
   if (llvm::isa<clang::AsmStmt, clang::CoreturnStmt>(statement))
     return refuse(codes::TZC1001, "this use of it is not understood");
-  const auto parent_of = [&](const clang::Stmt* of) { return parent_as<clang::Stmt>(unit_.ast(), *of); };
+  const auto parent_of = [&](const clang::Stmt* of) {
+    return of == at_ ? statement : parent_as<clang::Stmt>(unit_.ast(), *of);
+  };
   if (is_value_of_statements(at_, parent_of))
     return refuse(codes::TZC1001, "it is the value of a statement expression");
   // No other statement uses the value of an expression.
@@ -94,6 +121,8 @@ bool UseFollower::into_decl(const clang::Decl* decl) {
   if (variable && variable->isImplicit() && !variable->isInitCapture()) return false;
   if (llvm::isa<clang::DecompositionDecl>(decl) && message_of(variable->getType()))
     return refuse(codes::TZC1001, "its fields are bound to names");
+  if (variable && is_templated_for_long(variable))
+    return refuse(codes::TZC1001, "a variable of a template starts with it");
   const auto* value = llvm::cast<clang::ValueDecl>(decl);
   const EntityId target = entities_.declare(value);
   if (target.empty())
@@ -159,19 +188,11 @@ bool UseFollower::into_expression(const clang::Expr* parent) {
   }
   if (llvm::isa<clang::CXXStdInitializerListExpr>(parent)) return go_on(parent);
   if (llvm::isa<clang::UnaryExprOrTypeTraitExpr, clang::CXXTypeidExpr>(parent))
-    return into_type_question(Question::of_value);
+    return refuse(entities_.is_message(id_) ? codes::TZC1001 : codes::TZC1010, asks_for_its_type);
   if (llvm::isa<clang::LambdaExpr, clang::CXXDeleteExpr, clang::CXXDependentScopeMemberExpr,
                 clang::UnresolvedMemberExpr>(parent))
     return false;
   return refuse(codes::TZC1001, "this use of it is not understood");
-}
-
-/// sizeof, typeid, decltype: a ported message has another type.
-bool UseFollower::into_type_question(Question question) {
-  const bool is_message = entities_.is_message(id_);
-  // A publisher that decltype declares takes part in the port.
-  if (!is_message && question == Question::declares) return false;
-  return refuse(is_message ? codes::TZC1001 : codes::TZC1010, "the program asks for its type");
 }
 
 bool UseFollower::into_method(const clang::MemberExpr* member) {

@@ -30,8 +30,8 @@ class UseFollower {
   FlowEnd follow(const clang::Expr* leaf, const EntityId& id);
 
  private:
-  enum class Question { declares, of_value };  ///< decltype; sizeof, typeid
   bool step();
+  bool into(const clang::DynTypedNode& around);
   bool into_decl(const clang::Decl* decl);
   bool into_expression(const clang::Expr* parent);
   bool into_member(const clang::MemberExpr* member);
@@ -42,7 +42,6 @@ class UseFollower {
   bool into_call(const clang::CallExpr* call);
   bool into_constructor(const clang::CXXConstructExpr* construct);
   bool into_cast(const clang::ExplicitCastExpr* cast);
-  bool into_type_question(Question question);
   bool into_return(const clang::ReturnStmt* statement);
   bool into_initializer(const clang::CXXConstructorDecl* constructor);
   bool go_on(const clang::Expr* next);

@@ -3,6 +3,8 @@
 
 #include <clang/AST/StmtCXX.h>
 
+#include <array>
+
 #include "facts/calls.h"
 #include "model/codes.h"
 
@@ -24,6 +26,22 @@ const clang::Expr* address_taken(const clang::Expr* expr) {
   expr = expr->IgnoreParenImpCasts();
   const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr);
   return op && op->getOpcode() == clang::UO_AddrOf ? op->getSubExpr()->IgnoreParenImpCasts() : expr;
+}
+
+const clang::FunctionDecl* called_by(const clang::Expr* value) {
+  if (value) value = value->IgnoreImplicit();
+  const auto* copy = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(value);
+  if (copy && copy->getNumArgs() == 1) return called_by(copy->getArg(0));
+  const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(value);
+  return call ? call->getDirectCallee() : nullptr;
+}
+
+/// begin(), and the iterator's operator*. Null: the loop calls none, or it is not known yet.
+std::array<const clang::FunctionDecl*, 2> functions_of(const clang::CXXForRangeStmt* loop) {
+  const clang::DeclStmt* begin = loop->getBeginStmt();
+  const auto* first =
+      begin && begin->isSingleDecl() ? llvm::cast<clang::VarDecl>(begin->getSingleDecl()) : nullptr;
+  return {called_by(first ? first->getInit() : nullptr), called_by(loop->getLoopVariable()->getInit())};
 }
 
 }  // namespace
@@ -104,6 +122,9 @@ void ValueFlow::loop_over(const clang::CXXForRangeStmt* loop) {
   if (variable.empty() || !loop->getRangeInit()) return;
   for (const EntityId& id : sources_of(loop->getRangeInit()).entities)
     entities_.add_flow(id, variable, loop->getForLoc(), "looped over");
+  for (const clang::FunctionDecl* function : functions_of(loop))
+    if (unit_.declares(function))
+      entities_.add_flow(entities_.declare_result(function), variable, loop->getForLoc(), "looped over");
 }
 
 }  // namespace tzc::rewriter
