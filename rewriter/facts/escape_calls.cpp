@@ -115,7 +115,7 @@ bool CallSteps::into_member(const clang::MemberExpr* member) {
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member->getMemberDecl());
   if (!method) {
     if (at_.how == Reference::array) return escape("is used in a way that is not understood");
-    if (!member->getType()->isReferenceType() && at_.how == Reference::view &&
+    if (!member->getMemberDecl()->getType()->isReferenceType() && at_.how == Reference::view &&
         !may_hold_pointer(member->getType()))
       return done();
     return go_on(member, Reference::elements);
