@@ -11,16 +11,59 @@ namespace {
 
 bool involves(const Unit& unit, clang::QualType type, unsigned depth);
 
-/// A functor, a comparison: what a library may call although the class is trivially copied.
+/// allocator.allocate(n)
+bool is_called_by_name(const clang::CXXMethodDecl* method) {
+  return method->getIdentifier() && (method->getName() == "allocate" || method->getName() == "deallocate");
+}
+
+/// A functor, a comparison, a conversion, an allocator, traits: what a library may call although the class is trivially copied.
 bool has_operators(const clang::CXXRecordDecl* record) {
   return llvm::any_of(record->methods(),
                       [](const clang::CXXMethodDecl* method) {
-                        return method->isOverloadedOperator() && method->isUserProvided();
+                        return method->isUserProvided() &&
+                               (method->isOverloadedOperator() || is_called_by_name(method) ||
+                                llvm::isa<clang::CXXConversionDecl>(method));
                       }) ||
          llvm::any_of(record->bases(), [](const clang::CXXBaseSpecifier& base) {
            const clang::CXXRecordDecl* parent = base.getType()->getAsCXXRecordDecl();
-           return !parent || !parent->hasDefinition() || has_operators(parent->getDefinition());
+           return !parent || !parent->hasDefinition() || parent->isInStdNamespace() ||
+                  has_operators(parent->getDefinition());
          });
+}
+
+/// A parameter of the class or enumeration, by reference or not, or of any type.
+bool takes(const clang::ParmVarDecl* parameter, const clang::TagDecl* tag) {
+  const clang::QualType type = parameter->getType().getNonReferenceType().getCanonicalType();
+  if (type->isTemplateTypeParmType()) return true;
+  const auto* made = type->getAs<clang::TemplateSpecializationType>();
+  const auto* of_template = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(tag);
+  if (made && of_template)
+    return made->getTemplateName().getAsTemplateDecl() == of_template->getSpecializedTemplate();
+  const clang::TagDecl* taken = type->getAsTagDecl();
+  return taken && taken->getCanonicalDecl() == tag->getCanonicalDecl();
+}
+
+/// operator<< and swap of the namespace of the class, or of its bases, which a library finds by the type of what it has.
+bool has_functions_beside_it(const Unit& unit, const clang::TagDecl* tag) {
+  clang::ASTContext& ast = unit.ast();
+  std::vector<clang::DeclarationName> names{&ast.Idents.get("swap")};
+  for (int op = clang::OO_None + 1; op < clang::NUM_OVERLOADED_OPERATORS; ++op)
+    names.push_back(ast.DeclarationNames.getCXXOperatorName(static_cast<clang::OverloadedOperatorKind>(op)));
+  const clang::DeclContext* space = tag->getEnclosingNamespaceContext();
+  const bool found_here = llvm::any_of(names, [&](clang::DeclarationName name) {
+    return llvm::any_of(space->lookup(name), [&](const clang::NamedDecl* found) {
+      const clang::FunctionDecl* function = found->getAsFunction();
+      return function && unit.source.in_package(function->getLocation()) &&
+             llvm::any_of(function->parameters(),
+                          [&](const clang::ParmVarDecl* parameter) { return takes(parameter, tag); });
+    });
+  });
+  const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(tag);
+  return found_here || (record && record->hasDefinition() &&
+                        llvm::any_of(record->bases(), [&](const clang::CXXBaseSpecifier& base) {
+                          const clang::TagDecl* parent = base.getType()->getAsTagDecl();
+                          return !parent || has_functions_beside_it(unit, parent);
+                        }));
 }
 
 bool involves(const Unit& unit, const clang::TemplateArgument& argument, unsigned depth) {
@@ -32,15 +75,15 @@ bool involves(const Unit& unit, const clang::TemplateArgument& argument, unsigne
 
 bool involves(const Unit& unit, clang::QualType type, unsigned depth) {
   if (type.isNull() || depth > 5) return depth > 5;
-  type = type.getNonReferenceType().getCanonicalType();
+  type = unit.ast().getBaseElementType(type.getNonReferenceType()).getCanonicalType();
   if (type->isPointerType() || type->isMemberPointerType())
     return type->isFunctionPointerType() || type->isMemberFunctionPointerType() ||
            involves(unit, type->getPointeeType(), depth + 1);
   const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-  if (!record) return false;
+  if (!record) return type->isEnumeralType() && has_functions_beside_it(unit, type->getAsTagDecl());
   if (unit.source.in_package(record->getLocation()))
     return !record->hasDefinition() || !record->isTrivial() || record->isLambda() ||
-           has_operators(record->getDefinition());
+           has_operators(record->getDefinition()) || has_functions_beside_it(unit, record);
   if (record->getName() == "function" || record->getName() == "_Bind") return true;
   const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
   return made && llvm::any_of(made->getTemplateArgs().asArray(), [&](const clang::TemplateArgument& one) {

@@ -44,6 +44,7 @@ class EventFinder {
   void look_at_call(const clang::CallExpr* call);
   void look_at_construction(const clang::CXXConstructExpr* construct);
   void look_at_end(const clang::DeclStmt* declaration);
+  void look_at_names(const clang::DeclStmt* declaration);
   void look_at_parts();
   void look_at_unwritten(const clang::Stmt* use, const clang::Expr* value);
   void look_at_initializers(const clang::Stmt* use, const clang::CXXMethodDecl* constructor);
@@ -109,6 +110,7 @@ void EventFinder::add_hidden(const clang::Stmt* at, FunctionView::Span span, cla
 
 /// delete object
 void EventFinder::look_at_delete(const clang::CXXDeleteExpr* stmt) {
+  if (context_.unit.declares(stmt->getOperatorDelete())) add_call(stmt, stmt->getOperatorDelete(), {});
   const clang::QualType type = stmt->getDestroyedType();
   const clang::CXXRecordDecl* record = type.isNull() ? nullptr : type->getAsCXXRecordDecl();
   const clang::CXXDestructorDecl* destructor =
@@ -190,6 +192,15 @@ void EventFinder::look_at_end(const clang::DeclStmt* declaration) {
       end_of(declaration, end, object_type_of(variable));
 }
 
+/// auto [first, second] = pair: of a class that is like a tuple, get() gives them.
+void EventFinder::look_at_names(const clang::DeclStmt* declaration) {
+  for (const clang::Decl* decl : declaration->decls())
+    if (const auto* parts = llvm::dyn_cast<clang::DecompositionDecl>(decl))
+      for (const clang::BindingDecl* part : parts->bindings())
+        if (const clang::VarDecl* holder = part->getHoldingVar())
+          look_at_unwritten(declaration, holder->getInit());
+}
+
 /// The members and bases of an object end with its destructor.
 void EventFinder::look_at_parts() {
   const auto* destructor = llvm::dyn_cast<clang::CXXDestructorDecl>(view_.function());
@@ -234,12 +245,17 @@ void EventFinder::look_at(const clang::Stmt* stmt) {
     const clang::Stmt* whole = view_.full_expression(stmt);
     if (destructor) add_hidden(stmt, view_.span(whole), bound->getType(), true);
   }
+  if (const auto* made = llvm::dyn_cast<clang::CXXNewExpr>(stmt))
+    if (context_.unit.declares(made->getOperatorNew())) add_call(stmt, made->getOperatorNew(), {});
   if (const auto* deletion = llvm::dyn_cast<clang::CXXDeleteExpr>(stmt)) look_at_delete(deletion);
   if (const auto* use = llvm::dyn_cast<clang::CXXDefaultArgExpr>(stmt))
     look_at_unwritten(use, use->getExpr());
   if (const auto* use = llvm::dyn_cast<clang::CXXDefaultInitExpr>(stmt))
     look_at_unwritten(use, use->getExpr());
-  if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt)) look_at_end(declaration);
+  if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt)) {
+    look_at_names(declaration);
+    look_at_end(declaration);
+  }
   if (const auto* array = llvm::dyn_cast<clang::MemberExpr>(stmt)) look_at_exchange(array);
 }
 
