@@ -19,6 +19,12 @@ bool is_written_place(const clang::DynTypedNode& node) {
   return !list || !list->getType()->isVoidType();
 }
 
+/// A list is around what is written in it, and around what that is converted to, which is what it holds.
+bool holds(const clang::DynTypedNode& around, const clang::DynTypedNode& node) {
+  const auto* list = around.get<clang::InitListExpr>();
+  return !list || llvm::is_contained(list->inits(), node.get<clang::Expr>());
+}
+
 }  // namespace
 
 std::optional<clang::DynTypedNode> written_parent(clang::ASTContext& ast, const clang::DynTypedNode& node) {
@@ -31,7 +37,9 @@ std::optional<clang::DynTypedNode> written_parent(clang::ASTContext& ast, const 
 std::vector<clang::DynTypedNode> written_parents(clang::ASTContext& ast, const clang::DynTypedNode& node) {
   std::vector<clang::DynTypedNode> written;
   const auto parents = ast.getParents(node);
-  std::copy_if(parents.begin(), parents.end(), std::back_inserter(written), is_written_place);
+  std::copy_if(parents.begin(), parents.end(), std::back_inserter(written), [&](const auto& around) {
+    return is_written_place(around) && (parents.size() == 1 || holds(around, node));
+  });
   if (written.empty() && !parents.empty()) written.push_back(parents[0]);
   return written;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <clang/AST/ASTTypeTraits.h>
 #include <clang/AST/ExprCXX.h>
 
 #include <map>

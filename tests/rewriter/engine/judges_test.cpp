@@ -215,13 +215,11 @@ TEST_F(JudgesTest, the_hint_to_build_first_stands_at_missing_headers) {
 
 /// The build names the package by a symbolic link; the port is judged at that path, too.
 TEST_F(JudgesTest, a_linked_package_is_judged_with_its_edits) {
-  const std::string aggregate =
-      includes +
-      "struct Frame {\n  sensor_msgs::Image image;\n  int n;\n};\nvoid run(ros::NodeHandle& nh) {\n"
+  const std::string refused_by_clang =
+      "#include <other/library.h>\nvoid run(ros::NodeHandle& nh) {\n"
       "  ros::Publisher pub = nh.advertise<sensor_msgs::Image>(\"image\", 10);\n"
-      "  sensor_msgs::Image image;\n  image.data.resize(10);\n  Frame frame{image, 1};\n"
-      "  pub.publish(frame.image);\n}\n";
-  package.emplace(std::map<std::string, std::string>{{"src/node.cpp", aggregate}});
+      "  sensor_msgs::Image image;\n  other::decode(image.data);\n  pub.publish(image);\n}\n";
+  package.emplace(std::map<std::string, std::string>{{"src/node.cpp", refused_by_clang}});
   EngineOptions options = package->options({});
   const auto real = plan_port(options);
   ASSERT_TRUE(real);

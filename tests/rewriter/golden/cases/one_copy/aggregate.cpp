@@ -16,9 +16,15 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:11 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:15 sensor_msgs/Image one_copy 'image' TZC1009 ported, it would not compile: no viable conversion from 'sensor_msgs::Image' (aka 'Image_<std::allocator<void>>') to 'tzc::sensor_msgs::Image'
+// publish src/node.cpp:15 sensor_msgs/Image one_copy 'image' TZC1022 'frame' may be another object each time, with content outside shared memory
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  sensor_msgs::Image image;
+// +  tzc::sensor_msgs::Image image;
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
-// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "image", 10);
+// -  sensor_msgs::Image image;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);
