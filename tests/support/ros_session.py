@@ -7,6 +7,7 @@
 
 Everything is stopped by pid; nothing else on the machine is touched.
 """
+import contextlib
 import os
 import random
 import signal
@@ -34,11 +35,37 @@ def free_port():
                 continue
 
 
-def end_as_usual_when_terminated():
-    """A process that is terminated stops what it has started, unless it has a handler of its own."""
-    is_default = signal.getsignal(signal.SIGTERM) == signal.SIG_DFL
-    if is_default and threading.current_thread() is threading.main_thread():
-        signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+class Termination:
+    """A process that is terminated stops what it has started, unless it has a handler of its own: also what it is starting at
+    that moment, which nothing names yet."""
+    starting = 0
+    came = False
+
+    @classmethod
+    def end_as_usual(cls):
+        is_default = signal.getsignal(signal.SIGTERM) == signal.SIG_DFL
+        if is_default and threading.current_thread() is threading.main_thread():
+            signal.signal(signal.SIGTERM, cls._end)
+
+    @classmethod
+    def _end(cls, *_):
+        cls.came = True
+        if cls.starting == 0:
+            sys.exit(128 + signal.SIGTERM)
+
+    @classmethod
+    @contextlib.contextmanager
+    def put_off(cls):
+        if threading.current_thread() is not threading.main_thread():  # no signal interrupts it
+            yield
+            return
+        cls.starting += 1
+        try:
+            yield
+        finally:
+            cls.starting -= 1
+            if cls.came:
+                cls._end()
 
 
 class Process:
@@ -105,7 +132,7 @@ class RosSession:
         self._count = 0
 
     def __enter__(self):
-        end_as_usual_when_terminated()
+        Termination.end_as_usual()
         try:
             self.core = self.start(["roscore", "-p", str(self.port)], name="roscore")
             self.wait_until(self.master_answers, 30, "roscore to answer")
@@ -130,8 +157,9 @@ class RosSession:
         self._count += 1
         name = os.path.basename(name or command[0])
         log_path = os.path.join(self.scratch, f"{self._count:02d}-{name}.log")
-        process = Process(name, command, dict(self.env, **(env or {})), log_path)
-        self._processes.append(process)
+        with Termination.put_off():
+            process = Process(name, command, dict(self.env, **(env or {})), log_path)
+            self._processes.append(process)
         return process
 
     def mark(self):

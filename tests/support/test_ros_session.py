@@ -45,7 +45,7 @@ def processes_of(folder):
 
 
 class End(unittest.TestCase):
-    """Of a session whose process is terminated: at once, while roscore starts, or later."""
+    """Of a session whose process is terminated: while it starts roscore, while that starts, or later."""
     PROGRAM = """
 import sys, time
 from ros_session import RosSession
@@ -54,9 +54,9 @@ with RosSession(sys.argv[1]) as ros:
     time.sleep(60)
 """
 
-    def terminated(self, folder, when):
+    def terminated(self, folder, when, program=PROGRAM):
         environment = dict(os.environ, PYTHONPATH=os.path.dirname(os.path.abspath(__file__)))
-        with subprocess.Popen([sys.executable, "-c", self.PROGRAM, folder], env=environment, stdout=subprocess.PIPE) as child:
+        with subprocess.Popen([sys.executable, "-c", program, folder], env=environment, stdout=subprocess.PIPE) as child:
             when(child)
             child.send_signal(signal.SIGTERM)
             return child.wait(60)
@@ -73,6 +73,25 @@ with RosSession(sys.argv[1]) as ros:
     def test_while_roscore_starts(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(self.terminated(folder, lambda child: self.core_is_started(folder)), 143)
+            self.assert_none_left(folder)
+
+    def test_while_a_process_is_there_and_nothing_names_it_yet(self):
+        """As if the signal came between fork and the return of Popen."""
+        program = """
+import os, signal, subprocess, sys
+from ros_session import RosSession
+class Slow(subprocess.Popen):
+    def __init__(self, *given, **named):
+        super().__init__(*given, **named)
+        os.kill(os.getpid(), signal.SIGTERM)
+        for _ in range(1000):
+            pass  # the handler runs here
+subprocess.Popen = Slow
+with RosSession(sys.argv[1]) as ros:
+    pass
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(self.terminated(folder, lambda child: child.wait(60), program), 143)
             self.assert_none_left(folder)
 
     def test_while_it_runs(self):
