@@ -74,12 +74,8 @@ bool Climber::step() {
   return expr ? into_expression(expr) : into_statement(parent);
 }
 
-/// ({ ...; label: value; })
-bool Climber::is_value_of_statements(const clang::Stmt* parent) const {
-  while (llvm::isa_and_nonnull<clang::LabelStmt, clang::AttributedStmt>(parent))
-    parent = view_.parent(parent);
-  return llvm::isa_and_nonnull<clang::CompoundStmt>(parent) &&
-         llvm::isa_and_nonnull<clang::StmtExpr>(view_.parent(parent));
+bool Climber::is_value_of_statements(const clang::Stmt* value) const {
+  return rewriter::is_value_of_statements(value, [&](const clang::Stmt* of) { return view_.parent(of); });
 }
 
 /// A member's initializer.
@@ -92,7 +88,7 @@ bool Climber::into_root() {
 
 bool Climber::into_statement(const clang::Stmt* parent) {
   if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(parent)) return into_declaration(declaration);
-  if (is_value_of_statements(parent)) return escape("is the value of a statement expression");
+  if (is_value_of_statements(at_.expr)) return escape("is the value of a statement expression");
   if (discards(parent)) return done();
   if (const auto* stmt = llvm::dyn_cast<clang::ReturnStmt>(parent)) return into_return(stmt);
   return escape("is used in a way that is not understood");
@@ -249,9 +245,11 @@ bool Climber::is_used_up(const clang::LambdaExpr* lambda) const {
   // std::for_each returns the closure.
   const clang::QualType result = call->getType().getNonReferenceType().getCanonicalType();
   if (!result->isRecordType() || is_view(result) || !may_hold_pointer(result)) return true;
-  const clang::Stmt* user = view_.parent(call);
-  while (llvm::isa_and_nonnull<clang::FullExpr, clang::CXXBindTemporaryExpr>(user)) user = view_.parent(user);
-  return user && discards(user) && !is_value_of_statements(user);
+  const clang::Stmt* value = call;
+  while (llvm::isa_and_nonnull<clang::FullExpr, clang::CXXBindTemporaryExpr>(view_.parent(value)))
+    value = view_.parent(value);
+  const clang::Stmt* user = view_.parent(value);
+  return user && discards(user) && !is_value_of_statements(value);
 }
 
 /// The variable of the closure that an expression initialises; null: it is captured under its own name.

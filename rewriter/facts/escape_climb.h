@@ -106,7 +106,7 @@ class Climber : private CallSteps {
   bool into_return(const clang::ReturnStmt* stmt);
   const clang::VarDecl* capture_of(const clang::LambdaExpr* lambda) const;
   bool into_type_question();
-  bool is_value_of_statements(const clang::Stmt* parent) const;
+  bool is_value_of_statements(const clang::Stmt* value) const;
   bool is_used_up(const clang::LambdaExpr* lambda) const;
 };
 

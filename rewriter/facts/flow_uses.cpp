@@ -37,7 +37,7 @@ bool leads_to_the_same(const clang::Expr* pointer, const clang::Expr* copy) {
 }
 
 /// A variable template, or a static member of a class template: its instances are not looked into.
-bool is_templated_for_long(const clang::VarDecl* variable) {
+bool lasts_in_template(const clang::VarDecl* variable) {
   return variable->getDescribedVarTemplate() || llvm::isa<clang::VarTemplateSpecializationDecl>(variable) ||
          (variable->isStaticDataMember() && variable->getDeclContext()->isDependentContext());
 }
@@ -121,7 +121,7 @@ bool UseFollower::into_decl(const clang::Decl* decl) {
   if (variable && variable->isImplicit() && !variable->isInitCapture()) return false;
   if (llvm::isa<clang::DecompositionDecl>(decl) && message_of(variable->getType()))
     return refuse(codes::TZC1001, "its fields are bound to names");
-  if (variable && is_templated_for_long(variable))
+  if (variable && lasts_in_template(variable))
     return refuse(codes::TZC1001, "a variable of a template starts with it");
   const auto* value = llvm::cast<clang::ValueDecl>(decl);
   const EntityId target = entities_.declare(value);

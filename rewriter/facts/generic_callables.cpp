@@ -13,43 +13,45 @@ class TakesAnything {
  public:
   explicit TakesAnything(const Unit& unit) : unit_(unit) {}
 
-  bool type(clang::QualType of, unsigned depth = 0) const {
-    if (of.isNull() || depth > 8) return false;
+  bool type(clang::QualType of) {
+    if (of.isNull()) return false;
     of = of.getNonReferenceType().getCanonicalType();
-    if (of->isPointerType()) return type(of->getPointeeType(), depth + 1);
+    if (!seen_.insert(of.getTypePtr()).second) return false;  // it is being looked at, or was
+    if (of->isPointerType()) return type(of->getPointeeType());
     if (const auto* function = of->getAs<clang::FunctionProtoType>())
-      return llvm::any_of(function->param_types(), [&](clang::QualType p) { return type(p, depth + 1); });
+      return llvm::any_of(function->param_types(),
+                          [&](clang::QualType parameter) { return type(parameter); });
     const clang::CXXRecordDecl* record = of->getAsCXXRecordDecl();
     const auto* made = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(record);
     if (!record || !record->hasDefinition()) return false;
-    return (!record->isInStdNamespace() && takes(record, depth)) ||
-           llvm::any_of(record->bases(), [&](const auto& base) { return type(base.getType(), depth + 1); }) ||
-           (made && any_argument(made->getTemplateArgs().asArray(), depth));
+    return (!record->isInStdNamespace() && takes(record)) ||
+           llvm::any_of(record->bases(), [&](const auto& base) { return type(base.getType()); }) ||
+           (made && any_argument(made->getTemplateArgs().asArray()));
   }
 
  private:
   /// std::less<> and its like read what they are given.
-  bool takes(const clang::CXXRecordDecl* record, unsigned depth) const {
+  bool takes(const clang::CXXRecordDecl* record) {
     return llvm::any_of(record->decls(), [&](const clang::Decl* member) {
       if (const auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(member))
         return is_call(pattern->getTemplatedDecl()) ||
                (llvm::isa<clang::CXXConstructorDecl>(pattern->getTemplatedDecl()) &&
                 unit_.source.in_package(record->getLocation()));
       const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member);
-      return method && is_call(method) && type(method->getType(), depth + 1);
+      return method && is_call(method) && type(method->getType());
     });
   }
   static bool is_call(const clang::FunctionDecl* function) {
     return function->getDeclName().getCXXOverloadedOperator() == clang::OO_Call;
   }
-  bool any_argument(llvm::ArrayRef<clang::TemplateArgument> arguments, unsigned depth) const {
+  bool any_argument(llvm::ArrayRef<clang::TemplateArgument> arguments) {
     return llvm::any_of(arguments, [&](const clang::TemplateArgument& argument) {
-      if (argument.getKind() == clang::TemplateArgument::Type) return type(argument.getAsType(), depth + 1);
-      return argument.getKind() == clang::TemplateArgument::Pack &&
-             any_argument(argument.pack_elements(), depth);
+      if (argument.getKind() == clang::TemplateArgument::Type) return type(argument.getAsType());
+      return argument.getKind() == clang::TemplateArgument::Pack && any_argument(argument.pack_elements());
     });
   }
   const Unit& unit_;
+  std::set<const clang::Type*> seen_;
 };
 
 /// They put their arguments into an object, or take one out, and call nothing.
