@@ -40,7 +40,8 @@ class Dispatcher : public AstVisitor {
   bool VisitFunctionDecl(clang::FunctionDecl* function) override {
     to_.function(function);
     const bool own = !is_lambda(function) || function->getTemplateInstantiationPattern();
-    if (function->isThisDeclarationADefinition() && !function->isDependentContext() && own)
+    if (function->isThisDeclarationADefinition() && !function->hasDefiningAttr() &&
+        !function->isDependentContext() && own)
       functions_.push_back(function);
     return true;
   }

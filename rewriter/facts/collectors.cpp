@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/collectors.h"
 
+#include <clang/AST/Attr.h>
+
 #include <map>
 #include <set>
 #include <string>
@@ -59,7 +61,10 @@ void note_overrides(const clang::CXXMethodDecl* method, const clang::CXXMethodDe
 
 void Collectors::declaration(const clang::VarDecl* variable) {
   if (!variable->getType()->isDependentType()) add(allocations_.of_declaration(variable));
-  entities_.declare(variable);
+  const EntityId id = entities_.declare(variable);
+  if (!id.empty() && variable->hasAttr<clang::CleanupAttr>())
+    entities_.add_obstacle(id, codes::TZC1001, "a function is given it where its scope ends",
+                           variable->getLocation());
   flow_.check_source_of(variable);
 }
 

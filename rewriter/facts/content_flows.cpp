@@ -102,6 +102,8 @@ FlowBuilder::Part FlowBuilder::add(const clang::CFG& cfg, const clang::FunctionD
   for (const clang::CFGBlock* block : cfg) {
     unsigned at = index(*block);
     if (block == &cfg.getEntry()) at = add(reader_->steps_of(function), at);
+    if (const auto* handler = llvm::dyn_cast_or_null<clang::CXXCatchStmt>(block->getLabel()))
+      at = add(reader_->steps_of(handler), at);
     for (const clang::CFGElement& element : *block) at = add(element, function, at);
     unsigned successor = 0;
     for (const clang::CFGBlock::AdjacentBlock& next : block->succs()) {

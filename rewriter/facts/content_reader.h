@@ -37,6 +37,7 @@ class ContentReader {
 
   std::vector<ContentStep> steps_of(const clang::Stmt* stmt) {
     look_at(stmt);
+    if (unknown_.at_end_of_scopes()) log_.step(UnknownCall{});
     return log_.take();
   }
   /// What a call of the function, or closure, does before its first statement.

@@ -2,6 +2,8 @@
 // Where references to a message's data start, and what they must not live across.
 #include "facts/escape.h"
 
+#include <clang/AST/Attr.h>
+
 #include "facts/array_writes.h"
 #include "facts/filled_message.h"
 #include "facts/held_locks.h"
@@ -121,7 +123,7 @@ SeenFunction EscapeAnalysis::analyse(const clang::FunctionDecl* definition) {
     if (is_before_body(*here.view, event.at) && !event.event.callee.empty())
       context_.found.early.insert(event.event.callee);
     if (event.event.kind != PublishEvent::Kind::exchange) effects.push_back(threads.of(event));
-    if (!event.event.messages.empty()) note_tail(context_, *here.view, event);
+    if (!event.event.messages.empty()) note_tail(context_, *here.view, here.events, event);
   }
   for (const SeenEvent& write : here.writes) effects.push_back(threads.of(write));
   for (const clang::Stmt* stmt : here.view->statements()) {
@@ -177,6 +179,9 @@ void EscapeAnalysis::hold(const FunctionView& view, const Holder& holder) {
   }
   if (unknown.empty()) return;
   const Holder next{holder.variable, holder.how, holder.read_only, std::move(unknown)};
+  if (next.variable->hasAttr<clang::CleanupAttr>())
+    escape(next.messages, "is given to a function where the scope of its variable ends",
+           next.variable->getLocation(), false);
   for (const clang::DeclRefExpr* use : view.uses(holder.variable)) {
     const Referring from{use, next.how, next.read_only, next.messages};
     next.how == Reference::array ? climb(view, from) : void(climb_reference(context_, view, *this, from));

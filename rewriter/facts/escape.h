@@ -100,6 +100,7 @@ Referring climb_reference(EscapeContext& context, const FunctionView& view, Esca
 
 /// Records what happens between an event and the end of the message's life, when that may write through a
 /// pointer.
-void note_tail(EscapeContext& context, const FunctionView& view, const SeenEvent& event);
+void note_tail(EscapeContext& context, const FunctionView& view, const std::vector<SeenEvent>& events,
+               const SeenEvent& event);
 
 }  // namespace tzc::rewriter

@@ -91,7 +91,9 @@ void HiddenCode::note(clang::QualType object, llvm::ArrayRef<const clang::Expr*>
 
 void HiddenCode::note(const clang::CXXRecordDecl* record) {
   for (const clang::CXXMethodDecl* method : record->methods())
-    if (method->isUserProvided()) add_overridden(unit_, method, shown_);
+    if (method->isUserProvided() ||
+        (llvm::isa<clang::CXXDestructorDecl>(method) && parts_involve_package(unit_, record)))
+      add_overridden(unit_, method, shown_);
 }
 
 bool HiddenCode::is_shown(const std::string& what) {

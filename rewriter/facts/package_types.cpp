@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/package_types.h"
 
+#include <clang/AST/Attr.h>
 #include <clang/AST/DeclTemplate.h>
 #include <clang/AST/ExprCXX.h>
 
@@ -95,6 +96,20 @@ bool involves(const Unit& unit, clang::QualType type, unsigned depth) {
 
 bool involves_package(const Unit& unit, clang::QualType type) {
   return involves(unit, type, 0);
+}
+
+bool parts_involve_package(const Unit& unit, const clang::CXXRecordDecl* record) {
+  if (!record->hasDefinition()) return true;
+  return llvm::any_of(record->fields(),
+                      [&](const clang::FieldDecl* f) { return involves_package(unit, f->getType()); }) ||
+         llvm::any_of(record->bases(), [&](const clang::CXXBaseSpecifier& base) {
+           return involves_package(unit, base.getType());
+         });
+}
+
+bool may_end_derived(const clang::CXXDestructorDecl* destructor) {
+  return destructor->isVirtual() && !destructor->hasAttr<clang::FinalAttr>() &&
+         !destructor->getParent()->isEffectivelyFinal();
 }
 
 clang::QualType object_type_of(const clang::VarDecl* variable) {

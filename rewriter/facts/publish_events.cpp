@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/publish_events.h"
 
+#include <clang/AST/Attr.h>
+
 #include "facts/hidden_calls.h"
 #include "facts/library_calls.h"
 #include "facts/package_types.h"
@@ -8,14 +10,19 @@
 namespace tzc::rewriter {
 namespace {
 
-/// Whether a function that the compiler writes calls code of the package: for the parts of the class.
-bool parts_involve_package(const Unit& unit, const clang::CXXRecordDecl* record) {
-  if (!record->hasDefinition()) return true;
-  return llvm::any_of(record->fields(),
-                      [&](const clang::FieldDecl* f) { return involves_package(unit, f->getType()); }) ||
-         llvm::any_of(record->bases(), [&](const clang::CXXBaseSpecifier& base) {
-           return involves_package(unit, base.getType());
-         });
+/// thread_local Node node: its constructor runs in each thread where that first names it.
+bool may_start_with_use(const Unit& unit, const clang::Stmt* stmt) {
+  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt);
+  const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt);
+  const clang::ValueDecl* named =
+      reference ? reference->getDecl() : (member ? member->getMemberDecl() : nullptr);
+  const auto* variable = llvm::dyn_cast_or_null<clang::VarDecl>(named);
+  if (!variable || variable->isStaticLocal() || variable->getTLSKind() != clang::VarDecl::TLS_Dynamic)
+    return false;
+  if (!unit.source.in_package(variable->getLocation())) return false;
+  const clang::VarDecl* definition = variable->getDefinition();
+  const bool is_constant = definition && (!definition->getInit() || definition->hasConstantInitialization());
+  return !is_constant || variable->getType().isDestructedType() != clang::QualType::DK_none;
 }
 
 void add_mentioned(EscapeContext& context, const clang::Stmt* stmt, std::set<EntityId>& messages) {
@@ -52,6 +59,7 @@ class EventFinder {
   void look_at_exchange(const clang::MemberExpr* array);
   bool is_own_lambda(const clang::FunctionDecl* function) const;
   void look_at_delete(const clang::CXXDeleteExpr* stmt);
+  void look_at_handler(const clang::CXXCatchStmt* handler);
   void add_hidden(const clang::Stmt* at, FunctionView::Span span, clang::QualType type, bool releases);
   void add_call(const clang::Stmt* at, const clang::FunctionDecl* function,
                 llvm::ArrayRef<const clang::Expr*> arguments);
@@ -115,8 +123,19 @@ void EventFinder::look_at_delete(const clang::CXXDeleteExpr* stmt) {
   const clang::CXXRecordDecl* record = type.isNull() ? nullptr : type->getAsCXXRecordDecl();
   const clang::CXXDestructorDecl* destructor =
       record && record->hasDefinition() ? record->getDestructor() : nullptr;
+  if (destructor && may_end_derived(destructor)) return add({}, stmt, view_.span(stmt));
   if (destructor && involves_package(context_.unit, type)) return add_call(stmt, destructor, {});
   if (record) add_hidden(stmt, view_.span(stmt), type, true);
+}
+
+/// catch (Error error): it is a copy of what was thrown.
+void EventFinder::look_at_handler(const clang::CXXCatchStmt* handler) {
+  const clang::VarDecl* caught = handler->getExceptionDecl();
+  if (!caught || caught->getType()->isReferenceType() || !involves_package(context_.unit, caught->getType()))
+    return;
+  const FunctionView::Span span = view_.span(handler);
+  add({}, handler, {span.enter, span.enter});
+  add({}, handler, {span.exit, span.exit});
 }
 
 void EventFinder::add_call(const clang::Stmt* at, const clang::FunctionDecl* function,
@@ -155,6 +174,8 @@ void EventFinder::look_at_call(const clang::CallExpr* call) {
         is_publisher_class(qualified_name_of(method->getParent())))
       return add({PublishEvent::Kind::publish, messages_in(arguments), {}}, call, view_.span(call));
     if (const clang::Expr* object = member->getImplicitObjectArgument()) arguments.push_back(object);
+    const auto* destructor = llvm::dyn_cast_or_null<clang::CXXDestructorDecl>(method);
+    if (destructor && may_end_derived(destructor)) return add({}, call, view_.span(call));
   }
   add_call(call, function, arguments);
 }
@@ -188,8 +209,10 @@ void EventFinder::look_at_end(const clang::DeclStmt* declaration) {
   const clang::Stmt* block = view_.parent(declaration);
   const unsigned end = block ? view_.span(block).exit : ~0U;
   for (const clang::Decl* decl : declaration->decls())
-    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl); variable && !variable->isStaticLocal())
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl); variable && !variable->isStaticLocal()) {
       end_of(declaration, end, object_type_of(variable));
+      if (variable->hasAttr<clang::CleanupAttr>()) add({}, declaration, {end, end});
+    }
 }
 
 /// auto [first, second] = pair: of a class that is like a tuple, get() gives them.
@@ -248,6 +271,9 @@ void EventFinder::look_at(const clang::Stmt* stmt) {
   if (const auto* made = llvm::dyn_cast<clang::CXXNewExpr>(stmt))
     if (context_.unit.declares(made->getOperatorNew())) add_call(stmt, made->getOperatorNew(), {});
   if (const auto* deletion = llvm::dyn_cast<clang::CXXDeleteExpr>(stmt)) look_at_delete(deletion);
+  if (const auto* handler = llvm::dyn_cast<clang::CXXCatchStmt>(stmt)) look_at_handler(handler);
+  if (llvm::isa<clang::AsmStmt>(stmt) || may_start_with_use(context_.unit, stmt))
+    add({}, stmt, view_.span(stmt));
   if (const auto* use = llvm::dyn_cast<clang::CXXDefaultArgExpr>(stmt))
     look_at_unwritten(use, use->getExpr());
   if (const auto* use = llvm::dyn_cast<clang::CXXDefaultInitExpr>(stmt))

@@ -49,12 +49,19 @@ bool ends_quietly(clang::QualType type) {
 /// Looks for the first thing in a statement that is not known to be quiet.
 class QuietCheck {
  public:
-  QuietCheck(EscapeContext& context, const FunctionView& view) : context_(context), view_(view) {}
+  QuietCheck(EscapeContext& context, const std::vector<SeenEvent>& events) : context_(context) {
+    for (const SeenEvent& seen : events)
+      if (seen.event.kind == PublishEvent::Kind::call || seen.event.kind == PublishEvent::Kind::unknown)
+        runs_package_.insert(seen.at);
+  }
 
   bool ends(clang::QualType type) const {
     if (!ends_quietly(type)) return false;
     return type->isReferenceType() || !context_.hidden.may_release(type);
   }
+
+  /// Whether its variables, which end later, end quietly.
+  bool is_quiet_declaration(const clang::DeclStmt* declaration) const;
 
   /// Null: all of it is quiet.
   const clang::Stmt* loud_part(const clang::Stmt* stmt) {
@@ -69,11 +76,10 @@ class QuietCheck {
   bool is_quiet(const clang::Stmt* stmt);
   bool is_quiet_call(const clang::CallExpr* call);
   bool is_quiet_target(const clang::Expr* target);
-  bool is_quiet_declaration(const clang::DeclStmt* declaration);
   bool is_quiet_operator(const clang::CXXOperatorCallExpr* call);
 
   EscapeContext& context_;
-  const FunctionView& view_;
+  std::set<const clang::Stmt*> runs_package_;  ///< may run code of the package, or its variables' ends may
 };
 
 /// A variable or member itself, or a plain part of a message: not what a pointer points to.
@@ -134,14 +140,17 @@ bool QuietCheck::is_quiet_call(const clang::CallExpr* call) {
   return !calls_back && is_quiet_function(qualified_name_of(callee));
 }
 
-bool QuietCheck::is_quiet_declaration(const clang::DeclStmt* declaration) {
-  return llvm::all_of(declaration->decls(), [&](const clang::Decl* decl) {
-    const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
-    return !variable || ends(object_type_of(variable));
-  });
+bool QuietCheck::is_quiet_declaration(const clang::DeclStmt* declaration) const {
+  return runs_package_.count(declaration) == 0 &&
+         llvm::all_of(declaration->decls(), [&](const clang::Decl* decl) {
+           const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
+           return !variable || variable->isStaticLocal() || ends(object_type_of(variable));
+         });
 }
 
+/// What libraries are given may bring code of the package, whatever is known of the functions that are called.
 bool QuietCheck::is_quiet(const clang::Stmt* stmt) {
+  if (runs_package_.count(stmt) != 0) return false;
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) return is_quiet_call(call);
   if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt))
     return is_quiet_declaration(declaration);
@@ -195,8 +204,9 @@ const clang::DeclStmt* owner_of(EscapeContext& context, const FunctionView& view
 /// Goes outwards from an event, over what runs after it.
 class Tail {
  public:
-  Tail(EscapeContext& context, const FunctionView& view, const SeenEvent& event)
-      : view_(view), event_(event), check_(context, view), owner_(owner_of(context, view, event)) {}
+  Tail(EscapeContext& context, const FunctionView& view, const std::vector<SeenEvent>& events,
+       const SeenEvent& event)
+      : view_(view), event_(event), check_(context, events), owner_(owner_of(context, view, event)) {}
 
   const clang::Stmt* loud_part() {
     const bool own_lambda = event_.lambda && owner_ && view_.lambda_around(owner_) == event_.lambda;
@@ -251,11 +261,7 @@ class Tail {
       if (stmt == inner) return nullptr;
       if (owner_ && view_.span(stmt).enter < view_.span(owner_).enter) continue;
       const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt);
-      if (!declaration) continue;
-      for (const clang::Decl* decl : declaration->decls()) {
-        const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
-        if (variable && !variable->isStaticLocal() && !check_.ends(object_type_of(variable))) return stmt;
-      }
+      if (declaration && !check_.is_quiet_declaration(declaration)) return stmt;
     }
     return nullptr;
   }
@@ -273,8 +279,9 @@ class Tail {
 
 }  // namespace
 
-void note_tail(EscapeContext& context, const FunctionView& view, const SeenEvent& event) {
-  const clang::Stmt* loud = Tail(context, view, event).loud_part();
+void note_tail(EscapeContext& context, const FunctionView& view, const std::vector<SeenEvent>& events,
+               const SeenEvent& event) {
+  const clang::Stmt* loud = Tail(context, view, events, event).loud_part();
   if (!loud) return;
   context.found.loud_tails.push_back(
       {event.event,

@@ -25,7 +25,7 @@ bool Unit::declares(const clang::FunctionDecl* function) const {
 }
 
 bool Unit::declares_all_of(const clang::FunctionDecl* function) const {
-  if (!declares(function)) return false;
+  if (!declares(function) || function->getMostRecentDecl()->hasDefiningAttr()) return false;
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
   if (!method || !method->isVirtual()) return true;
   return method->hasAttr<clang::FinalAttr>() || method->getParent()->isEffectivelyFinal() ||

@@ -18,12 +18,15 @@ class UnknownCalls {
   bool at(const clang::Stmt* expr) const { return calls_.count(expr) != 0; }
   /// When the variable, or a temporary that it is a reference to, ends.
   bool at_end_of(const clang::VarDecl* variable) const { return ends_.count(variable) != 0; }
+  /// Where scopes end that Clang's control flow does not show: behind any statement, then (GCC's cleanup functions).
+  bool at_end_of_scopes() const { return at_end_of_scopes_; }
   /// When the members and bases of the destructor's object end.
   bool at_end_of_parts(const clang::FunctionDecl* destructor) const { return at(destructor->getBody()); }
 
  private:
   std::set<const clang::Stmt*> calls_;
   std::set<const clang::VarDecl*> ends_;
+  bool at_end_of_scopes_ = false;
 };
 
 }  // namespace tzc::rewriter

@@ -116,13 +116,51 @@ def passed_through(program, element, source, array):
     return Handle([f"auto h = {name}({source});"], "h[{index}]")
 
 
-def written_by_destructor(program, element, source, array):
-    """Writes when it ends, and each time that it is given another value."""
+def late(program, element, end):
+    """A class whose objects write to where they point each time that they are given another value, and when they end."""
     kind = program.unique("Late")
-    program.prelude += [f"struct {kind} {{", f"  explicit {kind}({element}* p) : p_(p) {{}}", f"  ~{kind}() {{ flush(); }}",
+    program.prelude += [f"struct {kind} {{", f"  explicit {kind}({element}* p) : p_(p) {{}}", *end(kind),
                         f"  void set(int i, {element} v) {{ flush(); i_ = i; v_ = v; }}",
                         "  void flush() { p_[i_] = v_; }", f"  {element}* p_;", "  int i_ = 0;", f"  {element} v_ = 0;", "};"]
+    return kind
+
+
+def at_end(kind):
+    return [f"  ~{kind}() {{ flush(); }}"]
+
+
+def written_by_destructor(program, element, source, array):
+    kind = late(program, element, at_end)
     return Handle([f"{kind} h({source});"], call="h.set({index}, {value});")
+
+
+def written_by_element(program, element, source, array):
+    """By the end of an object that a library's holds."""
+    kind = late(program, element, at_end)
+    held = program.rng.choice([[f"std::vector<{kind}> h;", "h.reserve(1);", f"h.emplace_back({source});"],
+                               [f"std::array<{kind}, 1> h{{{{{kind}({source})}}}};"],
+                               [f"std::deque<{kind}> h;", f"h.emplace_back({source});"]])
+    return Handle(held, call="h[0].set({index}, {value});")
+
+
+def written_by_cleanup(program, element, source, array):
+    kind = late(program, element, lambda kind: [])
+    close = program.unique("close")
+    program.prelude += [f"inline void {close}({kind}* late) {{ late->flush(); }}"]
+    return Handle([f"__attribute__((cleanup({close}))) {kind} h({source});"], call="h.set({index}, {value});")
+
+
+def written_by_derived(program, element, source, array):
+    """By the end of an object that a pointer to its base class ends."""
+    base = program.unique("Base")
+    program.prelude += [f"struct {base} {{", f"  virtual ~{base}() = default;",
+                        f"  virtual void set(int i, {element} v) = 0;", "};"]
+    kind = program.unique("Late")
+    program.prelude += [f"struct {kind} : {base} {{", f"  explicit {kind}({element}* p) : p_(p) {{}}",
+                        f"  ~{kind}() override {{ p_[2] = 9; }}",
+                        f"  void set(int i, {element} v) override {{ p_[i] = v; }}",
+                        f"  {element}* p_;", "};"]
+    return Handle([f"std::unique_ptr<{base}> h(new {kind}({source}));"], call="h->set({index}, {value});")
 
 
 def written_by_deleter(program, element, source, array):
@@ -194,8 +232,9 @@ def generic_object(program, element, source, array):
 STORES = [in_closure, in_function, closure_over_message, in_class, smart_pointer, by_function, kept_by_algorithm,
           in_standard_function, in_function_member, in_bound_call, in_initialized_capture, in_generic_closure,
           in_template_class, in_converting_class, kept_by_helper, returned_by_helper, kept_by_virtual_call,
-          kept_by_template, passed_through, written_by_destructor, written_by_deleter, written_by_thread, by_context,
-          unique_pointer, pointer_to_member, second_closure, generic_algorithm, generic_call, generic_object]
+          kept_by_template, passed_through, written_by_destructor, written_by_element, written_by_cleanup, written_by_derived,
+          written_by_deleter, written_by_thread, by_context, unique_pointer, pointer_to_member, second_closure,
+          generic_algorithm, generic_call, generic_object]
 
 # They write when they end, which is after what took the elements over ended.
-WRITE_AT_END = [written_by_destructor, written_by_deleter]
+WRITE_AT_END = [written_by_destructor, written_by_element, written_by_cleanup, written_by_derived, written_by_deleter]

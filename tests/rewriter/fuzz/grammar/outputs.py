@@ -167,18 +167,60 @@ def in_base_template(program, message):
     return Output(lambda argument, pointer=False: [f"{name}.emit({value_of(argument, pointer)});"])
 
 
-def in_destructor(program, message):
+def ended(program, message, base, lines):
+    """An output in the destructor of a class, whose objects end in lines that are made of the class's name and what makes one."""
     name, kind = class_output(program, message, [], [
-        "struct KIND {", "  ros::Publisher out;", "};", "struct KINDEnd {", "  KIND& sender;", "  const MESSAGE& msg;",
-        "  ~KINDEnd() { sender.PUBLISH }", "};"])
-    return Output(lambda argument, pointer=False:
-                  in_block([f"{kind}End end{{{name}, {value_of(argument, pointer)}}};", "(void)end;"]))
+        "struct KIND {", "  ros::Publisher out;", "};", "struct KINDBase {", "  virtual ~KINDBase() {}", "};",
+        f"struct KINDEnd{base} {{", "  KINDEnd(KIND& s, const MESSAGE& m) : sender(s), msg(m) {}",
+        "  KINDEnd(const KINDEnd&) = delete;", "  KINDEnd& operator=(const KINDEnd&) = delete;",
+        "  KIND& sender;", "  const MESSAGE& msg;", "  ~KINDEnd() { sender.PUBLISH }", "};"])
+    return Output(lambda argument, pointer=False: in_block(lines(kind, f"{name}, {value_of(argument, pointer)}")))
+
+
+def in_destructor(program, message):
+    return ended(program, message, "", lambda kind, made: [f"{kind}End end{{{made}}};", "(void)end;"])
+
+
+def in_end_of_element(program, message):
+    """What ends is held by an object of a library."""
+    return ended(program, message, "", program.rng.choice([
+        lambda kind, made: [f"std::optional<{kind}End> end;", f"end.emplace({made});"],
+        lambda kind, made: [f"std::list<{kind}End> ends;", f"ends.emplace_back({made});"],
+        lambda kind, made: [f"const auto end = std::make_unique<{kind}End>({made});"]]))
+
+
+def in_end_of_derived(program, message):
+    """A pointer to its base class ends it."""
+    return ended(program, message, " : KINDBase", program.rng.choice([
+        lambda kind, made: [f"{kind}Base* end = new {kind}End({made});", "delete end;"],
+        lambda kind, made: [f"const std::unique_ptr<{kind}Base> end(new {kind}End({made}));"]]))
+
+
+def in_cleanup(program, message):
+    """GCC's own: a function that is called where the scope of a variable ends."""
+    name, kind = class_output(program, message, [], [
+        "struct KIND {", "  ros::Publisher out;", "  const MESSAGE* kept = nullptr;", "};",
+        "inline void closeKIND(KIND** sender) {", "  const MESSAGE& msg = *(*sender)->kept;", "  (*sender)->PUBLISH", "}"])
+    return Output(lambda argument, pointer=False: [f"{name}.kept = &{value_of(argument, pointer)};"] + in_block(
+        [f"__attribute__((cleanup(close{kind}))) {kind}* sender = &{name};", "(void)sender;"]))
+
+
+def in_caught_copy(program, message):
+    """A handler copies what it catches by value."""
+    name, kind = class_output(program, message, [], [
+        "struct KIND {", "  ros::Publisher out;", "};", "struct KINDError {", "  KIND* sender;", "  const MESSAGE* sent;",
+        "  KINDError(KIND* s, const MESSAGE* m) : sender(s), sent(m) {}",
+        "  KINDError(const KINDError& other) : sender(other.sender), sent(other.sent) {",
+        "    const MESSAGE& msg = *sent;", "    sender->PUBLISH", "  }", "};"])
+    return Output(lambda argument, pointer=False: [
+        f"try {{ throw {kind}Error(&{name}, &{value_of(argument, pointer)}); }} catch ({kind}Error error) {{ (void)error; }}"])
 
 
 PLAIN = [directly, in_branch, in_loop_once, twice, two_publishers, either_publisher]
 HIDDEN = [in_closure_called_at_once, in_handler, in_thread, in_deleter, in_algorithm, in_foreign_call,
           in_queued_callback, in_helper, in_helper_of_helper, in_bound_helper, in_member_pointer, in_function_member,
-          in_template, in_virtual_call, in_operator, in_base_template, in_destructor]
+          in_template, in_virtual_call, in_operator, in_base_template, in_destructor, in_end_of_element,
+          in_end_of_derived, in_cleanup, in_caught_copy]
 for name in ("in_branch", "in_closure_called_at_once", "in_handler", "in_loop_once", "in_thread", "in_deleter",
              "in_algorithm", "in_foreign_call"):
     globals()[name].__name__ = name
