@@ -3,6 +3,7 @@
 
 #include "facts/ast_walk.h"
 #include "facts/lock_guarded.h"
+#include "facts/package_types.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -92,11 +93,11 @@ class PartsOf : public AstVisitor {
   }
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
     if (const clang::VarDecl* local = local_of(reference)) parts.locals.push_back(local);
-    parts.all.push_back(reference->getDecl());
+    note(reference, reference->getDecl());
     return true;
   }
   bool VisitMemberExpr(clang::MemberExpr* member) override {
-    parts.all.push_back(member->getMemberDecl());
+    note(member, member->getMemberDecl());
     return true;
   }
   bool VisitCallExpr(clang::CallExpr* call) override {
@@ -124,6 +125,12 @@ class PartsOf : public AstVisitor {
   }
 
  private:
+  /// A second look at what is volatile may do something, or see something else.
+  void note(const clang::Expr* mention, const clang::ValueDecl* named) {
+    parts.all.push_back(named);
+    parts.has_effects |= mention->getType().isVolatileQualified();
+  }
+
   const Unit& unit_;
 };
 
@@ -207,7 +214,8 @@ bool Hoisting::names_the_same(const clang::Expr* object, const clang::FunctionDe
 
 std::string Hoisting::difference(const PublisherMention& publisher, const NameParts& parts,
                                  unsigned at) const {
-  if (parts.has_effects) return "to name it, the program calls a function, assigns, or converts a pointer";
+  if (parts.has_effects)
+    return "to name it, the program calls a function, assigns, converts a pointer, or reads what is volatile";
   const clang::VarDecl* changed = changed_local(unit_, publisher, parts, at);
   if (!changed) return {};
   const bool is_taken_apart = llvm::isa<clang::DecompositionDecl>(changed);
@@ -263,6 +271,8 @@ NameOrReason Hoisting::looked_up_at(const PublisherMention& publisher, const Loo
   const NameParts parts = parts_of(unit_, {lookup.container, lookup.key});
   if (std::string other = difference(publisher, parts, at); !other.empty())
     return NoEarlyName{std::move(other)};
+  if (involves_package(unit_, lookup.container->getType()))
+    return NoEarlyName{"to find it, a function of the package compares its key"};
   // Allocated from another publisher, the message would be copied. Other threads may change a container while it is not locked.
   const clang::Stmt* body = body_around(publisher);
   const MustExecute between(unit_, parts, body);

@@ -101,7 +101,7 @@ TEST(Hoisting, a_reason_names_what_forbids_it) {
               ElementsAre("node->pubs[7 % i]: '7 % i' may be invalid there"));
   EXPECT_THAT(
       unavailable(image + "choose().publish(image);"),
-      ElementsAre("choose(): to name it, the program calls a function, assigns, or converts a pointer"));
+      ElementsAre("choose(): to name it, the program calls a function, assigns, converts a pointer, or reads what is volatile"));
   EXPECT_THAT(unavailable(image + "node->pubs.clear();\n  node->pubs[i].publish(image);"),
               ElementsAre("node->pubs[i]: 'node->pubs' or the index may change in between"));
 }

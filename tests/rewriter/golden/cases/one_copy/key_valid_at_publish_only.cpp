@@ -45,9 +45,9 @@ class Node {
 //--- expected
 // advertise src/node.cpp:16 sensor_msgs/Image one_copy 'image'
 // publish src/node.cpp:20 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pubs_[n % turns]' of line 20 cannot, since 'n % turns' may be invalid there
-// publish src/node.cpp:25 sensor_msgs/Image one_copy 'one' TZC1019 it is built where its publisher cannot be named: 'named_[name]' of line 25 cannot, since to name it, the program calls a function, assigns, or converts a pointer
-// publish src/node.cpp:30 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pubs_.at(last_ = 0)' of line 30 cannot, since to name it, the program calls a function, assigns, or converts a pointer
-// publish src/node.cpp:35 sensor_msgs/Image one_copy 'keyed' TZC1019 it is built where its publisher cannot be named: 'keyed_[Key(number)]' of line 35 cannot, since to name it, the program calls a function, assigns, or converts a pointer
+// publish src/node.cpp:25 sensor_msgs/Image one_copy 'one' TZC1019 it is built where its publisher cannot be named: 'named_[name]' of line 25 cannot, since to name it, the program calls a function, assigns, converts a pointer, or reads what is volatile
+// publish src/node.cpp:30 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'pubs_.at(last_ = 0)' of line 30 cannot, since to name it, the program calls a function, assigns, converts a pointer, or reads what is volatile
+// publish src/node.cpp:35 sensor_msgs/Image one_copy 'keyed' TZC1019 it is built where its publisher cannot be named: 'keyed_[Key(number)]' of line 35 cannot, since to name it, the program calls a function, assigns, converts a pointer, or reads what is volatile
 // advertise src/node.cpp:42 sensor_msgs/Image one_copy 'one'
 // advertise src/node.cpp:43 sensor_msgs/Image one_copy 'keyed'
 //

@@ -37,7 +37,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:13 sensor_msgs/Image one_copy 'one'
-// publish src/node.cpp:18 sensor_msgs/Image one_copy 'one' TZC1019 it is built where its publisher cannot be named: 'pubs_[next()]' of line 18 cannot, since to name it, the program calls a function, assigns, or converts a pointer
+// publish src/node.cpp:18 sensor_msgs/Image one_copy 'one' TZC1019 it is built where its publisher cannot be named: 'pubs_[next()]' of line 18 cannot, since to name it, the program calls a function, assigns, converts a pointer, or reads what is volatile
 // publish src/node.cpp:24 sensor_msgs/Image one_copy 'one' TZC1019 it is built where its publisher cannot be named: 'pubs_[key]' of line 24 cannot, since 'key' is declared or changes in between
 // publish src/node.cpp:30 sensor_msgs/Image one_copy 'one' TZC1019 it is built where its publisher cannot be named: 'pubs_[key]' of line 30 cannot, since another thread may be waited for in between, and may replace it
 //

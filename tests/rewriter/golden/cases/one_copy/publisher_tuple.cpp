@@ -16,7 +16,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:12 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:15 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'std::get<1>(entry)' of line 15 cannot, since to name it, the program calls a function, assigns, or converts a pointer
+// publish src/node.cpp:15 sensor_msgs/Image one_copy 'image' TZC1019 it is built where its publisher cannot be named: 'std::get<1>(entry)' of line 15 cannot, since to name it, the program calls a function, assigns, converts a pointer, or reads what is volatile
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
