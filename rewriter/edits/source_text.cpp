@@ -38,12 +38,6 @@ std::size_t end_of_directive(const std::string& text, std::size_t at) {
   return at;
 }
 
-std::string squeezed(std::string text) {
-  text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c) != 0; }),
-             text.end());
-  return text;
-}
-
 std::string first_word(const std::string& text) {
   const auto begin = std::find_if(text.begin(), text.end(), is_word);
   return {begin, std::find_if_not(begin, text.end(), is_word)};
@@ -122,6 +116,12 @@ std::string without_comments(const std::string& source) {
       at = end;
     }
   }
+  return text;
+}
+
+std::string squeezed(std::string text) {
+  text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c) != 0; }),
+             text.end());
   return text;
 }
 

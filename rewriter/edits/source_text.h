@@ -15,6 +15,9 @@ namespace tzc::rewriter {
 /// offsets stay.
 std::string without_comments(const std::string& source);
 
+/// The text without white space.
+std::string squeezed(std::string text);
+
 std::set<std::string> identifiers_in(const std::string& text);
 
 /// Where a definition lies.

@@ -52,7 +52,8 @@ void UnseenUses::add_branch(const Place& place, const ReadFile& read) {
   const std::string branch = text.substr(place.begin, place.end - place.begin);
   if (is_dead(branch)) return;
   parts_.push_back({place, identifiers_in(without_comments(branch)), nullptr});
-  texts_[place.file] = without_comments(text);
+  const std::string& code = texts_[place.file] = without_comments(text);
+  conditional_.emplace(place.file, code);
 }
 
 void UnseenUses::add_file(const UnseenFile& file, const ReadFile& read) {
@@ -69,10 +70,24 @@ bool UnseenUses::compiled_together(const std::string& file, const std::string& o
                      [&](const std::string& unit) { return two->second.count(unit) != 0; });
 }
 
+/// Whether no unit compiles the branch together with a declaration of the entity.
+bool UnseenUses::is_excluded(const Place& branch, const Entity& entity) const {
+  const ConditionalCode& code = conditional_.at(branch.file);
+  const auto excludes = [&](const std::string& file, std::size_t offset) {
+    return file == branch.file && code.excludes({branch.begin, branch.end}, offset);
+  };
+  const std::size_t declared =
+      offset_of(texts_.at(entity.where.file), entity.where.line, entity.where.column);
+  return excludes(entity.where.file, declared) &&
+         std::all_of(entity.changes.begin(), entity.changes.end(),
+                     [&](const Change& change) { return excludes(change.where.file, change.where.begin); });
+}
+
 /// Whether the compiler would see the entity's declaration there. A private member is named in functions of its class only, and
 /// in friends, which name the class as well; friends in other packages have refused it before.
 bool UnseenUses::may_name(const Part& part, const Entity& entity) const {
-  if (!part.file) return compiled_together(part.where.file, entity.where.file);
+  if (!part.file)
+    return compiled_together(part.where.file, entity.where.file) && !is_excluded(part.where, entity);
   if (entity.member_of.is_private && part.file->place == UnseenFile::Place::other_package) return false;
   const std::string record = entity.member_of.record.substr(entity.member_of.record.find_last_of('@') + 1);
   if (entity.member_of.is_private && !record.empty() && part.words.count(record) == 0) return false;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "edits/conditional_code.h"
 #include "model/edit.h"
 #include "model/facts.h"
 #include "model/unseen_file.h"
@@ -26,7 +27,8 @@ struct UnseenCode {
 };
 
 /// No compiler sees such code here, so entities that it names keep their types. Dead code (`#if 0`) and the branches
-/// without TZC of --dual do not count.
+/// without TZC of --dual do not count, nor do branches that are never compiled together with the entity's declaration: what they
+/// name is something else.
 class UnseenUses {
  public:
   UnseenUses(const UnseenCode& unseen, const Facts& facts, const Components& components,
@@ -49,10 +51,12 @@ class UnseenUses {
   std::string named_in(const Part& part, const Entity& entity) const;
   bool may_name(const Part& part, const Entity& entity) const;
   bool compiled_together(const std::string& file, const std::string& other) const;
+  bool is_excluded(const Place& branch, const Entity& entity) const;
 
   const Facts& facts_;
   const Components& components_;
-  std::map<std::string, std::string> texts_;  ///< of files with an entity or such a branch
+  std::map<std::string, std::string> texts_;            ///< of files with an entity or such a branch
+  std::map<std::string, ConditionalCode> conditional_;  ///< files with such a branch
   std::vector<Part> parts_;
 };
 
