@@ -121,8 +121,8 @@ Edits extend(const CmakeProject& project, const std::string& target, const std::
   const CmakeCommandRef made = find_target(project, target);
   if (!made) return {};
   const std::string written = made.command->arguments[0].text;
-  return {add_line(made.file->path, made.file->content, made.command->close,
-                   name + "(" + written + " " + scope + value + ")")};
+  return {add_command(made.file->path, made.file->content, *made.command,
+                      name + "(" + written + " " + scope + value + ")")};
 }
 
 /// A keyword with its values behind the last argument: on a line of its own where the command has several.
@@ -208,7 +208,7 @@ Expected<Edits> add_foreign_messages(const CmakeProject& project, const std::str
     return Error{"no place was found for " + line, project.files.front().path + ":1",
                  "write it behind the command that finds catkin with the component tzc, then run again"};
   const CmakeCommandRef last = commands.back();
-  return Edits{add_line(last.file->path, last.file->content, last.command->close, line)};
+  return Edits{add_command(last.file->path, last.file->content, *last.command, line)};
 }
 
 Edits add_optional_tzc(const CmakeProject& project, const std::set<std::string>& foreign_messages) {
@@ -218,13 +218,13 @@ Edits add_optional_tzc(const CmakeProject& project, const std::set<std::string>&
   if (commands.empty()) return {};
   const CmakeCommandRef last = commands.back();
   const std::string& content = last.file->content;
-  const std::string line = line_ending(content) + indentation(content, last.command->close);
+  const std::string line = line_ending(content) + indentation(content, last.command->begin);
   std::string block =
       "find_package(tzc QUIET)" + line + "if(tzc_FOUND)" + line + "  add_definitions(-D" + dual_macro + ")";
   block += line + "  include_directories(${tzc_INCLUDE_DIRS})" + line + "  link_libraries(${tzc_LIBRARIES})";
   for (const std::string& package : foreign_messages)
     block += line + "  tzc_generate_messages(" + package + ")";
-  return {add_line(last.file->path, content, last.command->close, block + line + "endif()")};
+  return {add_command(last.file->path, content, *last.command, block + line + "endif()")};
 }
 
 Edits add_catkin_depends(const CmakeProject& project) {

@@ -61,4 +61,10 @@ Edit add_line(const std::string& path, std::string_view content, std::size_t off
                    line_ending(content) + indentation(content, offset) + text);
 }
 
+Edit add_command(const std::string& path, std::string_view content, const CmakeCommand& before,
+                 const std::string& text) {
+  return insertion(path, line_end(content, before.close),
+                   line_ending(content) + indentation(content, before.begin) + text);
+}
+
 }  // namespace tzc::rewriter

@@ -23,4 +23,8 @@ Edit add_argument(const std::string& path, std::string_view content, const Cmake
 /// Adds a line after the one that holds `offset`, indented alike.
 Edit add_line(const std::string& path, std::string_view content, std::size_t offset, const std::string& text);
 
+/// Adds a command behind another one, on a line of its own that is indented like the other one's first.
+Edit add_command(const std::string& path, std::string_view content, const CmakeCommand& before,
+                 const std::string& text);
+
 }  // namespace tzc::rewriter
