@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <vector>
 
 #include "report/code_pages.h"
 #include "report/estimate.h"
@@ -41,7 +43,7 @@ class TextReport {
   std::string run() {
     text_ = painted(bold, report_.package) + "\n";
     table();
-    for (const Note& note : report_.notes) note_lines(note);
+    notes();
     summary();
     return text_;
   }
@@ -102,9 +104,42 @@ class TextReport {
       text_ += painted(dim, fmt::format("        {}: {}", place(step.where), step.what)) + "\n";
   }
 
+  /// What is said of many whole files is said once, with their folders; the machine-readable reports name each.
+  void notes() {
+    constexpr std::size_t many = 5;
+    const auto said_alike = [](const Note& a, const Note& b) {
+      return is_of_file(a) && is_of_file(b) && a.code == b.code && a.text == b.text;
+    };
+    for (auto note = report_.notes.begin(); note != report_.notes.end();) {
+      const auto end = std::find_if_not(note, report_.notes.end(),
+                                        [&](const Note& other) { return said_alike(*note, other); });
+      if (end - note >= static_cast<std::ptrdiff_t>(many))
+        note_of_files({note, end});
+      else
+        std::for_each(note, std::max(end, note + 1), [this](const Note& one) { note_lines(one); });
+      note = std::max(end, note + 1);
+    }
+  }
+
+  static bool is_of_file(const Note& note) {
+    return note.where && note.where->line == 1 && note.where->column == 1;
+  }
+
   void note_lines(const Note& note) {
     const std::string where = note.where ? place(*note.where) + ": " : "";
     text_ += fmt::format("  {} {}{}\n", painted(bold, note.code), where, note.text);
+  }
+
+  void note_of_files(const std::vector<Note>& notes) {
+    std::map<std::string, unsigned> folders;
+    for (const Note& note : notes) {
+      const std::string file = relative_file(report_, note.where->file);
+      const std::size_t slash = file.rfind('/');
+      ++folders[slash == std::string::npos ? "." : file.substr(0, slash)];
+    }
+    text_ += fmt::format("  {} {} files, of each: {}\n", painted(bold, notes[0].code), notes.size(),
+                         notes[0].text);
+    for (const auto& [folder, count] : folders) text_ += fmt::format("      {}: {}\n", folder, count);
   }
 
   void summary() {

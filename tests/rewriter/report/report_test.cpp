@@ -36,6 +36,23 @@ TEST(TextReport, colours_only_where_they_are_wanted) {
   style.colour = true;
   EXPECT_THAT(to_text(test::sample(), style), HasSubstr("\033[32mzero_copy\033[0m"));
 }
+TEST(TextReport, what_is_said_of_many_files_is_said_once) {
+  PackageReport package;
+  package.report.package = "driver";
+  package.report.package_dir = "/ws/driver";
+  const auto note = [&](const std::string& file, const std::string& text) {
+    package.report.notes.push_back({"TZC3001", Location{"/ws/driver/" + file, 1, 1}, text});
+  };
+  for (const char* file : {"demo/a.cpp", "demo/b.cpp", "test/c.cpp", "d.cpp"}) note(file, "left out");
+  EXPECT_THAT(to_text(package, {}), HasSubstr("  TZC3001 test/c.cpp:1:1: left out\n"));
+  note("test/e.cpp", "left out");
+  note("test/f.cpp", "something else");
+  package.report.notes.push_back({"TZC4001", {}, "no file"});
+  EXPECT_THAT(to_text(package, {}), HasSubstr("  TZC3001 5 files, of each: left out\n"
+                                              "      .: 1\n      demo: 2\n      test: 2\n"
+                                              "  TZC3001 test/f.cpp:1:1: something else\n"
+                                              "  TZC4001 no file\n"));
+}
 TEST(TextReport, package_without_sites) {
   PackageReport none;
   none.report.package = "none";
