@@ -70,24 +70,10 @@ bool UnseenUses::compiled_together(const std::string& file, const std::string& o
                      [&](const std::string& unit) { return two->second.count(unit) != 0; });
 }
 
-/// Whether no unit compiles the branch together with a declaration of the entity.
-bool UnseenUses::is_excluded(const Place& branch, const Entity& entity) const {
-  const ConditionalCode& code = conditional_.at(branch.file);
-  const auto excludes = [&](const std::string& file, std::size_t offset) {
-    return file == branch.file && code.excludes({branch.begin, branch.end}, offset);
-  };
-  const std::size_t declared =
-      offset_of(texts_.at(entity.where.file), entity.where.line, entity.where.column);
-  return excludes(entity.where.file, declared) &&
-         std::all_of(entity.changes.begin(), entity.changes.end(),
-                     [&](const Change& change) { return excludes(change.where.file, change.where.begin); });
-}
-
 /// Whether the compiler would see the entity's declaration there. A private member is named in functions of its class only, and
 /// in friends, which name the class as well; friends in other packages have refused it before.
 bool UnseenUses::may_name(const Part& part, const Entity& entity) const {
-  if (!part.file)
-    return compiled_together(part.where.file, entity.where.file) && !is_excluded(part.where, entity);
+  if (!part.file) return compiled_together(part.where.file, entity.where.file);
   if (entity.member_of.is_private && part.file->place == UnseenFile::Place::other_package) return false;
   const std::string record = entity.member_of.record.substr(entity.member_of.record.find_last_of('@') + 1);
   if (entity.member_of.is_private && !record.empty() && part.words.count(record) == 0) return false;
@@ -112,27 +98,46 @@ std::string UnseenUses::named_in(const Part& part, const Entity& entity) const {
   return in_scope ? entity.name : "";
 }
 
-std::optional<Obstacle> UnseenUses::user_of(const Entity& entity) const {
-  for (const Part& part : parts_)
-    if (const std::string name = named_in(part, entity); !name.empty())
-      return Obstacle{codes::TZC3007,
-                      std::string(part.file ? "a file that is not analysed"
-                                            : "a preprocessor branch that is not compiled here") +
-                          " names '" + name + "'",
-                      location_of(part.where)};
+/// Whether no unit compiles the part together with anything that the port changes there. One change elsewhere is enough for it to
+/// count: code around both may call what either of them defines.
+bool UnseenUses::lies_apart(const Part& part, const Edits& edits) const {
+  if (part.file) return false;
+  const ConditionalCode& code = conditional_.at(part.where.file);
+  return std::all_of(edits.begin(), edits.end(), [&](const Edit& edit) {
+    return edit.file == part.where.file && code.excludes({part.where.begin, part.where.end}, edit.offset);
+  });
+}
+
+std::optional<Obstacle> UnseenUses::user_of(const Component& component, const Edits& edits) const {
+  for (const Part& part : parts_) {
+    if (lies_apart(part, edits)) continue;
+    for (const Entity* entity : component.entities)
+      if (std::optional<Obstacle> obstacle = use_of(*entity, part)) return obstacle;
+  }
+  return {};
+}
+
+std::optional<Obstacle> UnseenUses::use_of(const Entity& entity, const Part& part) const {
+  if (const std::string name = named_in(part, entity); !name.empty())
+    return Obstacle{codes::TZC3007,
+                    std::string(part.file ? "a file that is not analysed"
+                                          : "a preprocessor branch that is not compiled here") +
+                        " names '" + name + "'",
+                    location_of(part.where)};
   return {};
 }
 
 std::map<ComponentId, Obstacle> UnseenUses::users_of(const Edits& edits) const {
-  std::set<ComponentId> edited;
+  std::map<ComponentId, Edits> edited;
   for (const Edit& edit : edits)
-    if (edit.component) edited.insert(*edit.component);
+    if (edit.component) edited[*edit.component].push_back(edit);
   std::map<ComponentId, Obstacle> found;
   if (parts_.empty()) return found;
   for (const Component& component : components_.all()) {
-    if (!edited.count(component.id)) continue;
-    for (const Entity* entity : component.entities)
-      if (const std::optional<Obstacle> obstacle = user_of(*entity)) found.emplace(component.id, *obstacle);
+    const auto own = edited.find(component.id);
+    if (own == edited.end()) continue;
+    if (const std::optional<Obstacle> obstacle = user_of(component, own->second))
+      found.emplace(component.id, *obstacle);
   }
   return found;
 }

@@ -27,8 +27,8 @@ struct UnseenCode {
 };
 
 /// No compiler sees such code here, so entities that it names keep their types. Dead code (`#if 0`) and the branches
-/// without TZC of --dual do not count, nor do branches that are never compiled together with the entity's declaration: what they
-/// name is something else.
+/// without TZC of --dual do not count, nor do branches that are never compiled together with anything that the port of a component
+/// changes: what they name is something else.
 class UnseenUses {
  public:
   UnseenUses(const UnseenCode& unseen, const Facts& facts, const Components& components,
@@ -46,12 +46,13 @@ class UnseenUses {
   };
   void add_branch(const Place& place, const ReadFile& read);
   void add_file(const UnseenFile& file, const ReadFile& read);
-  std::optional<Obstacle> user_of(const Entity& entity) const;
+  bool lies_apart(const Part& part, const Edits& edits) const;
+  std::optional<Obstacle> user_of(const Component& component, const Edits& edits) const;
+  std::optional<Obstacle> use_of(const Entity& entity, const Part& part) const;
   /// The variable or function of the entity that the part names; empty: none.
   std::string named_in(const Part& part, const Entity& entity) const;
   bool may_name(const Part& part, const Entity& entity) const;
   bool compiled_together(const std::string& file, const std::string& other) const;
-  bool is_excluded(const Place& branch, const Entity& entity) const;
 
   const Facts& facts_;
   const Components& components_;

@@ -44,6 +44,38 @@ std::string function_with(const std::string& branch) {
   return "void run() {\n  Image image;\n" + branch + "}\nvoid other() {}\n";
 }
 
+/// One source for two versions of ROS, with changes at the given words; the code of the obstacle of `pub_`.
+std::string obstacle_of_twofold_class(const std::vector<std::string>& changed) {
+  const std::string text =
+      "#ifdef ROS1\n  struct Node { Publisher pub_; void send() { pub_.publish(1); } };\n#endif\n"
+      "#ifdef ROS2\nstruct Node { Other pub_; void send() { pub_.publish(2); } };\n#endif\n"
+      "void run(Node& node) { node.send(3); }\n";
+  Entity publisher = entity("pub_", EntityRole::publisher, Storage::member);
+  publisher.where = {branch_file, 2, 27};
+  FactsBuilder facts;
+  facts.facts.units_of_file = {{branch_file, {"node"}}};
+  facts.add(publisher);
+  const Components components(facts.facts);
+  const ComponentId component = components.all().front().id;
+  const auto begin = static_cast<unsigned>(text.find("#ifdef ROS2")),
+             end = static_cast<unsigned>(text.rfind("#endif"));
+  const UnseenUses uses({{{branch_file, begin, end, 4, 1}}, {}}, facts.facts, components,
+                        [&](const std::string&) { return text; });
+  Edits edits;
+  for (const std::string& word : changed)
+    edits.push_back({branch_file, text.find(word), 0, "x", component, "rule"});
+  const auto found = uses.users_of(edits);
+  return found.empty() ? "" : found.at(component).code;
+}
+
+TEST(UnseenUses, a_branch_that_is_never_compiled_with_the_changes_does_not_count) {
+  EXPECT_EQ(obstacle_of_twofold_class({"Publisher", "publish(1)"}), "");
+}
+
+TEST(UnseenUses, a_change_in_code_that_is_compiled_with_either_class_counts) {
+  EXPECT_EQ(obstacle_of_twofold_class({"Publisher", "send(3)"}), "TZC3007");
+}
+
 TEST(UnseenUses, a_local_that_the_branch_names_keeps_its_type) {
   EXPECT_EQ(Branch(function_with("#ifdef X\n use(image);\n#endif\n"), entity("image", EntityRole::message))
                 .obstacle(),
