@@ -272,7 +272,8 @@ void EventFinder::look_at(const clang::Stmt* stmt) {
     if (context_.unit.declares(made->getOperatorNew())) add_call(stmt, made->getOperatorNew(), {});
   if (const auto* deletion = llvm::dyn_cast<clang::CXXDeleteExpr>(stmt)) look_at_delete(deletion);
   if (const auto* handler = llvm::dyn_cast<clang::CXXCatchStmt>(stmt)) look_at_handler(handler);
-  if (llvm::isa<clang::AsmStmt>(stmt) || may_start_with_use(context_.unit, stmt))
+  // Who resumes a coroutine has run anything meanwhile.
+  if (llvm::isa<clang::AsmStmt, clang::CoroutineSuspendExpr>(stmt) || may_start_with_use(context_.unit, stmt))
     add({}, stmt, view_.span(stmt));
   if (const auto* use = llvm::dyn_cast<clang::CXXDefaultArgExpr>(stmt))
     look_at_unwritten(use, use->getExpr());

@@ -9,13 +9,13 @@
 
 namespace tzc::rewriter::test {
 
-/// The facts of one source. It has to parse.
-inline Facts facts_of(const std::string& code) {
+/// The facts of one source, with the headers of the standard library that it includes. It has to parse.
+inline Facts facts_of(const std::string& code, const std::string& standard = "c++17") {
   const tzc::test::TempDir package;
   const std::string file =
       package.write("src/node.cpp", "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n" + code);
-  const CompileUnit unit{
-      file, "/", {"c++", "-std=c++17", "-include-pch", TZC_FAKES_PRECOMPILED, "-I" TZC_FAKES, "-c", file}};
+  CompileUnit unit{file, "/", {"c++", "-std=" + standard, "-I" TZC_FAKES, "-c", file}};
+  if (standard == "c++17") unit.arguments.insert(unit.arguments.end(), {"-include-pch", TZC_FAKES_PRECOMPILED});
   const RuleSet rules = all_rules();
   const CollectOptions options{package.path(), package / "build", {}, &rules, {}, {}};
   Facts facts;
