@@ -15,7 +15,8 @@ inline Facts facts_of(const std::string& code, const std::string& standard = "c+
   const std::string file =
       package.write("src/node.cpp", "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n" + code);
   CompileUnit unit{file, "/", {"c++", "-std=" + standard, "-I" TZC_FAKES, "-c", file}};
-  if (standard == "c++17") unit.arguments.insert(unit.arguments.end(), {"-include-pch", TZC_FAKES_PRECOMPILED});
+  if (standard == "c++17")
+    unit.arguments.insert(unit.arguments.end(), {"-include-pch", TZC_FAKES_PRECOMPILED});
   const RuleSet rules = all_rules();
   const CollectOptions options{package.path(), package / "build", {}, &rules, {}, {}};
   Facts facts;

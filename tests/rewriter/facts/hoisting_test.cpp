@@ -99,9 +99,9 @@ TEST(Hoisting, a_reason_names_what_forbids_it) {
               ElementsAre("node->pub: 'node' may be invalid there"));
   EXPECT_THAT(unavailable(image + "if (i) node->pubs[7 % i].publish(image);"),
               ElementsAre("node->pubs[7 % i]: '7 % i' may be invalid there"));
-  EXPECT_THAT(
-      unavailable(image + "choose().publish(image);"),
-      ElementsAre("choose(): to name it, the program calls a function, assigns, converts a pointer, or reads what is volatile"));
+  EXPECT_THAT(unavailable(image + "choose().publish(image);"),
+              ElementsAre("choose(): to name it, the program calls a function, assigns, converts a pointer, "
+                          "or reads what is volatile"));
   EXPECT_THAT(unavailable(image + "node->pubs.clear();\n  node->pubs[i].publish(image);"),
               ElementsAre("node->pubs[i]: 'node->pubs' or the index may change in between"));
 }
