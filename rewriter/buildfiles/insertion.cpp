@@ -46,6 +46,15 @@ std::string indentation(std::string_view content, std::size_t offset) {
   return std::string(content.substr(start, end - start));
 }
 
+namespace {
+
+Edit line_behind(const std::string& path, std::string_view content, std::size_t offset,
+                 const std::string& line) {
+  return insertion(path, line_end(content, offset), line_ending(content) + line);
+}
+
+}  // namespace
+
 Edit add_argument(const std::string& path, std::string_view content, const CmakeCommand& command,
                   std::size_t index, const std::string& text) {
   const CmakeArgument& argument = command.arguments[index];
@@ -57,14 +66,12 @@ Edit add_argument(const std::string& path, std::string_view content, const Cmake
 
 Edit add_line(const std::string& path, std::string_view content, std::size_t offset,
               const std::string& text) {
-  return insertion(path, line_end(content, offset),
-                   line_ending(content) + indentation(content, offset) + text);
+  return line_behind(path, content, offset, indentation(content, offset) + text);
 }
 
 Edit add_command(const std::string& path, std::string_view content, const CmakeCommand& before,
                  const std::string& text) {
-  return insertion(path, line_end(content, before.close),
-                   line_ending(content) + indentation(content, before.begin) + text);
+  return line_behind(path, content, before.close, indentation(content, before.begin) + text);
 }
 
 }  // namespace tzc::rewriter

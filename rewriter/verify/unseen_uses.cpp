@@ -52,8 +52,10 @@ void UnseenUses::add_branch(const Place& place, const ReadFile& read) {
   const std::string branch = text.substr(place.begin, place.end - place.begin);
   if (is_dead(branch)) return;
   parts_.push_back({place, identifiers_in(without_comments(branch)), nullptr});
-  const std::string& code = texts_[place.file] = without_comments(text);
-  conditional_.emplace(place.file, code);
+  const auto [known, is_new] = texts_.try_emplace(place.file);
+  if (!is_new) return;
+  known->second = without_comments(text);
+  conditional_.emplace(place.file, known->second);
 }
 
 void UnseenUses::add_file(const UnseenFile& file, const ReadFile& read) {

@@ -28,7 +28,7 @@ struct UnseenCode {
 
 /// No compiler sees such code here, so entities that it names keep their types. Dead code (`#if 0`) and the branches
 /// without TZC of --dual do not count, nor do branches that are never compiled together with anything that the port of a component
-/// changes: what they name is something else.
+/// changes: where they are compiled, nothing of it has changed.
 class UnseenUses {
  public:
   UnseenUses(const UnseenCode& unseen, const Facts& facts, const Components& components,
