@@ -118,6 +118,8 @@ class ConditionalCode::Reader {
       open_.pop_back();
     } else if (name == "define" || name == "undef") {
       to_.changed_.insert(rest.substr(0, rest.find_first_of(" \t\n(\\")));
+    } else if (name.rfind("include", 0) == 0) {
+      to_.includes_.insert(at);
     }
   }
 
@@ -185,9 +187,12 @@ bool ConditionalCode::is_within(std::size_t branch, std::size_t outer) const {
 }
 
 /// Branches of one conditional, or what must hold for one must not hold for the other. A macro that the file itself changes may
-/// have another value further down.
+/// have another value further down, and any macro may behind an #include.
 bool ConditionalCode::contradicts(std::size_t one, std::size_t other) const {
   if (branches_[one].conditional == branches_[other].conditional) return one != other;
+  const std::size_t begin = std::min(branches_[one].begin, branches_[other].begin),
+                    end = std::max(branches_[one].begin, branches_[other].begin);
+  if (includes_.lower_bound(begin) != includes_.lower_bound(end)) return false;
   const std::set<std::string>& conditions = branches_[other].conditions;
   return std::any_of(
       branches_[one].conditions.begin(), branches_[one].conditions.end(), [&](const std::string& condition) {

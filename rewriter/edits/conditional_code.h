@@ -44,6 +44,7 @@ class ConditionalCode {
   std::vector<Branch> branches_;   ///< the first one is the whole file
   std::vector<Class> classes_;     ///< of namespaces
   std::set<std::string> changed_;  ///< macros that the file defines or undefines
+  std::set<std::size_t> includes_;
 };
 
 }  // namespace tzc::rewriter

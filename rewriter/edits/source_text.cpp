@@ -23,6 +23,31 @@ std::size_t end_of_literal(const std::string& text, std::size_t at) {
   return end;
 }
 
+/// The end of the line that `at` is on; a line that ends in a backslash goes on.
+std::size_t end_of_logical_line(const std::string& text, std::size_t at) {
+  for (at = text.find('\n', at); at != std::string::npos; at = text.find('\n', at + 1)) {
+    const std::size_t last = text.find_last_not_of('\r', at - 1);
+    if (last == std::string::npos || text[last] != '\\') return at;
+  }
+  return text.size();
+}
+
+/// Whether the quotation mark at `at` begins a raw string: behind R, LR, uR, UR or u8R.
+bool begins_raw_string(const std::string& text, std::size_t at) {
+  std::size_t begin = at;
+  while (begin > 0 && is_word(text[begin - 1])) --begin;
+  static const std::set<std::string> prefixes = {"R", "LR", "uR", "UR", "u8R"};
+  return text[at] == '"' && prefixes.count(text.substr(begin, at - begin)) != 0;
+}
+
+/// The last character of the literal whose quotation mark is at `at`.
+std::size_t end_of_raw_string(const std::string& text, std::size_t at) {
+  const std::size_t parenthesis = std::min(text.find('(', at), text.size());
+  const std::string end = ")" + text.substr(at + 1, parenthesis - at - 1) + "\"";
+  const std::size_t found = text.find(end, parenthesis);
+  return found == std::string::npos ? text.size() : found + end.size() - 1;
+}
+
 /// Behind the brace that closes the block around `at`, or the block that begins there.
 std::size_t closing_brace(const std::string& text, std::size_t at, int depth) {
   for (; at < text.size(); ++at) {
@@ -103,7 +128,7 @@ std::string without_comments(const std::string& source) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     const std::string two = text.substr(at, 2);
     if (two == "//") {
-      const std::size_t end = std::min(text.find('\n', at), text.size());
+      const std::size_t end = end_of_logical_line(text, at);
       blank(text, at, end);
       at = end;
     } else if (two == "/*") {
@@ -111,7 +136,8 @@ std::string without_comments(const std::string& source) {
       blank(text, at, end);
       at = end - 1;
     } else if (text[at] == '"' || (text[at] == '\'' && (at == 0 || !is_word(text[at - 1])))) {
-      const std::size_t end = end_of_literal(text, at);
+      const std::size_t end =
+          begins_raw_string(text, at) ? end_of_raw_string(text, at) : end_of_literal(text, at);
       blank(text, at + 1, end);
       at = end;
     }

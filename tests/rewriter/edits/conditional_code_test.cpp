@@ -31,6 +31,14 @@ TEST(ConditionalCode, conditions_that_contradict_each_other) {
   EXPECT_TRUE(excluded("#ifdef A\n#elif defined(B)\nhere;\n#endif\n#ifdef A\nother;\n#endif\n"));
 }
 
+TEST(ConditionalCode, a_header_between_two_conditions_may_change_the_macro) {
+  EXPECT_FALSE(excluded("#ifdef A\nhere;\n#include <x.h>\n#endif\n#ifndef A\nother;\n#endif\n"));
+  EXPECT_FALSE(excluded("#ifdef A\nother;\n#endif\n# include_next <x.h>\n#ifndef A\nhere;\n#endif\n"));
+  EXPECT_TRUE(
+      excluded("#include <x.h>\n#ifdef A\nhere;\n#endif\n#ifndef A\nother;\n#include <y.h>\n#endif\n"));
+  EXPECT_TRUE(excluded("#ifdef A\n#include <x.h>\nhere;\n#else\nother;\n#endif\n"));
+}
+
 TEST(ConditionalCode, conditions_that_may_both_hold) {
   EXPECT_FALSE(excluded("#ifdef A\nhere;\n#endif\n#ifdef B\nother;\n#endif\n"));
   EXPECT_FALSE(excluded("#ifdef A\nhere;\n#endif\n#ifdef A\nother;\n#endif\n"));

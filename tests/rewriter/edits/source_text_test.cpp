@@ -17,6 +17,13 @@ TEST(SourceText, comments_and_literals_are_blanked_in_place) {
   EXPECT_EQ(without_comments("\"a\\\"b\" c"), "\"    \" c");
 }
 
+TEST(SourceText, raw_strings_and_comments_of_several_lines) {
+  EXPECT_EQ(without_comments("f(R\"x(\n#else )\" \\)x\", 1);"), "f(R\"  \n            \", 1);");
+  EXPECT_EQ(without_comments("u8R\"(\"})\"; }"), "u8R\"    \"; }");
+  EXPECT_EQ(without_comments("FOR\"(\" {"), "FOR\" \" {");
+  EXPECT_EQ(without_comments("// a \\\n#else\\\r\n{\n}"), "      \n       \n \n}");
+}
+
 TEST(SourceText, a_digit_separator_begins_no_literal) {
   EXPECT_EQ(without_comments("1'000 + b + 1'000"), "1'000 + b + 1'000");
 }
@@ -24,6 +31,9 @@ TEST(SourceText, a_digit_separator_begins_no_literal) {
 TEST(SourceText, what_is_not_closed_ends_with_the_text) {
   EXPECT_EQ(without_comments("a /* b"), "a     ");
   EXPECT_EQ(without_comments("\"a\\"), "\"  ");
+  EXPECT_EQ(without_comments("R\"x(a)y\""), "R\"      ");
+  EXPECT_EQ(without_comments("R\"x"), "R\" ");
+  EXPECT_EQ(without_comments("// a\\\n"), "     \n");
 }
 
 std::vector<std::string> definitions(const std::string& text) {
