@@ -94,6 +94,7 @@ TEST_F(Cli, mistakes_on_the_command_line) {
                               {{"--mem-size", "lots"}, "a size is a number of bytes"},
                               {{"--small", "tiny"}, "a size is a number of bytes"},
                               {{"--level", "best"}, "--level"},
+                              {{"--cache-dir=", "--check"}, "--cache-dir=: a value is missing"},
                               {{"--apply", "--check"}, ""},
                               {{"/nonexistent"}, "is no folder"},
                               {{"-p", "/nonexistent"}, "/nonexistent: is no folder"},
