@@ -2,17 +2,11 @@
 #include "facts/lock_guarded.h"
 
 #include "facts/ast_walk.h"
-#include "facts/lock_names.h"
+#include "facts/unshared_object.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
-
-bool is_seen_whole(const clang::CXXRecordDecl* record) {
-  return !record->hasFriends() && llvm::all_of(record->methods(), [](const clang::CXXMethodDecl* method) {
-    return method->isImplicit() || method->isDefaulted() || method->isDeleted() || method->isDefined();
-  });
-}
 
 /// Nobody but the code of this unit can name it.
 bool is_of_this_unit(const Unit& unit, const clang::ValueDecl* named) {
@@ -40,16 +34,6 @@ bool only_asks(clang::ASTContext& ast, const clang::Expr* mention) {
       return false;
   }
   return false;
-}
-
-/// Nobody else has the object yet.
-bool is_made_here(const Unit& unit, const clang::Expr* mention, const clang::ValueDecl* named) {
-  const clang::FunctionDecl* function = enclosing_function(unit.ast(), *mention);
-  if (!function) return false;
-  const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(function);
-  return (constructor &&
-          constructor->getParent()->getCanonicalDecl() == named->getDeclContext()->getPrimaryContext()) ||
-         (function->isMain() && !takes_locks(function));
 }
 
 class LaterChanges : public AstVisitor {

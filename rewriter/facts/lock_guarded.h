@@ -12,12 +12,10 @@
 
 namespace tzc::rewriter {
 
-/// True unless the whole program is seen to change the variable or field in constructors of its class only, or in main
-/// without a lock: a program without data races then has it made before any other thread looks at it.
+/// True unless the whole program is seen to change the variable or field only where it makes it (is_made_here).
 bool may_be_lock_guarded(const Unit& unit, const clang::ValueDecl* named);
 
-/// Whether this mention changes, or may change, what others can see already: not in a constructor of its class, nor in main
-/// without a lock, nor a variable of the function.
+/// Whether this mention changes, or may change, what others can see already: not where it is made, nor a variable of the function.
 bool changes_what_others_see(const Unit& unit, const clang::Expr* mention, const clang::ValueDecl* named);
 
 }  // namespace tzc::rewriter
