@@ -2,6 +2,7 @@
 #include "channel/fault_signals.h"
 
 #include "posix/fault_signals.h"
+#include "posix/write_fault.h"
 
 namespace tzc {
 namespace channel {
@@ -10,8 +11,8 @@ sigset_t all_but_faults() noexcept {
   return posix::all_but_faults();
 }
 
-void unblock_faults() noexcept {
-  posix::unblock_faults();
+void keep_watching_write_faults() {
+  posix::keep_watching_write_faults();
 }
 
 }  // namespace channel

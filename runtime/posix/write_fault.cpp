@@ -76,6 +76,7 @@ void forget_write_faults(const std::uint8_t* begin) {
 }
 
 void keep_watching_write_faults() {
+  if (watched_end.load(std::memory_order_acquire) == 0) return;
   stay_first(resolve);
   unblock_faults();
 }

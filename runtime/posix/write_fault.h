@@ -29,7 +29,7 @@ bool watch_write_faults(const std::uint8_t* begin, std::size_t size, WriteFaultA
 /// No access is made there any more.
 void forget_write_faults(const std::uint8_t* begin);
 /// Looks whether other code has installed a handler since; ours is made the first again. Faults of the calling thread reach it from
-/// now on, too, should the thread block their signals. Two system calls. Thread-safe.
+/// now on, too, should the thread block their signals. Two system calls, none before anything was watched. Thread-safe.
 void keep_watching_write_faults();
 
 }  // namespace posix

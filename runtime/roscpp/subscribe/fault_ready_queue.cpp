@@ -22,7 +22,7 @@ class FaultReadyCallback final : public ros::CallbackInterface {
  public:
   explicit FaultReadyCallback(ros::CallbackInterfacePtr callback) : callback_(std::move(callback)) {}
   CallResult call() override {
-    channel::unblock_faults();
+    channel::keep_watching_write_faults();
     return callback_->call();
   }
   bool ready() override { return callback_->ready(); }
@@ -31,7 +31,7 @@ class FaultReadyCallback final : public ros::CallbackInterface {
   const ros::CallbackInterfacePtr callback_;
 };
 
-/// Stands for another queue, to which it adds callbacks that unblock the signals first.
+/// Stands for another queue, to which it adds callbacks that get ready for faults first.
 class FaultReadyQueue final : public ros::CallbackQueueInterface {
  public:
   explicit FaultReadyQueue(ros::CallbackQueueInterface& queue) : queue_(queue) {}

@@ -56,6 +56,7 @@ class PrivateWrites(TopicCase):
         self.assert_draws(100000, self.draw("direct_draw"))
 
     def test_after_a_handler_was_installed(self):
+        """Also to messages that were taken before that."""
         self.assert_draws(100000, self.draw(handler=30))
 
     def test_after_a_handler_was_installed_under_tzc_run(self):

@@ -104,10 +104,16 @@ class Draws {
     tzc_test::fill_pattern(image.data.data(), image.data.size(), static_cast<std::uint32_t>(number) + 1000);
     image.header.frame_id = std::to_string(number + 1000);
     drawn_.publish(received);
-    if (number == handler_after_) std::signal(SIGSEGV, exit_with_9);
+    if (number == handler_after_) install_handler();
   }
 
  private:
+  /// Once more messages have been taken, which wait for their callbacks.
+  static void install_handler() {
+    ros::WallDuration(0.2).sleep();
+    std::signal(SIGSEGV, exit_with_9);
+  }
+
   const int handler_after_;
   const ros::Publisher drawn_;
 };
