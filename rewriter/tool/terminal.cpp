@@ -22,13 +22,17 @@ bool is_dumb() {
   return !terminal || std::string(terminal) == "dumb";
 }
 
-double processor_seconds(int whose) {
-  rusage usage{};
-  ::getrusage(whose, &usage);
+double processor_seconds(const rusage& usage) {
   const auto seconds = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+rusage used_by(int whose) {
+  rusage usage{};
+  ::getrusage(whose, &usage);
+  return usage;
 }
 
 }  // namespace
@@ -69,11 +73,14 @@ void TerminalProgress::log(const std::string& stage, const std::string& line, bo
 void TerminalProgress::end() {
   clear();
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun_;
-  if (enabled_)
-    fmt::print(
-        stderr,
-        "tzc-rewrite: {:.1f} s; processor time: {:.1f} s for tzc-rewrite, {:.1f} s for compilers and CMake\n",
-        taken.count(), processor_seconds(RUSAGE_SELF), processor_seconds(RUSAGE_CHILDREN));
+  if (!enabled_) return;
+  const rusage own = used_by(RUSAGE_SELF), others = used_by(RUSAGE_CHILDREN);
+  fmt::print(
+      stderr,
+      "tzc-rewrite: {:.1f} s; processor time: {:.1f} s for tzc-rewrite, {:.1f} s for compilers and CMake; "
+      "memory: {} MB, {} MB for the largest of those\n",
+      taken.count(), processor_seconds(own), processor_seconds(others), own.ru_maxrss / 1024,
+      others.ru_maxrss / 1024);
 }
 
 void TerminalProgress::clear() {

@@ -19,8 +19,8 @@ class TerminalProgress : public Progress {
   ~TerminalProgress() override;
   void step(const std::string& stage, unsigned done, unsigned total, const std::string& what) override;
   void clear();
-  /// Clears the line and says how long the work took: all of it, and of the processor's time what the programs took that
-  /// it has started.
+  /// Clears the line and says what the work took: time, and of the processor's time and of memory what the programs took
+  /// that it has started.
   void end();
 
  private:

@@ -55,6 +55,11 @@ def processor_seconds(log):
     return [float(figure) for figure in re.search(r"processor time: (\S+) s for tzc-rewrite, (\S+) s for", log).groups()]
 
 
+def megabytes(log):
+    """The most memory that tzc-rewrite held, and the largest of the programs that it has started."""
+    return [int(figure) for figure in re.search(r"memory: (\d+) MB, (\d+) MB for the largest", log).groups()]
+
+
 def rewrite(program, build, packages, jobs):
     """(its own processor seconds, those of the package's compiler and CMake)"""
     done = subprocess.run([program, "-p", build, "-j", str(jobs), "--no-cache", *packages], stdout=subprocess.DEVNULL,

@@ -13,7 +13,6 @@ class Outcome:
     status: int  # negative: ended by a signal
     seconds: float  # processor time of the command and its children
     wall: float
-    megabytes: float  # largest resident set of one process
     timed_out: bool = False
 
 
@@ -42,8 +41,7 @@ def run(command, log, cwd=None, env=None, timeout=None, output=None):
             for timer in timers:
                 timer.cancel()
         process.returncode = os.waitstatus_to_exitcode(status)
-    return Outcome(process.returncode, usage.ru_utime + usage.ru_stime, time.monotonic() - begin, usage.ru_maxrss / 1024,
-                   bool(late))
+    return Outcome(process.returncode, usage.ru_utime + usage.ru_stime, time.monotonic() - begin, bool(late))
 
 
 def tail(path, lines=3):

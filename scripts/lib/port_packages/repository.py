@@ -5,7 +5,7 @@ import os
 import shutil
 import sys
 
-from rewriter_speed import processor_seconds, units_of
+from rewriter_speed import megabytes, processor_seconds, units_of
 
 from .command import run, tail
 from .packages import find_packages
@@ -76,11 +76,12 @@ class Repository:
         command = [os.path.join(self.settings.tzc, "bin/tzc-rewrite"), "-p", self.original.build, "--no-cache",
                    "-j", str(self.settings.jobs), "--report", report, *self.settings.options, *(package.folder for package in self.packages)]
         outcome = run(command, log, cwd=self.original.package_root, env=env, output=diff)
-        self.result.update(rewrite_seconds=outcome.seconds, rewrite_wall=outcome.wall, rewrite_megabytes=outcome.megabytes)
+        self.result.update(rewrite_seconds=outcome.seconds, rewrite_wall=outcome.wall)
         with open(log, errors="replace") as file:
             said = file.read()
             if "processor time" in said:
                 self.result["own_seconds"], _ = processor_seconds(said)
+                self.result["megabytes"] = megabytes(said)
             errors = [line.strip() for line in said.splitlines() if "error:" in line and line.startswith("tzc-rewrite")]
         for error in errors:
             self.problem(error)

@@ -7,7 +7,7 @@ HEAD = ["repository", "packages", "units", "publish z/1/p/n", "subscribe s/c/p/n
 LEGEND = """units: compiled before, after; publish: zero_copy/one_copy/plain/not_needed; subscribe: shared/copied/plain/not_needed;
 large: publish sites of types that are large in use; lines: median of the lines changed in a package; tests: passed of all before,
 after; time: processor seconds of tzc-rewrite, and of the compilers and CMake that it started; x syntax: the former over those of
-clang++-19 -fsyntax-only on the same units"""
+clang++-19 -fsyntax-only on the same units; MB: the most that tzc-rewrite held, and the largest of the programs that it started"""
 
 
 def levels(counts, kind, names):
@@ -32,7 +32,7 @@ def row(result):
             f"{result.get('sites', {}).get('median_lines', '-')}", of_tests(result), result.get("compare", "-"),
             f"{own:.0f}+{seconds - own:.0f}" if seconds and own is not None else "-",
             f"{own / syntax:.2f}" if own and syntax else "-",
-            f"{result['rewrite_megabytes']:.0f}" if "rewrite_megabytes" in result else "-", str(len(result["problems"]))]
+            "{}, {}".format(*result["megabytes"]) if "megabytes" in result else "-", str(len(result["problems"]))]
 
 
 def total(results):
