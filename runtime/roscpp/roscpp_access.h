@@ -4,7 +4,8 @@
 /// The private members of roscpp 1.15.9 to 1.17 that the transport needs, all of them here. Access goes through explicit
 /// template instantiation, where the standard ([temp.spec]/6) does not check access. Everything is read only, except
 /// that Publication::subscriber_links_ gets one pointer replaced in place (adding and removing links would fire the
-/// user's connect callbacks), and the callback queue that a callback of a Subscription names (fault_ready_queue.h). A roscpp where a member is missing fails to compile right here; with
+/// user's connect callbacks), the callback queue that a callback of a Subscription names (fault_ready_queue.h), and the object
+/// that a Subscription keeps of a latched message (subscription_endpoint.cpp). A roscpp where a member is missing fails to compile right here; with
 /// a version that was not looked at (roscpp_version.h) nothing here is used.
 
 #include <ros/connection.h>
@@ -71,6 +72,7 @@ TZC_GRANT(NonconstCallbacks, ros::Subscription, std::uint32_t, nonconst_callback
 TZC_GRANT(CallbacksMutex, ros::Subscription, boost::mutex, callbacks_mutex_)
 
 TZC_GRANT_UNNAMED(Callbacks, ros::Subscription, callbacks_)
+TZC_GRANT_UNNAMED(LatchedMessages, ros::Subscription, latched_messages_)
 TZC_GRANT(Statistics, ros::Subscription, ros::StatisticsLogger, statistics_)
 TZC_GRANT(EnableStatistics, ros::StatisticsLogger, bool, enable_statistics)
 

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "channel/inspection.h"
+#include "roscpp/roscpp_access.h"
 #include "roscpp/subscribe/direct_queue.h"
 #include "roscpp/subscribe/fault_ready_queue.h"
 #include "roscpp/throttled_warning.h"
@@ -31,6 +32,17 @@ ros::SerializedMessage borrow(const channel::MessagePtr& message, const std::uin
 // roscpp's counters are plain words. One thread at a time adds to them; the statistics are read by another.
 void add(std::uint64_t& counter, std::uint64_t more) {
   __atomic_store_n(&counter, counter + more, __ATOMIC_RELAXED);
+}
+
+/// A callback that is added later makes an object of its own from the bytes, as with TCPROS: this one may have been written to
+/// by then, and would keep its memory from the publisher.
+void forget_latched_object(ros::Subscription& subscription, const ros::PublisherLinkPtr& link) {
+  const boost::mutex::scoped_lock lock(roscpp_access::callbacks_mutex_(subscription));
+  auto& latched = roscpp_access::latched_messages_(subscription);
+  const auto found = latched.find(link);
+  if (found == latched.end()) return;
+  found->second.message.message.reset();
+  found->second.message.type_info = nullptr;
 }
 
 }  // namespace
@@ -125,6 +137,7 @@ void SubscriptionEndpoint::take_control_part(ros::Subscription& subscription,
   given.message = decoded;
   given.type_info = codec_.type;
   give(subscription, given, ser, true);
+  if (link_->isLatched()) forget_latched_object(subscription, link_);
 }
 
 void SubscriptionEndpoint::take_whole_message(ros::Subscription& subscription,

@@ -69,6 +69,12 @@ class PrivateWrites(TopicCase):
         self.talk(count=20)
         self.assert_got(Listener(listener), [n for i in range(20) for n in (i, i + 1000)])
 
+    def test_a_later_callback_gets_a_latched_message_as_it_was_sent(self):
+        drawer = self.draw(again=3)
+        self.start_talker(latch=True, count=1, linger=300)
+        self.assert_got(drawer, [0, 0])
+        self.assertEqual([message["shared"] for message in drawer.messages()], [True, False])
+
     def assert_turned_off(self, **how):
         drawer = self.draw(**how)
         self.start_talker(count=20)

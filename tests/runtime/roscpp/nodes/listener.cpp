@@ -4,7 +4,7 @@
 /// Private parameters: mode (pointer, reference, value, mutable, event, direct, filter, late_attach, unreliable, plain, keep:
 /// pointers, all of which it keeps, draw and plain_draw: they write to what they get through a cast and publish it again as
 /// `drawn`; with several topics pointer, keep or direct), handler (the number of the message after which a handler of SIGSEGV
-/// is installed), times (so many callbacks), answers (a topic, on which it says the number of each image that a pointer or
+/// is installed), times (so many callbacks), again (seconds after which there is one more callback), answers (a topic, on which it says the number of each image that a pointer or
 /// keep callback has had), topics (several, separated by blanks), queue, spinner (spin, tzc, multi, async, own: a callback
 /// queue of its own).
 #include <message_filters/simple_filter.h>
@@ -208,6 +208,12 @@ int main(int argc, char** argv) {
     for (int times = options.param("times", 1); times > 0; --times)
       subscribers.push_back(subscribe(node, mode, "image", queue));
   }
+  const double again = options.param("again", 0.0);
+  const auto subscribe_again = [&](const ros::WallTimerEvent&) {
+    subscribers.push_back(subscribe(node, mode, "image", queue));
+  };
+  const ros::WallTimer later =
+      node.createWallTimer(ros::WallDuration(again), subscribe_again, true, again > 0);
   spin(spinner, own);
   answers().end();
 }
