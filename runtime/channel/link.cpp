@@ -62,7 +62,7 @@ Expected<std::shared_ptr<Link>> Link::connect(const SubscriberOptions& options, 
     place.trunk = std::move(*trunk);
   }
   auto link = std::make_shared<Link>(std::move(*socket), *peer, std::move(place));
-  link->writes_ = view_writes(options);
+  link->view_use_ = {view_writes(options), options.hands_over};
   link->notice_ = WriteNotice::create(notice_service(options), options.on_write);
   const Status welcome = link->shake_hands(options, address->publication);
   if (!welcome) return welcome.error();

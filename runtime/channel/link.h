@@ -25,6 +25,13 @@ struct RingPlace {
   std::shared_ptr<TrunkPlace> trunk{};  ///< null: the connection keeps its socket
 };
 
+/// What this process may do with views of received blocks.
+struct ViewUse {
+  segment::ViewWrites writes = segment::ViewWrites::private_pages;
+  bool handed_over =
+      false;  ///< on_message hands them over, and readies other code for its writes (SubscriberOptions)
+};
+
 /// A subscriber's open connection: the socket, or the place on a trunk, and the shared page. Every message keeps it open,
 /// because the publisher reclaims everything when the socket hangs up, or the place is given up.
 class Link final : public HangUpListener, public TrunkListener, public std::enable_shared_from_this<Link> {
@@ -47,7 +54,7 @@ class Link final : public HangUpListener, public TrunkListener, public std::enab
   void heard(TrunkWord word, posix::FileDescriptor socket) override;
   void trunk_lost() override { end(); }
   const std::atomic<bool>& ended() const { return ended_; }
-  segment::ViewWrites writes() const { return writes_; }
+  const ViewUse& view_use() const { return view_use_; }
   WriteNotice& write_notice() const { return *notice_; }
   /// Counts destroyed messages that this process had written to.
   std::atomic<std::uint64_t>& written() const { return written_; }
@@ -69,7 +76,7 @@ class Link final : public HangUpListener, public TrunkListener, public std::enab
   SharedPage page_;
   Ring* ring_ = nullptr;
   std::atomic<bool> ended_{false};
-  segment::ViewWrites writes_ = segment::ViewWrites::private_pages;
+  ViewUse view_use_;
   std::shared_ptr<WriteNotice> notice_;
   mutable std::atomic<std::uint64_t> written_{0};
   std::shared_ptr<HangUpWatch> watch_;

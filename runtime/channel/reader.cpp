@@ -140,7 +140,7 @@ bool Reader::open_segment(posix::ReceivedPacket& packet) {
   if (segments_.size() >= max_segments || find_segment(offer.offer.id) != nullptr)
     return broken("too many segments");
   auto opened = segment::ReceivedSegment::open(offer.offer, std::move(packet.descriptors[0]),
-                                               std::move(packet.descriptors[1]), link_->writes(),
+                                               std::move(packet.descriptors[1]), link_->view_use().writes,
                                                &link_->write_notice());
   if (!opened) return broken(opened.error().text());
   segments_.push_back(std::move(*opened));

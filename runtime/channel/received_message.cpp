@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/received_message.h"
 
+#include <algorithm>
 #include <cstring>
 #include <new>
 #include <utility>
 
 #include "channel/inspection.h"
 #include "channel/recycled.h"
+#include "posix/write_fault.h"
 #include "segment/layout.h"
 #include "sync_point/sync_point.h"
 
@@ -72,6 +74,11 @@ bool ReceivedMessage::is_copied(const Hold& hold) const {
   return hold.view.data == nullptr && hold.segment->writes() != segment::ViewWrites::fault;
 }
 
+bool ReceivedMessage::has_views() const {
+  return std::any_of(holds_.begin(), holds_.end(),
+                     [](const Hold& hold) { return hold.view.data != nullptr; });
+}
+
 std::size_t ReceivedMessage::bytes_to_copy() const {
   std::size_t bytes = 0;
   for (const Hold& hold : holds_) {
@@ -101,6 +108,7 @@ void ReceivedMessage::complete(const ParsedBody& parsed) {
     copy = copies_.get() + (segment::cache_line - address_of(copies_.get()) % segment::cache_line);
   }
   for (const Hold& hold : holds_) blocks_.push_back(bytes_of(hold, copy));
+  if (has_views() && !link_->view_use().handed_over) posix::keep_watching_write_faults();
   control_ = parsed.control;
   if (control_ != nullptr) return;
   control_ = blocks_.back().data;

@@ -49,6 +49,7 @@ class ReceivedMessage final : public Message {
   };
 
   bool is_copied(const Hold& hold) const;
+  bool has_views() const;
   ConstBlock bytes_of(const Hold& hold, std::uint8_t*& copy) const;
   std::size_t bytes_to_copy() const;
 

@@ -156,7 +156,7 @@ class SubscriberOwner final : public Subscriber {
     stats.lost = counters.lost;
     stats.bytes = counters.bytes;
     stats.written = impl_->link->written();
-    stats.copies_blocks = impl_->link->writes() == segment::ViewWrites::copies;
+    stats.copies_blocks = impl_->link->view_use().writes == segment::ViewWrites::copies;
     stats.connected = impl_->open;
     return stats;
   }

@@ -49,9 +49,7 @@ bool PrivateViews::begin(std::uint64_t offset, std::uint64_t bytes) {
   std::uint32_t none = 0;
   const auto pages = static_cast<std::uint32_t>(pages_of(bytes, page_));
   if (!watched_) return false;
-  if (!runs_[offset / page_].compare_exchange_strong(none, pages, std::memory_order_acq_rel)) return false;
-  posix::keep_watching_write_faults();
-  return true;
+  return runs_[offset / page_].compare_exchange_strong(none, pages, std::memory_order_acq_rel);
 }
 
 bool PrivateViews::end(std::uint64_t offset, std::uint64_t bytes) {

@@ -27,8 +27,8 @@ class WriteListener {
 /// The mapping of a received segment in which views of payloads lie: read-only and private. When code of this process
 /// writes to a view nevertheless, the pages of that payload become writable, and the kernel copies them: no other
 /// process sees a byte of it, and nothing crashes. Before the payload is acknowledged its pages are protected again and
-/// the copies dropped. A payload that is not written to costs one store at its begin and one at its end, and a system call
-/// that looks whether the handler of such writes is still the first.
+/// the copies dropped. A payload that is not written to costs one store at its begin and one at its end. Who shows a view to
+/// the program's code calls posix::keep_watching_write_faults() before.
 ///
 /// begin and end: any thread, for one payload not at the same time.
 class PrivateViews final : public posix::WriteFaultArea {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "channel/fault_signals.h"
 #include "roscpp/roscpp_access.h"
 #include "sync_point/sync_point.h"
 
@@ -48,6 +49,7 @@ void call(ros::SubscriptionCallbackHelper& helper, const DirectMessage& message)
   ros::SubscriptionCallbackHelperCallParams params;
   params.event = ros::MessageEvent<void const>(decoded, message.connection_header, ros::Time::now(), false,
                                                ros::MessageEvent<void const>::CreateFunction());
+  channel::keep_watching_write_faults();
   helper.call(params);
 }
 

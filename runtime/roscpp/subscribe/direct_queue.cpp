@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "channel/fault_signals.h"
 #include "roscpp/roscpp_access.h"
 #include "roscpp/roscpp_version.h"
 #include "roscpp/worker.h"
@@ -29,6 +30,7 @@ void call_when_free(const ros::CallbackInterfacePtr& callback) {
 /// A callback of the same subscription may be running on another publisher's thread. roscpp's queue would try
 /// again later; this queue has no later, so it waits for the callback's end.
 void call(const ros::CallbackInterfacePtr& callback) {
+  channel::keep_watching_write_faults();
   if (callback->call() != ros::CallbackInterface::TryAgain) return;
   sync_point("direct: waits for a callback");
   const auto queue = boost::dynamic_pointer_cast<ros::SubscriptionQueue>(callback);

@@ -176,6 +176,7 @@ void UpgradeResponder::connect(const Offer& offer) {
   options.on_message = [endpoint](const channel::MessagePtr& message) { endpoint->take(message); };
   options.on_disconnect = [this, link](const std::string&) { clerk_.post([this, link] { forget(link); }); };
   options.private_writes = private_writes();
+  options.hands_over = true;  // each callback is readied (fault_ready_queue.h, direct_call.h, direct_queue.h)
   options.on_write = [this, topic = offer.topic] { clerk_.post([topic] { warn_of_write(topic); }); };
   options.authorize = [is_foreign_uid](const channel::Credentials& peer) {
     *is_foreign_uid =
