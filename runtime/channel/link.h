@@ -28,8 +28,8 @@ struct RingPlace {
 /// What this process may do with views of received blocks.
 struct ViewUse {
   segment::ViewWrites writes = segment::ViewWrites::private_pages;
-  bool handed_over =
-      false;  ///< on_message hands them over, and readies other code for its writes (SubscriberOptions)
+  /// on_message hands them over, and readies the code that gets them (SubscriberOptions::hands_over)
+  bool handed_over = false;
 };
 
 /// A subscriber's open connection: the socket, or the place on a trunk, and the shared page. Every message keeps it open,
