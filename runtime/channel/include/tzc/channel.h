@@ -200,9 +200,10 @@ struct SubscriberOptions {
   /// system refuses what that needs, all blocks are copied (SubscriberStats::copies_blocks). False: no block is copied
   /// for this, and such a write is a SIGSEGV.
   bool private_writes = true;
-  /// With private_writes: on_message hands the message to other code, and before that code sees it the caller sees to it
-  /// that the handler of SIGSEGV is the first one and the thread does not block that signal (channel/fault_signals.h).
-  /// False: both are looked after, with two system calls, before on_message is called or read() returns.
+  /// With private_writes, for TZC's own transports, which let messages wait for the code that may write to them: true: the
+  /// transport sees to it, before that code sees the message, that the handler of SIGSEGV is the first one and that the
+  /// thread does not block that signal (channel/fault_signals.h). False: the subscriber sees to both, with two system
+  /// calls, before on_message is called or read() returns.
   bool hands_over = false;
   /// Called once, soon after code of this process has first written to a block of a page or more: by the service thread,
   /// or by the subscriber's own. Only with own_thread.
