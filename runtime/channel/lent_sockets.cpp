@@ -33,8 +33,9 @@ bool LentSockets::lend(posix::FileDescriptor socket) {
 
 bool LentSockets::give_back() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (lent_) current_ = std::move(next_);
-  return lent_;
+  if (!lent_ || !current_) return false;
+  current_ = std::move(next_);
+  return true;
 }
 
 void LentSockets::stop_receiving() {

@@ -21,7 +21,8 @@ class LentSockets {
   int current() const;
   /// False: two are there already. No honest publisher lends a third one.
   bool lend(posix::FileDescriptor socket);
-  /// Reader: all was read that came through the current one. True: it was a loan, and its end counts as a packet.
+  /// Reader: all was read that came through the current one. True: it was a loan, and its end counts as a packet. False:
+  /// nothing more comes.
   bool give_back();
   /// A reader that is blocked returns, and the publisher's writes fail. What was sent may still be read.
   void stop_receiving();

@@ -27,11 +27,6 @@ std::uint8_t* overflow() {
   return memory.get();
 }
 
-// The end of a socket was read. After the last loan nothing more comes.
-bool is_end_of_loan(Link& link) {
-  return link.sockets().give_back() && (link.sockets().current() >= 0 || !link.ended());
-}
-
 }  // namespace
 
 Reader::Reader(std::shared_ptr<Link> link, const SubscriberOptions& options)
@@ -70,7 +65,7 @@ posix::ReceiveResult Reader::receive(posix::Waiting waiting, posix::ReceivedPack
       return posix::ReceiveResult::packet;
     }
     const posix::ReceiveResult result = receive_from_socket(waiting, packet);
-    if (result != posix::ReceiveResult::closed || !is_end_of_loan(*link_)) return result;
+    if (result != posix::ReceiveResult::closed || !link_->sockets().give_back()) return result;
     ring_.count_packet();
   }
 }
@@ -82,14 +77,19 @@ bool Reader::has_something() {
     if (source != Source::socket) return source == Source::ring;
     const int socket = link_->sockets().current();
     if (socket < 0) return link_->ended();
-    if (!posix::is_at_end(socket) || !is_end_of_loan(*link_)) return true;
+    if (!posix::is_at_end(socket) || !link_->sockets().give_back()) return true;
     ring_.count_packet();
   }
 }
 
+// Asks for the end first: what was lent before the end is there by then.
 posix::ReceiveResult Reader::receive_from_socket(posix::Waiting waiting, posix::ReceivedPacket& packet) {
+  const bool ended = link_->ended();
   const int socket = link_->sockets().current();
-  if (socket < 0) return link_->ended() ? posix::ReceiveResult::closed : posix::ReceiveResult::nothing;
+  if (socket < 0) {
+    sync_point("take: no socket");
+    return ended ? posix::ReceiveResult::closed : posix::ReceiveResult::nothing;
+  }
   const iovec parts[] = {{next_->packet(), in_message}, {overflow(), overflow_bytes}};
   const auto result = posix::receive_packet(socket, parts, 2, waiting, true, packet);
   if (result == posix::ReceiveResult::packet) ring_.count_packet();

@@ -8,6 +8,7 @@
 #include "posix/fork_epoch.h"
 #include "posix/packet.h"
 #include "posix/socket.h"
+#include "sync_point/sync_point.h"
 
 namespace tzc {
 namespace channel {
@@ -174,6 +175,7 @@ bool Trunk::hear_one(bool& open) {
 }
 
 void Trunk::hear(const WordPacket& packet, posix::FileDescriptor socket) {
+  sync_point("trunk: hears");
   std::shared_ptr<TrunkListener> listener;
   {
     const std::lock_guard<std::mutex> lock(mutex_);

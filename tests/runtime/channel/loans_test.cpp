@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Few sockets are lent at a time: whoever needs one gets one, whatever the others do.
 #include <atomic>
+#include <cstring>
 
 #include "few_descriptors.h"
 #include "raw_peer.h"
+#include "sync_point/sync_point.h"
 
 namespace tzc {
 namespace channel {
@@ -69,6 +71,36 @@ TEST_F(Loans, busy_connections_take_turns) {
   for (const auto& each : in) EXPECT_TRUE(each->wait_for(10));
   done = true;
   publishes.join();
+}
+
+/// Lets the reader look for a loan before it has come, and stops it there until the loan and the publisher's end have.
+struct LateLoan {
+  static inline std::atomic<int> heard{0};
+  static inline std::atomic<bool> looked{false}, may_go{false};
+  static void at(const char* name) {
+    if (std::strcmp(name, "trunk: hears") == 0 && heard++ == 0)
+      eventually([] { return looked.load(); }, 1000);
+    if (std::strcmp(name, "take: no socket") == 0 && !looked.exchange(true))
+      eventually([] { return may_go.load(); }, 5000);
+  }
+};
+
+TEST(LoanThatComesLate, is_read_before_the_end) {
+  auto out = publisher();
+  const auto in = inbox(out->address());
+  out->publish(text_record("the reader has begun"));
+  ASSERT_TRUE(in->wait_for(1));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // its first loan ends
+  sync_point_hook = LateLoan::at;
+  out->publish(text_record(large_text(1)));
+  ASSERT_TRUE(eventually([] { return LateLoan::looked.load(); }, 2000));
+  out.reset();
+  ASSERT_TRUE(eventually([] { return LateLoan::heard.load() >= 2; }, 2000));
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  LateLoan::may_go = true;
+  EXPECT_TRUE(in->wait_for_end());
+  sync_point_hook = nullptr;
+  EXPECT_EQ(in->messages().size(), 2u);
 }
 
 #endif
