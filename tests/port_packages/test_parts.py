@@ -45,7 +45,8 @@ class Inputs(unittest.TestCase):
         for name in names:
             with open(os.path.join(folder, f"{name}.args")) as file:
                 words = file.read().splitlines()
-            self.assertEqual(words[:4], ["--launch", f"{{inputs}}/{name}.launch", "--bag", "{inputs}/drive.bag"])
+            self.assertEqual(words[:3], ["--launch", f"{{inputs}}/{name}.launch", "--bag"])
+            self.assertIn(words[3], ("{inputs}/drive.bag", "{inputs}/stand.bag"))
             nodes = ElementTree.parse(os.path.join(folder, f"{name}.launch")).getroot().iter("node")
             self.assertTrue(all({"name", "pkg", "type"} <= set(node.keys()) for node in nodes), name)
 

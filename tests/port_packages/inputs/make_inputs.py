@@ -3,8 +3,9 @@
 """usage: make_inputs.py DIR
 
 Makes inputs for `scripts/port-packages --inputs DIR`: copies the launch files and arguments beside this script, and writes what
-they name: drive.bag, ten seconds of a robot that drives through a room with pillars (/scan, /points, /camera/... and /tf),
-and map.yaml, the room as a map. The same in every run. Needs Debian's python3-rosbag, python3-sensor-msgs and python3-tf2-msgs.
+they name: drive.bag, ten seconds of a robot that drives through a room with pillars (/scan, /points, /camera/... and /tf);
+stand.bag, the same robot before it starts, with one scan again and again, for nodes whose output depends on when they run; and
+map.yaml, the room as a map. The same in every run. Needs Debian's python3-rosbag, python3-sensor-msgs and python3-tf2-msgs.
 """
 import math
 import os
@@ -115,7 +116,7 @@ def transforms_at(t, stamp):
                       transform(stamp, "base_link", "camera", 0.15, 0, 0)])
 
 
-def write_bag(path):
+def write_drive(path):
     noise = random.Random(1)
     with rosbag.Bag(path, "w") as bag:
         for i in range(HZ * SECONDS):
@@ -133,6 +134,16 @@ def write_bag(path):
             write("/camera/camera_info", "camera", camera_info())
             write("/camera/depth/image_raw", "camera", depth_at(t))
             write("/camera/depth/camera_info", "camera", camera_info())
+
+
+def write_stand(path):
+    scan = scan_at(0, random.Random(1))
+    with rosbag.Bag(path, "w") as bag:
+        for i in range(HZ * SECONDS):
+            stamp = rospy.Time(START) + rospy.Duration(i / HZ)
+            scan.header.seq, scan.header.stamp, scan.header.frame_id = i, stamp, "laser"
+            bag.write("/tf", transforms_at(0, stamp), stamp)
+            bag.write("/scan", scan, stamp)
 
 
 def write_map(folder):
@@ -159,8 +170,9 @@ def main():
         if name.endswith((".launch", ".args")) and os.path.abspath(folder) != here:
             shutil.copy(os.path.join(here, name), folder)
     write_map(folder)
-    write_bag(os.path.join(folder, "drive.bag.new"))
-    os.replace(os.path.join(folder, "drive.bag.new"), os.path.join(folder, "drive.bag"))
+    for name, write in (("drive.bag", write_drive), ("stand.bag", write_stand)):
+        write(os.path.join(folder, name + ".new"))
+        os.replace(os.path.join(folder, name + ".new"), os.path.join(folder, name))
 
 
 if __name__ == "__main__":
