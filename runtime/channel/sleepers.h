@@ -13,6 +13,32 @@
 namespace tzc {
 namespace channel {
 
+/// The words of Sleepers: Atomic is a reference to one, or a model's (tests/model/sleepers_model.cpp).
+template <class Bell, class Asleep = Bell>
+struct SleeperWords {
+  Bell bell;
+  Bell sleeping;  // whom a publisher wakes
+  Asleep asleep;  // all of them: Sleeper
+};
+
+/// By one thread at a time.
+template <class Words>
+void set_asleep(Words& words, Sleeper who, bool is_asleep) {
+  const std::uint32_t before = static_cast<std::uint32_t>(words.asleep.load(std::memory_order_relaxed));
+  const std::uint32_t now = is_asleep ? before | who : before & ~static_cast<std::uint32_t>(who);
+  words.asleep.store(now, std::memory_order_seq_cst);
+  const std::uint32_t woken = (now & guest_sleeps) != 0 ? std::uint32_t{guest_sleeps} : now;
+  words.sleeping.store(woken, std::memory_order_seq_cst);
+}
+
+/// Rings, too: the sleeper may be about to fall asleep.
+template <class Words, class Wake>
+void wake_if_asleep(Words& words, Sleeper who, Wake wake) {
+  if ((words.asleep.load(std::memory_order_seq_cst) & who) == 0) return;
+  words.bell.fetch_add(1, std::memory_order_seq_cst);
+  wake();
+}
+
 /// The threads of this process that sleep at its doorbell. A publisher wakes one of them: the guest, if it sleeps.
 ///
 /// Each tells publishers that it is awake, and then looks for records: those of which it was told meanwhile, and those of
@@ -29,7 +55,8 @@ class Sleepers {
   void wake(Sleeper who);
 
  private:
-  void set_asleep(Sleeper who, bool asleep);
+  void note(Sleeper who, bool is_asleep);
+  SleeperWords<std::atomic<std::uint32_t>&> words() { return {page_.bell, page_.sleeping, asleep_}; }
 
   DoorbellPage& page_;
   std::mutex mutex_;
