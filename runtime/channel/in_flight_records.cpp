@@ -8,7 +8,7 @@ namespace channel {
 namespace {
 
 // One is more than a hundred bytes, and there are thousands of connections.
-constexpr std::size_t initial_entries = 4;
+constexpr std::size_t initial_entries = 1;
 constexpr std::size_t usual_body_bytes = 1024;   // larger ones don't stay allocated
 constexpr std::size_t most_idle_entries = 1024;  // nor the ring of a subscriber that was stopped for long
 
