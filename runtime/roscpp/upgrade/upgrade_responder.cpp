@@ -187,8 +187,12 @@ void UpgradeResponder::connect(const Offer& offer) {
   if (!channel) return connection_failed(offer, channel.error(), *is_foreign_uid);
   ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher << " comes through shared memory");
   if ((*channel)->stats().copies_blocks) warn_of_copies(offer.topic);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  channels_[link] = {*channel, endpoint};
+  sync_point("accept: connected");
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    channels_[link] = {*channel, endpoint};
+  }
+  if (!(*channel)->stats().connected) forget(link);  // it ended before it was there to be forgotten
 }
 
 // The publisher will offer again, and stops when it gets a refusal.

@@ -130,6 +130,17 @@ class Moves(Tries):
         self.assert_comes_to_shared_memory(listener, talker)
         self.assertFalse(listener.messages()[0]["shared"])
 
+    def test_a_channel_that_ends_before_the_subscriber_has_noted_it(self):
+        listener = Listener(self.node("racer", "racer", {"race": "cut_short"}))
+        talker = self.start_talker(count=0, rate=50, settle=0)
+        self.ros.wait_until(lambda: "cut" in listener.process.log(), 30, "the channel's end")
+        before = len(listener.messages())
+        self.ros.wait_until(lambda: len(listener.messages()) > before + 50 and all(m["shared"] for m in listener.messages()[-20:]),
+                            40, "messages in shared memory again")
+        self.assertEqual(talker.stop(), 0)
+        messages = listener.messages()
+        self.assert_got(listener, range(messages[0]["number"], messages[0]["number"] + len(messages)))
+
 
 if __name__ == "__main__":
     main()

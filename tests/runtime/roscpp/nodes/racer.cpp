@@ -17,16 +17,19 @@
 ///   slow_move     a publisher: the thread that moves the subscriber is held for longer than the subscriber waits
 ///   late_attach   a subscriber: it attaches when it is connected, the publisher (pid) is stopped when it is
 ///                 asked for an offer, and goes on when the call is given up
+///   cut_short     a subscriber: its first channel ends before it is noted
 ///   planted       a subscriber with a data race of its own, for ThreadSanitizer to find
 #include <ros/callback_queue_interface.h>
 #include <ros/poll_manager.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <signal.h>
+#include <sys/socket.h>
 #include <tzc/ros.h>
 #include <tzc/sensor_msgs/Image.h>
 
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "gate.h"
@@ -254,6 +257,30 @@ void late_attach(ros::NodeHandle& node) {
   ros::waitForShutdown();
 }
 
+/// Ends the channels of this process, as a peer that breaks off.
+void cut_channels() {
+  for (int fd = 3; fd < 1024; ++fd) {
+    int type = 0;
+    socklen_t size = sizeof type;
+    if (getsockopt(fd, SOL_SOCKET, SO_TYPE, &type, &size) == 0 && type == SOCK_SEQPACKET)
+      shutdown(fd, SHUT_RDWR);
+  }
+}
+
+void cut_short(ros::NodeHandle& node) {
+  tzc::sync_point_hook = [](const char* step) {
+    if (std::string(step) != "accept: connected" || gate().happened("cut")) return;
+    cut_channels();
+    gate().tell("cut");
+    gate().wait_for({"never"}, std::chrono::milliseconds(1000));
+  };
+  const boost::function<void(const sensor_msgs::ImageConstPtr&)> print =
+      [](const sensor_msgs::ImageConstPtr& image) { tzc_test::print_image(*image); };
+  const ros::Subscriber subscriber = tzc::subscribe<sensor_msgs::Image>(node, "image", 100, print);
+  std::thread([] { print_event("cut", gate().wait_for({"cut"})); }).detach();
+  ros::spin();
+}
+
 int planted_counter = 0;
 
 // The transport's reader thread writes what the main thread reads.
@@ -283,6 +310,7 @@ int main(int argc, char** argv) {
   if (race == "two_at_once") two_at_once(node);
   if (race == "slow_move") slow_move(node);
   if (race == "late_attach") late_attach(node);
+  if (race == "cut_short") cut_short(node);
   if (race == "planted") planted(node);
   tzc::sync_point_hook = nullptr;
 }
