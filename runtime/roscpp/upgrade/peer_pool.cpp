@@ -11,9 +11,6 @@ namespace tzc {
 namespace detail {
 namespace {
 
-/// A thread without jobs ends after this time.
-constexpr std::chrono::seconds kIdle(5);
-
 /// Peers that stay known for being slow; beyond this number those without jobs are dropped.
 constexpr std::size_t kMostPeers = 256;
 
@@ -73,13 +70,12 @@ void PeerPool::run() {
       run_next(lock, next);
       continue;
     }
-    const bool has_work_to_come = next != peers_.end();
-    const Clock::time_point end = has_work_to_come ? due(next->second) : now + kIdle;
+    const Clock::time_point end = now + limits_.idle;
     ++idle_;
-    const bool is_over = wake_.wait_until(lock, std::min(end, now + kIdle)) == std::cv_status::timeout;
+    wake_.wait_until(lock, next == peers_.end() ? end : std::min(end, due(next->second)));
     --idle_;
-    // One idle thread stays for the jobs that are not due yet.
-    if (is_over && Clock::now() >= now + kIdle && (idle_ > 0 || !has_work_to_come)) break;
+    // One idle thread stays for the jobs that are not due yet, and for those that came when its time was over.
+    if (Clock::now() >= end && (idle_ > 0 || earliest() == peers_.end())) break;
   }
   --threads_;
   wake_.notify_all();

@@ -105,6 +105,18 @@ TEST(PeerPool, a_job_may_post_the_next_one) {
   EXPECT_EQ(third.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
 }
 
+TEST(PeerPool, a_job_that_comes_when_the_last_thread_ends_is_run) {
+  PeerPool::Limits limits;
+  limits.idle = std::chrono::microseconds(200);
+  PeerPool pool(limits);
+  for (int i = 0; i < 5000; ++i) {
+    std::promise<void> done;
+    pool.post("peer", [&] { done.set_value(); });
+    ASSERT_EQ(done.get_future().wait_for(std::chrono::seconds(10)), std::future_status::ready) << i;
+    std::this_thread::sleep_for(std::chrono::microseconds(100 + i % 200));
+  }
+}
+
 TEST(PeerPool, an_exception_ends_the_job_alone) {
   PeerPool pool;
   std::promise<void> next;
