@@ -30,7 +30,7 @@ class PeerPool {
     std::chrono::milliseconds slow{1000};        ///< a job that takes longer makes its peer a slow one
     std::chrono::milliseconds first_pause{500};  ///< of a slow peer
     std::chrono::milliseconds longest_pause{16000};
-    std::chrono::microseconds idle{5000000};  ///< a thread without jobs ends after this time
+    std::chrono::microseconds idle{std::chrono::seconds(5)};  ///< a thread without jobs ends after this time
   };
 
   PeerPool() : PeerPool(Limits()) {}
