@@ -14,11 +14,11 @@ namespace tzc {
 namespace channel {
 
 /// The words of Sleepers: Atomic is a reference to one, or a model's (tests/model/sleepers_model.cpp).
-template <class Bell, class Asleep = Bell>
+template <class Atomic>
 struct SleeperWords {
-  Bell bell;
-  Bell sleeping;  // whom a publisher wakes
-  Asleep asleep;  // all of them: Sleeper
+  Atomic bell;
+  Atomic sleeping;  // whom a publisher wakes
+  Atomic asleep;    // all of them: Sleeper
 };
 
 /// By one thread at a time.

@@ -44,7 +44,7 @@ Expected<std::shared_ptr<PageWriter>> PageWriter::create(const std::string& node
   return page;
 }
 
-// Who sees a row of this table sees, too, that the one before is published, and that it has copied two tables in one.
+// Who has copied a row of this table sees afterwards that the one before it was published meanwhile, and copies again.
 void PageWriter::begin() {
   std::atomic_thread_fence(std::memory_order_release);
   ++number_;

@@ -56,6 +56,10 @@ struct Violation {
   std::string what;
 };
 
+[[noreturn]] inline void violated(const char* what) {
+  throw Violation{what};
+}
+
 /// What a running thread sees of the world.
 class Context {
  public:

@@ -68,10 +68,6 @@ struct Local {
 
 using HandleExplorer = Explorer<Local, threads, word_count>;
 
-[[noreturn]] void violated(const char* what) {
-  throw Violation{what};
-}
-
 ModelAtomic word(Context& context, SharedWord index) {
   return ModelAtomic(context, index);
 }

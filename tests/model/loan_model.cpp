@@ -5,9 +5,8 @@
 // order whichever way they take, none is missed, no thread sleeps forever, and at most two loans are there at once, wherever
 // the publisher dies. Then plants each mistake and demands that it is found. Lending and giving back are restated here, as
 // the locked steps of channel/sending_socket.h and channel/lent_sockets.h that they are.
-#include "channel/ring.h"
 #include "exploration.h"
-#include "explorer.h"
+#include "ring_words.h"
 
 namespace tzc {
 namespace model {
@@ -18,13 +17,7 @@ constexpr std::size_t slots = 2;
 constexpr std::size_t sockets = 3;  // one more than may be open at once
 
 enum SharedWord : std::size_t {
-  bell,
-  written,
-  packets,
-  sleeping,
-  read_count,
-  packets_read,
-  asleep,
+  asleep = ring_word_count,
   ended,
   lent,   // the subscriber's: current loan, and the next one in the second byte
   trunk,  // the kernel's, as are the next ones
@@ -88,21 +81,12 @@ struct Local {
 
 using LoanExplorer = Explorer<Local, threads, word_count>;
 
-[[noreturn]] void violated(const char* what) {
-  throw Violation{what};
-}
-
 ModelAtomic word(Context& context, std::size_t index) {
   return ModelAtomic(context, index);
 }
 
 ModelAtomic socket_of(Context& context, Word loan) {
   return word(context, first_socket + loan % sockets);
-}
-
-channel::RingWords<ModelAtomic> words_of(Context& context) {
-  return {word(context, bell),     word(context, written),    word(context, packets),
-          word(context, sleeping), word(context, read_count), word(context, packets_read)};
 }
 
 void ring(Context& context) {

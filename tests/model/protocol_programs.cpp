@@ -15,10 +15,6 @@ namespace {
 
 constexpr auto acquire = std::memory_order_acquire;
 
-[[noreturn]] void violated(const char* what) {
-  throw Violation{what};
-}
-
 // ---- publisher ----
 
 class Publisher {

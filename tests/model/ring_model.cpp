@@ -3,9 +3,8 @@
 // Explores every interleaving of one publisher and one subscriber that share a ring and a socket, on the very
 // code that the library runs for the ring's words (channel/ring.h): the records come in order, none is missed
 // and no thread sleeps forever, wherever one of them dies. Then plants each mistake and demands that it is found.
-#include "channel/ring.h"
 #include "exploration.h"
-#include "explorer.h"
+#include "ring_words.h"
 
 namespace tzc {
 namespace model {
@@ -15,13 +14,7 @@ constexpr std::size_t subscriber = 0, publisher = 1, threads = 2;
 constexpr std::size_t slots = 2;
 
 enum SharedWord : std::size_t {
-  bell,
-  written,
-  packets,
-  sleeping,
-  read_count,
-  packets_read,
-  socket,  // the kernel's, as are the next two
+  socket = ring_word_count,  // the kernel's, as are the next two
   asleep,
   hung_up,
   first_slot,
@@ -72,15 +65,6 @@ struct Local {
 };
 
 using RingExplorer = Explorer<Local, threads, word_count>;
-
-[[noreturn]] void violated(const char* what) {
-  throw Violation{what};
-}
-
-channel::RingWords<ModelAtomic> words_of(Context& context) {
-  const auto word = [&](std::size_t index) { return ModelAtomic(context, index); };
-  return {word(bell), word(written), word(packets), word(sleeping), word(read_count), word(packets_read)};
-}
 
 void ring(Context& context) {
   auto words = words_of(context);

@@ -177,9 +177,9 @@ bool worker_round(Context& context, Local&, std::size_t) {
 }
 
 void check_end(const SleepersExplorer::State& state) {
-  if (state.shared[read_records] != scenario.records) throw Violation{"a record is left, and all sleep"};
+  if (state.shared[read_records] != scenario.records) violated("a record is left, and all sleep");
   if (state.shared[work] != 0 && !state.thread[guest].finished)
-    throw Violation{"work is left, and the guest sleeps"};
+    violated("work is left, and the guest sleeps");
 }
 
 int run() {
