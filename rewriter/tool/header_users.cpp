@@ -6,9 +6,11 @@
 #include <set>
 #include <sstream>
 
+#include "buildfiles/package_xml.h"
 #include "edits/files.h"
 #include "model/codes.h"
 #include "tool/package_headers.h"
+#include "tool/places.h"
 #include "tool/text_files.h"
 
 namespace tzc::rewriter {
@@ -36,16 +38,34 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
-bool depends_on(const fs::path& manifest, const std::string& package) {
-  const std::string text = text_of(manifest);
-  for (std::size_t at = text.find(package); at != std::string::npos; at = text.find(package, at + 1)) {
-    const std::size_t before = text.find_last_not_of(" \t\r\n", at - 1);
-    const std::size_t after = text.find_first_not_of(" \t\r\n", at + package.size());
-    if (before != std::string::npos && after != std::string::npos && text[before] == '>' &&
-        text.compare(after, 2, "</") == 0 && text.compare(text.find('>', after) - 6, 6, "depend") == 0)
+/// Whether the text of a package.xml names the package as a dependency of any kind.
+bool depends_on(const std::string& manifest, const std::string& package) {
+  for (std::size_t at = manifest.find(package); at != std::string::npos;
+       at = manifest.find(package, at + 1)) {
+    const std::size_t before = manifest.find_last_not_of(" \t\r\n", at - 1);
+    const std::size_t after = manifest.find_first_not_of(" \t\r\n", at + package.size());
+    if (before != std::string::npos && after != std::string::npos && manifest[before] == '>' &&
+        manifest.compare(after, 2, "</") == 0 &&
+        manifest.compare(manifest.find('>', after) - 6, 6, "depend") == 0)
       return true;
   }
   return false;
+}
+
+bool depends_on_any(const fs::path& file, const std::set<std::string>& packages) {
+  const std::string manifest = text_of(file);
+  return std::any_of(packages.begin(), packages.end(),
+                     [&](const std::string& package) { return depends_on(manifest, package); });
+}
+
+/// Of the packages that the command line names.
+std::set<std::string> names_of_packages(const std::vector<std::string>& arguments) {
+  std::set<std::string> names;
+  for (const std::string& argument : arguments)
+    if (const Expected<std::vector<std::string>> folders = find_packages_at(argument))
+      for (const std::string& folder : *folders)
+        if (const Expected<PackageXml> manifest = read_package_xml(folder)) names.insert(manifest->name);
+  return names;
 }
 
 }  // namespace
@@ -123,18 +143,21 @@ Note note_on_users(const std::string& package_dir, const std::map<std::string, s
   return {codes::TZC1005, Location{package_dir + "/package.xml", 1, 1}, text};
 }
 
-std::vector<std::string> roots_of_users(const std::string& package, const std::string& workspace,
+std::vector<std::string> roots_of_users(const std::set<std::string>& packages, const std::string& workspace,
                                         const std::vector<std::string>& named,
-                                        const std::vector<std::string>& shares) {
+                                        const std::set<std::string>& shares) {
   std::vector<std::string> roots = {workspace};
   roots.insert(roots.end(), named.begin(), named.end());
+  const std::set<std::string> hidden = names_of_packages(named);
   for (const std::string& share : shares) {
     const fs::path prefix = fs::path(share) / "..";
     for (const std::string& folder : source_spaces(prefix)) roots.push_back(folder);
     std::error_code failed;
-    for (const auto& entry : fs::directory_iterator(share, failed))
-      if (depends_on(entry.path() / "package.xml", package))
-        roots.push_back((prefix / "include" / entry.path().filename()).string());
+    for (const auto& entry : fs::directory_iterator(share, failed)) {
+      const std::string name = entry.path().filename();
+      if (hidden.count(name) == 0 && depends_on_any(entry.path() / "package.xml", packages))
+        roots.push_back((prefix / "include" / name).string());
+    }
   }
   return roots;
 }

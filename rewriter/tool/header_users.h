@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,11 +35,12 @@ std::map<std::string, std::string> headers_in_use(const FolderSet& packages,
 Note note_on_users(const std::string& package_dir, const std::map<std::string, std::string>& users,
                    const std::vector<std::string>& others = {});
 
-/// Where code lies that may include a package's headers: the workspace, the packages of the command line, the
-/// workspaces below this one, and the headers of installed packages that depend on the package.
+/// Where code lies that may include a header of one of these packages (names): the workspace, what the command line names, the
+/// workspaces below this one, and the headers of installed packages that depend on one of them. An installed package of
+/// which the command line names the sources is none: they hide it.
 /// `shares`: folders of installed packages' files, such as /usr/share.
-std::vector<std::string> roots_of_users(const std::string& package, const std::string& workspace,
+std::vector<std::string> roots_of_users(const std::set<std::string>& packages, const std::string& workspace,
                                         const std::vector<std::string>& named,
-                                        const std::vector<std::string>& shares);
+                                        const std::set<std::string>& shares);
 
 }  // namespace tzc::rewriter

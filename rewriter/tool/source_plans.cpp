@@ -184,13 +184,13 @@ class SourcePlanner {
   }
 
   std::vector<std::string> roots() const {
-    std::vector<std::string> all;
+    std::set<std::string> names, shares;
     for (const SourcePackage& package : packages_) {
-      const std::vector<std::string> roots = roots_of_users(
-          package.name, workspace(), inputs_.options.packages, share_folders(package.build_dir));
-      all.insert(all.end(), roots.begin(), roots.end());
-      all.push_back(source_space(package.dir));
+      names.insert(package.name);
+      for (const std::string& folder : share_folders(package.build_dir)) shares.insert(folder);
     }
+    std::vector<std::string> all = roots_of_users(names, workspace(), inputs_.options.packages, shares);
+    for (const SourcePackage& package : packages_) all.push_back(source_space(package.dir));
     return all;
   }
 

@@ -133,14 +133,30 @@ TEST_F(HeaderUsers, installed_packages_that_depend_on_it_are_searched) {
   folder.write("opt/share/stranger/package.xml", "<package><name>lib</name><depend>lib2</depend></package>");
   folder.write("opt/include/user/user.h", "#include <lib/api.h>\n");
   folder.write("opt/include/stranger/stranger.h", "#include <lib/detail.h>\n");
-  EXPECT_EQ(in_use(roots_of_users("lib", folder / "ws", {}, {folder / "opt/share"})), "api.h ");
+  EXPECT_EQ(in_use(roots_of_users({"lib"}, folder / "ws", {}, {folder / "opt/share"})), "api.h ");
+}
+
+TEST_F(HeaderUsers, an_installed_package_is_not_if_its_sources_are_named) {
+  for (const char* name : {"lib", "user"}) {
+    const std::string manifest =
+        std::string("<package><name>") + name + "</name><depend>lib</depend></package>";
+    folder.write("ws/src/" + std::string(name) + "/package.xml", manifest);
+    folder.write("opt/share/" + std::string(name) + "/package.xml", manifest);
+  }
+  folder.write("opt/include/lib/old.h", "#include <lib/detail.h>\n");
+  folder.write("opt/include/user/user.h", "#include <lib/api.h>\n");
+  const auto in_use_if_named = [&](const std::vector<std::string>& named) {
+    return in_use(roots_of_users({"lib"}, folder / "ws", named, {folder / "opt/share"}));
+  };
+  EXPECT_EQ(in_use_if_named({folder / "ws/src/lib"}), "api.h ") << "user is installed, and stays";
+  EXPECT_EQ(in_use_if_named({folder / "ws/src"}), "");
 }
 
 TEST_F(HeaderUsers, workspaces_below_are_searched) {
   folder.write("under/devel/.catkin", (folder / "under/src") + ";" + (folder / "gone"));
   folder.write("under/src/node/main.cpp", "#include <lib/detail.h>\n");
   fs::create_directories(folder / "under/devel/share");
-  EXPECT_EQ(in_use(roots_of_users("lib", folder / "ws", {}, {folder / "under/devel/share"})), "detail.h ");
+  EXPECT_EQ(in_use(roots_of_users({"lib"}, folder / "ws", {}, {folder / "under/devel/share"})), "detail.h ");
 }
 
 TEST_F(HeaderUsers, the_note_names_what_stays_and_who_uses_it) {
