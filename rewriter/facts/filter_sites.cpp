@@ -10,10 +10,21 @@
 namespace tzc::rewriter {
 namespace {
 
-std::optional<MessageType> filter_message(const clang::CXXRecordDecl* record) {
+/// What a filter that names its message, as message_filters::Subscriber does, passes on; none: it passes on images.
+std::optional<clang::QualType> passed_on(const clang::CXXRecordDecl* record) {
   const auto* templated = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
   if (!templated || templated->getTemplateArgs().size() == 0) return {};
-  return message_of(templated->getTemplateArgs()[0].getAsType());
+  return templated->getTemplateArgs()[0].getAsType();
+}
+
+void describe_type(Subscribe& site, clang::QualType type, const clang::PrintingPolicy& policy) {
+  const CallbackParameter parameter = callback_parameter_of(type);
+  site.type = type.getAsString(policy);
+  site.converts = parameter.converts;
+  if (parameter.message)
+    set_message(site, *parameter.message);
+  else
+    site.obstacles.push_back({codes::TZC2006, "'" + site.type + "' is no message", location_of(site.where)});
 }
 
 template <class Call>
@@ -48,7 +59,8 @@ Subscribe FilterCollector::site_of(const Construction& construction, const Entit
   const ClassRename* rename = unit_.rules.find_class_or_ported(name);
   if (rename) site.rule = rename->rule;
   site.ported = unit_.rules.find_ported_class(name) != nullptr;
-  if (const auto message = filter_message(construction.record)) set_message(site, *message);
+  if (const std::optional<clang::QualType> type = passed_on(construction.record))
+    describe_type(site, *type, unit_.ast().getPrintingPolicy());
   for (const clang::Expr* argument : construction.arguments)
     if (!site.topic && !argument->getType()->isArithmeticType()) site.topic = constant_string(argument);
   site.scope = scope_of(construction.expr);

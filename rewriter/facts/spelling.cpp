@@ -9,8 +9,27 @@ namespace tzc::rewriter {
 namespace {
 
 struct Spelling {
-  std::string text, header, rule;
+  std::string text, rule;
+  std::vector<std::string> headers;
 };
+
+/// What a filter is a template of; none: it is no template.
+std::optional<clang::QualType> first_argument(clang::QualType filter) {
+  const auto* made = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
+      filter.getCanonicalType()->getAsCXXRecordDecl());
+  if (!made || made->getTemplateArgs().size() == 0) return {};
+  const clang::TemplateArgument& first = made->getTemplateArgs()[0];
+  if (first.getKind() != clang::TemplateArgument::Type) return {};
+  return first.getAsType();
+}
+
+/// Of a publisher's or filter's class. Clouds are read from shared memory where TZC's header for them is included.
+Spelling spelling_of(const ClassRename& rename, clang::QualType type) {
+  Spelling spelling{rename.to, rename.rule, {rename.header}};
+  const std::optional<clang::QualType> argument = first_argument(type);
+  if (argument && is_pcl_cloud(*argument)) spelling.headers.push_back("tzc/pcl.h");
+  return spelling;
+}
 
 std::string pointer_name(const std::string& twin, clang::QualType type) {
   const clang::QualType pointee = pointee_of(type);
@@ -27,19 +46,19 @@ std::optional<Spelling> ported_name(const Unit& unit, clang::QualType type) {
   const clang::CXXRecordDecl* record = type.getCanonicalType()->getAsCXXRecordDecl();
   if (record)
     if (const ClassRename* rename = unit.rules.find_class(qualified_name_of(record)))
-      return Spelling{rename->to, rename->header, rename->rule};
+      return spelling_of(*rename, type);
   if (const auto message = message_of(type); message && !type->isReferenceType())
-    return Spelling{twin_name(message->name), twin_header(message->name), "message-type"};
+    return Spelling{twin_name(message->name), "message-type", {twin_header(message->name)}};
   const clang::QualType pointee = pointee_of(type);
   if (pointee.isNull() || type->isPointerType()) return {};
   const auto message = message_of(pointee);
   if (!message) return {};
-  return Spelling{pointer_name(twin_name(message->name), type), twin_header(message->name), "message-type"};
+  return Spelling{pointer_name(twin_name(message->name), type), "message-type", {twin_header(message->name)}};
 }
 
 /// The edit that writes `spelling` over `old_text`: where only the namespace differs, an insertion.
 Change change_of(Place where, const Spelling& spelling, const std::string& old_text) {
-  Change change{std::move(where), spelling.text, spelling.rule, {spelling.header}};
+  Change change{std::move(where), spelling.text, spelling.rule, spelling.headers};
   const std::string prefix = "tzc::";
   const std::string package = spelling.text.rfind(prefix, 0) == 0
                                   ? spelling.text.substr(5, spelling.text.find("::", 5) - 5) + "::"
@@ -58,14 +77,12 @@ Change change_of(Place where, const Spelling& spelling, const std::string& old_t
 }
 
 /// A typedef of a filter class hides the message, which the ported class has to be given.
-std::string hidden_arguments(clang::QualType type) {
-  const auto* made = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
-      type.getCanonicalType()->getAsCXXRecordDecl());
-  if (!made || message_of(made) || !pointee_of(type).isNull() || made->getTemplateArgs().size() == 0)
-    return "";
-  const clang::TemplateArgument& first = made->getTemplateArgs()[0];
-  if (first.getKind() != clang::TemplateArgument::Type) return "";
-  const auto message = message_of(first.getAsType());
+std::string hidden_arguments(clang::QualType type, const clang::PrintingPolicy& policy) {
+  if (message_of(type) || !pointee_of(type).isNull()) return "";
+  const std::optional<clang::QualType> argument = first_argument(type);
+  if (!argument) return "";
+  if (is_pcl_cloud(*argument)) return "<" + argument->getCanonicalType().getAsString(policy) + ">";
+  const auto message = message_of(*argument);
   return message ? "<" + stock_name(message->name) + ">" : "";
 }
 
@@ -99,7 +116,7 @@ void Speller::respell_template(clang::TemplateSpecializationTypeLoc type, clang:
   const clang::CXXRecordDecl* record = type.getType().getCanonicalType()->getAsCXXRecordDecl();
   if (record)
     if (const ClassRename* rename = unit_.rules.find_class(qualified_name_of(record)))
-      return change_name({begin, type.getTemplateNameLoc()}, {rename->to, rename->header, rename->rule});
+      return change_name({begin, type.getTemplateNameLoc()}, spelling_of(*rename, type.getType()));
   for (unsigned i = 0; i < type.getNumArgs(); ++i)
     if (clang::TypeSourceInfo* argument = type.getArgLoc(i).getTypeSourceInfo())
       respell(argument->getTypeLoc());
@@ -117,7 +134,7 @@ void Speller::respell_name(clang::TypeLoc type, clang::SourceRange tokens) {
   }
   if (type.getAs<clang::TemplateTypeParmTypeLoc>()) return;
   if (auto spelling = ported_name(unit_, type.getType()); spelling && !spelling->text.empty()) {
-    spelling->text += hidden_arguments(type.getType());
+    spelling->text += hidden_arguments(type.getType(), unit_.ast().getPrintingPolicy());
     return change_name(tokens, *spelling);
   }
   if (carried_by(type.getType(), unit_.rules))
