@@ -10,6 +10,12 @@
 
 namespace tzc::rewriter {
 
+std::size_t DemotionLoop::number_of_units(const Facts& facts) {
+  std::set<std::string> units;
+  for (const auto& item : facts.units_of_file) units.insert(item.second.begin(), item.second.end());
+  return units.size();
+}
+
 void DemotionLoop::demote(ComponentId component, const Failure& failure) {
   const ComponentKind kind = components_[component].kind;
   const bool receives = kind == ComponentKind::subscription || kind == ComponentKind::filter;
@@ -67,7 +73,8 @@ std::vector<ComponentId> DemotionLoop::ported_components(const Attempt& attempt)
 /// Whether the error is gone when these are not ported; the unit may have others. Only that unit is looked at,
 /// by the judge that found the error.
 Expected<bool> DemotionLoop::is_gone_without(const Failure& failure,
-                                             const std::vector<ComponentId>& components) const {
+                                             const std::vector<ComponentId>& components) {
+  if (trials_left_ > 0) --trials_left_;
   Demotions trial = demotions_;
   for (const ComponentId component : components)
     trial.emplace(component, Obstacle{codes::TZC1009, "", failure.error.where});
@@ -79,7 +86,7 @@ Expected<bool> DemotionLoop::is_gone_without(const Failure& failure,
 
 /// The component without which the error is gone: first among those that the error's lines name, then among all
 /// that the unit sees, in halves. Costs a parse of one unit for each step.
-Expected<std::optional<ComponentId>> DemotionLoop::culprit_of(const Failure& failure) const {
+Expected<std::optional<ComponentId>> DemotionLoop::culprit_of(const Failure& failure) {
   std::vector<ComponentId> suspects = failure.candidates;
   const auto message = [this](ComponentId id) { return is_message(id); };
   const auto named_end = suspects.begin() + static_cast<long>(failure.named);
@@ -104,6 +111,7 @@ Expected<std::optional<ComponentId>> DemotionLoop::culprit_of(const Failure& fai
 Expected<void> DemotionLoop::demote_by_bisection(const Attempt& failed) {
   std::set<std::string> seen;
   for (const Failure& failure : failed.failures) {
+    if (trials_left_ == 0) break;
     if (!seen.insert(failure.unit).second) continue;
     if (seen.size() > 1) {
       const Expected<bool> healed = is_gone_without(failure, {});
@@ -141,7 +149,7 @@ bool DemotionLoop::demote_all_of(const Attempt& failed) {
 
 /// False: nothing more can be taken away.
 Expected<bool> DemotionLoop::demote_some(const Attempt& failed) {
-  if (round_ >= careful_rounds && demote_all_of(failed)) return true;
+  if ((round_ >= careful_rounds || trials_left_ == 0) && demote_all_of(failed)) return true;
   if (demote_suspects(failed)) return true;
   const std::size_t before = demotions_.size();
   if (Expected<void> done = demote_by_bisection(failed); !done) return done.error();

@@ -20,7 +20,8 @@ class DemotionLoop {
         options_(options),
         others_(others),
         verifier_(verifier),
-        read_(std::move(read)) {}
+        read_(std::move(read)),
+        trials_left_(least_trials + number_of_units(facts)) {}
 
   struct Result {
     Solution solution;
@@ -32,6 +33,10 @@ class DemotionLoop {
  private:
   /// After so many rounds whatever a failing unit sees is demoted at once: each round parses units again.
   static constexpr unsigned careful_rounds = 8;
+  /// Trials of one unit each that bisection may make, besides one for each unit; later, too, all is demoted at once. So its cost
+  /// is linear in the units, whatever is wrong with them.
+  static constexpr std::size_t least_trials = 32;
+  static std::size_t number_of_units(const Facts& facts);
 
   struct Attempt {
     Result result;
@@ -44,8 +49,8 @@ class DemotionLoop {
   bool demote_suspects(const Attempt& attempt);
   bool demote_all_of(const Attempt& failed);
   Expected<void> demote_by_bisection(const Attempt& failed);
-  Expected<std::optional<ComponentId>> culprit_of(const Failure& failure) const;
-  Expected<bool> is_gone_without(const Failure& failure, const std::vector<ComponentId>& components) const;
+  Expected<std::optional<ComponentId>> culprit_of(const Failure& failure);
+  Expected<bool> is_gone_without(const Failure& failure, const std::vector<ComponentId>& components);
   bool demote_for_others(const Attempt& attempt);
   void demote(ComponentId component, const Failure& failure);
   bool is_message(ComponentId component) const;
@@ -59,6 +64,7 @@ class DemotionLoop {
   ReadFile read_;
   Demotions demotions_;
   unsigned round_ = 0;
+  std::size_t trials_left_;
 };
 
 }  // namespace tzc::rewriter

@@ -269,8 +269,8 @@ Expected<PortPlans> PortPlanner::run() {
   ParseOptions parse_options;
   parse_options.include_dirs = include_dirs();
   parse_options.accesses = options_.accesses;
-  Verifier verifier({parsed_, reading_.facts, reading_.calls, components, options_.packages}, parse_options,
-                    options_.jobs, read_file, options_.judges);
+  Verifier verifier({parsed_, reading_.facts, reading_.calls, components, rules_, options_.packages},
+                    parse_options, options_.jobs, read_file, options_.judges);
   const UnseenCode code = unseen_code();
   const UnseenUses unseen(code, reading_.facts, components, read_file);
   const OtherCodeLimits others(options_.others, exported_, unseen);

@@ -76,6 +76,8 @@ struct RuleSet {
   const LibraryCall* find_call(const std::string& function, unsigned argument) const;
   const MethodCall* find_method(const std::string& object, const std::string& method,
                                 unsigned arguments) const;
+  /// The names of those that write another function in place of this one.
+  std::set<std::string> replacing(const std::string& function) const;
   const LibraryAdvertise* find_advertiser(const std::string& result) const;
   /// The advertise or subscribe function that an earlier run wrote.
   const MethodCall* find_ported_function(const std::string& function) const;

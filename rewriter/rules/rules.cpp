@@ -76,6 +76,15 @@ const MethodCall* RuleSet::find_method(const std::string& object, const std::str
   return nullptr;
 }
 
+std::set<std::string> RuleSet::replacing(const std::string& function) const {
+  std::set<std::string> names;
+  for (const LibraryCall* rule : calls)
+    if (function == rule->function) names.insert(rule->rule);
+  for (const MethodCall* rule : methods)
+    if (function == std::string(rule->object) + "::" + rule->method) names.insert(rule->rule);
+  return names;
+}
+
 const LibraryAdvertise* RuleSet::find_advertiser(const std::string& result) const {
   for (const LibraryAdvertise* rule : advertisers)
     if (result == rule->result) return rule;

@@ -35,9 +35,11 @@ Attribution::Attribution(const Facts& facts, const Components& components, Edite
     if (const auto edited = contents_.find(file); edited != contents_.end())
       lines_.emplace(file, EditedLines(original, of_file, edited->second));
     for (const Edit& edit : of_file) {
+      const unsigned line = line_at(original, edit.offset);
+      rules_[file][line].insert(edit.rule);
       if (!edit.component) continue;
       edited_.insert(*edit.component);
-      edited_lines_[file][*edit.component].insert(line_at(original, edit.offset));
+      edited_lines_[file][*edit.component].insert(line);
     }
   }
 }
@@ -45,6 +47,15 @@ Attribution::Attribution(const Facts& facts, const Components& components, Edite
 LineRange Attribution::original(const std::string& file, unsigned line) const {
   const auto found = lines_.find(file);
   return found == lines_.end() ? LineRange{line, line} : found->second.original(line);
+}
+
+bool Attribution::has_edit(const std::string& file, unsigned line, const std::set<std::string>& rules) const {
+  const auto of_file = rules_.find(file);
+  if (of_file == rules_.end()) return false;
+  const auto here = of_file->second.find(line);
+  return here != of_file->second.end() && std::any_of(rules.begin(), rules.end(), [&](const auto& rule) {
+           return here->second.count(rule) != 0;
+         });
 }
 
 /// Whether a use, a flow or a publish call of the component is on these lines of the original.

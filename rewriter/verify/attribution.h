@@ -37,6 +37,9 @@ class Attribution {
   /// Edited components with an edit in one of the files.
   std::set<ComponentId> edited_in(const std::set<std::string>& files) const;
 
+  /// Whether one of these rules asked for an edit on a line of the original.
+  bool has_edit(const std::string& file, unsigned line, const std::set<std::string>& rules) const;
+
   /// Lines of the original that a line of an edited file stands for.
   LineRange original(const std::string& file, unsigned line) const;
 
@@ -52,6 +55,8 @@ class Attribution {
   std::map<std::string, EditedLines> lines_;
   std::map<std::string, std::map<ComponentId, std::set<unsigned>>>
       edited_lines_;  ///< file -> component -> original lines
+  std::map<std::string, std::map<unsigned, std::set<std::string>>>
+      rules_;  ///< file -> original line -> rules of the edits there
 };
 
 }  // namespace tzc::rewriter

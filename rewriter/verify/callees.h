@@ -13,20 +13,30 @@ class ASTContext;
 
 namespace tzc::rewriter {
 
-/// A call of one of the package's functions, or a constructor that takes a list of elements, as overload resolution picked it.
+/// The instantiation of a template that code is part of.
+struct Instance {
+  std::string
+      pattern;  ///< what is instantiated: names and numbers of parameters, from the outermost; empty: no template
+  std::string arguments;  ///< of all templates around the code, canonical
+};
+
+/// A call of one of the package's functions, or a constructor that takes a list of elements, as overload resolution picked it;
+/// or a function that is an instantiation, at its begin.
 struct PackageCall {
   std::string file;  ///< of the call
   unsigned line = 0;
-  std::string callee_file;  ///< of the function's first declaration; empty: of a library
+  std::string
+      callee_file;  ///< of the function's first declaration; empty: it is none of the package's, or begins here
   unsigned callee_line = 0;
   std::string callee;  ///< its name
+  Instance instance = {};
 };
 
 /// Unit id -> its calls.
 using CallsOfUnits = std::map<std::string, std::vector<PackageCall>>;
 
-/// In the order of the source. Edits must leave it as it is: an edit that makes a call pick another function
-/// would change what the program does, and still compile.
+/// In the order in which the unit reads them. Edits must leave what they pick as it is: an edit that makes a call pick another
+/// function would change what the program does, and still compile.
 std::vector<PackageCall> package_calls(clang::ASTContext& ast, const FolderSet& packages);
 
 }  // namespace tzc::rewriter

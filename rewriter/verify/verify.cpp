@@ -8,6 +8,7 @@
 #include "edits/apply.h"
 #include "edits/files.h"
 #include "edits/in_parallel.h"
+#include "verify/changed_calls.h"
 
 namespace tzc::rewriter {
 
@@ -46,23 +47,26 @@ std::string Verifier::key_of(const std::string& unit, const FileContents& conten
   return key;
 }
 
-std::vector<Diagnostic> Verifier::changed_calls(const std::string& unit, const std::vector<PackageCall>& now,
+std::vector<Diagnostic> Verifier::changed_calls(const CompileUnit& unit, const std::vector<PackageCall>& now,
                                                 const Attribution& attribution) const {
-  std::vector<Diagnostic> changes;
-  const auto found = packages_.calls.find(unit);
-  if (found == packages_.calls.end()) return changes;
-  const std::vector<PackageCall>& before = found->second;
-  for (std::size_t i = 0; i < before.size() || i < now.size(); ++i) {
-    const bool same = i < before.size() && i < now.size() && before[i].callee == now[i].callee &&
-                      before[i].callee_file == now[i].callee_file &&
-                      attribution.original(now[i].callee_file, now[i].callee_line).has(before[i].callee_line);
-    if (same) continue;
-    const PackageCall& call = i < now.size() ? now[i] : before[i];
-    changes.push_back(
-        {{call.file, call.line, 1}, "this call would choose another '" + call.callee + "' than before", {}});
-    break;
-  }
-  return changes;
+  const auto before = packages_.calls.find(unit.id());
+  if (before == packages_.calls.end()) return {};
+  const auto includes = [&](const std::string& file) {
+    const auto users = packages_.facts.units_of_file.find(file);
+    return users != packages_.facts.units_of_file.end() && users->second.count(unit.file) != 0;
+  };
+  const auto is_line = [&](const std::string& file, unsigned edited_line, unsigned line) {
+    return attribution.original(file, edited_line).has(line);
+  };
+  const auto is_replaced = [&](const PackageCall& call) {
+    return attribution.has_edit(call.file, call.line, packages_.rules.replacing(call.callee));
+  };
+  const std::optional<PackageCall> change =
+      changed_call({before->second, includes, is_line, is_replaced}, now);
+  if (!change) return {};
+  return {{{change->file, change->line, 1},
+           "this call would choose another '" + change->callee + "' than before",
+           {}}};
 }
 
 Verifier::Judgement Verifier::ask_clang(const VerifyRequest& request, const FileContents& contents,
@@ -83,7 +87,7 @@ Verifier::Judgement Verifier::ask_clang(const VerifyRequest& request, const File
       std::vector<PackageCall> calls;
       ParseResult parsed = parse(
           *units[i], options, [&](clang::ASTContext& ast) { calls = package_calls(ast, packages_.folders); });
-      if (parsed.errors.empty()) parsed.errors = changed_calls(units[i]->id(), calls, attribution);
+      if (parsed.errors.empty()) parsed.errors = changed_calls(*units[i], calls, attribution);
       lock.lock();
       known = clang_said_.emplace(key, std::move(parsed.errors)).first;
     }

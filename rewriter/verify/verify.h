@@ -14,6 +14,7 @@
 #include "model/folder_set.h"
 #include "model/judges.h"
 #include "parse/parse.h"
+#include "rules/rule.h"
 #include "solve/components.h"
 #include "verify/attribution.h"
 #include "verify/callees.h"
@@ -47,6 +48,7 @@ struct VerifiedPackages {
   const Facts& facts;
   const CallsOfUnits& calls;
   const Components& components;
+  const RuleSet& rules;
   FolderSet folders;
 };
 
@@ -83,7 +85,7 @@ class Verifier {
                       const Attribution& attribution);
   Expected<Judgement> ask_compiler(const VerifyRequest& request, const FileContents& contents);
   /// Calls that would pick another function than before, as errors.
-  std::vector<Diagnostic> changed_calls(const std::string& unit, const std::vector<PackageCall>& now,
+  std::vector<Diagnostic> changed_calls(const CompileUnit& unit, const std::vector<PackageCall>& now,
                                         const Attribution& attribution) const;
   void attribute(Failure& failure, const Attribution& attribution) const;
 

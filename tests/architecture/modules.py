@@ -32,7 +32,7 @@ USES = {
     "rewriter/solve": ["rewriter/model"],
     "rewriter/parse": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles"],
     "rewriter/facts": ["rewriter/model", "rewriter/rules", "rewriter/parse"],
-    "rewriter/verify": ["rewriter/model", "rewriter/edits", "rewriter/parse", "rewriter/solve"],
+    "rewriter/verify": ["rewriter/model", "rewriter/edits", "rewriter/parse", "rewriter/rules", "rewriter/solve"],
     "rewriter/engine": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles", "rewriter/report",
                         "rewriter/parse", "rewriter/facts", "rewriter/solve", "rewriter/verify"],
     "rewriter/format": ["rewriter/edits"],

@@ -163,6 +163,31 @@ TEST_F(JudgesTest, many_errors_of_a_unit_end_in_few_rounds) {
   EXPECT_LE(rounds, 20u);
 }
 
+TEST_F(JudgesTest, however_many_units_have_errors_without_a_place_the_trials_are_linear) {
+  constexpr unsigned units = 24, trials = 32 + units;
+  std::map<std::string, std::string> files;
+  for (unsigned i = 0; i < units; ++i) {
+    std::string unit = includes;
+    for (const char* name : {"a", "b", "c", "d", "e", "f", "g", "h"})
+      unit += publisher(name + std::to_string(i)).substr(includes.size());
+    files["src/node" + std::to_string(i) + ".cpp"] = unit;
+  }
+  unsigned judged = 0;
+  judges.compiler = [&](const FileContents& contents, const std::set<std::string>& asked) {
+    judged += asked.size();
+    std::vector<CompilerError> errors;
+    for (const std::string& unit : asked)
+      if (const auto text = contents.find(unit);
+          text != contents.end() && text->second.find("tzc::sensor_msgs::Image image") != std::string::npos)
+        errors.push_back({unit, {unit, 0, 0}, "no", {}});
+    return errors;
+  };
+  const auto port = plan(files);
+  ASSERT_TRUE(port) << to_string(port.error());
+  EXPECT_THAT(levels(*port), Not(HasSubstr("zero_copy")));
+  EXPECT_LE(judged, 10 * units + trials);
+}
+
 TEST_F(JudgesTest, a_unit_that_the_compiler_refuses_too_is_left_out) {
   judges.original_errors = [](const std::string& unit) {
     return std::vector<CompilerError>{{unit, {unit, 1, 1}, "'missing' was not declared", {}}};
