@@ -32,10 +32,13 @@ class Clouds(TopicCase):
                     self.assert_seq_as_tcpros(listener)
 
     def test_callbacks_that_take_clouds(self):
-        listener = self.listen(as_cloud="true")
-        counters = self.talk()
-        self.assertEqual((counters["copied_bytes"], counters["serialized"]), (50 * BYTES, 0))
-        self.assert_got(listener, range(50))
+        for how in ("as_cloud", "filter"):
+            with self.subTest(how=how):
+                self.ros.stop_since(self.before)
+                listener = self.listen(**{how: "true"})
+                counters = self.talk()
+                self.assertEqual((counters["copied_bytes"], counters["serialized"]), (50 * BYTES, 0))
+                self.assert_got(listener, range(50))
 
     def test_without_memory_they_travel_whole_and_in_order(self):
         """Memory for three clouds, and a subscriber that keeps all it gets."""

@@ -4,11 +4,12 @@
 /// Private parameters: role (talker, listener). Talker: topic_type (cloud, message: what the topic is
 /// advertised as; attached: as a message by other code, and then attached for clouds), pointer (publish by
 /// pointer), count, points (of each cloud), memory (bytes). Listener: keep (all it gets), as_cloud (its
-/// callback takes clouds).
+/// callback takes clouds), filter (the same, behind a filter).
 #include <pcl/point_types.h>
 #include <pcl_ros/point_cloud.h>
 #include <ros/ros.h>
 #include <tzc/memory.h>
+#include <tzc/message_filters.h>
 #include <tzc/pcl.h>
 #include <tzc/ros.h>
 
@@ -86,9 +87,16 @@ void listen(ros::NodeHandle& node, const ros::NodeHandle& options) {
       };
   const boost::function<void(const boost::shared_ptr<Cloud const>&)> take_cloud =
       [](const boost::shared_ptr<Cloud const>& cloud) { print(*cloud, false); };
-  const ros::Subscriber subscriber =
-      options.param("as_cloud", false) ? tzc::subscribe<Cloud>(node, "points", 200, take_cloud)
-                                       : tzc::subscribe<sensor_msgs::PointCloud2>(node, "points", 200, take);
+  ros::Subscriber subscriber;
+  tzc::message_filters::Subscriber<Cloud> filter;
+  if (options.param("filter", false)) {
+    filter.registerCallback(take_cloud);
+    filter.subscribe(node, "points", 200);
+  } else if (options.param("as_cloud", false)) {
+    subscriber = tzc::subscribe<Cloud>(node, "points", 200, take_cloud);
+  } else {
+    subscriber = tzc::subscribe<sensor_msgs::PointCloud2>(node, "points", 200, take);
+  }
   ros::spin();
 }
 
