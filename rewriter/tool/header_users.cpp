@@ -72,7 +72,7 @@ std::set<std::string> names_of_packages(const std::vector<std::string>& argument
 
 std::vector<Inclusion> inclusions_between(const std::vector<std::string>& packages) {
   const FolderSet folders(packages);
-  const PackageHeaders headers(folders);
+  PackageHeaders headers(folders);
   std::vector<Inclusion> found;
   TextFiles files([&](const std::string& file) {
     for (const std::string& header : headers.included_by(file))
@@ -105,7 +105,7 @@ std::vector<std::vector<std::string>> joined_by_headers(const std::vector<std::s
 std::map<std::string, std::string> headers_in_use(const FolderSet& packages,
                                                   const std::vector<std::string>& roots,
                                                   const std::vector<Inclusion>& known) {
-  const PackageHeaders headers(packages);
+  PackageHeaders headers(packages);
   std::map<std::string, std::string> users;
   std::vector<std::string> todo;
   const auto use = [&](const std::string& header, const std::string& user) {

@@ -26,14 +26,14 @@ std::string without_dots(const std::string& name) {
 
 }  // namespace
 
-PackageHeaders::PackageHeaders(const FolderSet& packages) {
+PackageHeaders::PackageHeaders(const FolderSet& packages) : packages_(packages) {
   TextFiles files([this](const std::string& file) { by_name_[fs::path(file).filename()].insert(file); });
   for (const std::string& package : packages) files.walk(package);
 }
 
 /// `file`: where the directive stands. A quoted name that is found beside it means that file.
 std::set<std::string> PackageHeaders::meant_by(const std::string& name, bool quoted,
-                                               const std::string& file) const {
+                                               const std::string& file) {
   const auto known = by_name_.find(fs::path(name).filename());
   if (known == by_name_.end()) return {};
   if (quoted) {
@@ -45,12 +45,20 @@ std::set<std::string> PackageHeaders::meant_by(const std::string& name, bool quo
   std::set<std::string> found;
   const std::string end = "/" + without_dots(name);
   for (const std::string& header : known->second)
-    if (header.size() > end.size() && header.compare(header.size() - end.size(), end.size(), end) == 0)
+    if (header.size() > end.size() && header.compare(header.size() - end.size(), end.size(), end) == 0 &&
+        is_found(header, end, file))
       found.insert(header);
   return found;
 }
 
-std::set<std::string> PackageHeaders::included_by(const std::string& file) const {
+/// `name`: with the slash in front of it, the end of the header's path.
+bool PackageHeaders::is_found(const std::string& header, const std::string& name, const std::string& file) {
+  const std::string& package = *packages_.of(header);
+  return packages_.of(file) == &package ||
+         folders_.may_serve(header.substr(0, header.size() - name.size()), package, file);
+}
+
+std::set<std::string> PackageHeaders::included_by(const std::string& file) {
   static const std::regex directive(R"(^\s*#\s*(?:include|include_next|import)\s*([<"])([^>"]+)[>"])");
   static const std::regex name(
       R"(([<"])([^<>"\s]+)[>"])");  // target_precompile_headers(node PRIVATE <lib/a.h>)

@@ -67,6 +67,64 @@ TEST_F(HeaderUsers, a_name_without_a_folder_may_mean_the_header) {
   EXPECT_EQ(in_use(), "api.h ");
 }
 
+/// The package that includes <detail.h>, and the one whose header that may be, know each other's folders by CMake files only.
+class IncludeFolder : public HeaderUsers {
+ protected:
+  IncludeFolder() {
+    folder.write("ws/src/lib/package.xml", "<package><name>lib</name></package>");
+    folder.write("ws/src/lib/include/lib/parts/detail.h", "");
+    folder.write("ws/src/node/package.xml", "<package><name>node</name></package>");
+    folder.write("ws/src/node/main.cpp", "#include <detail.h>\n");
+    lib_says("catkin_package(INCLUDE_DIRS include)\nadd_library(lib src/parts/detail.cpp)\n");
+    node_says("add_executable(node main.cpp)\n");
+    fs::remove(folder / "ws/src/lib/include/lib/detail.h");
+  }
+  void lib_says(const std::string& text) { folder.write("ws/src/lib/CMakeLists.txt", text); }
+  void node_says(const std::string& text) { folder.write("ws/src/node/CMakeLists.txt", text); }
+};
+
+TEST_F(IncludeFolder, that_no_cmake_file_names_does_not_serve_other_packages) {
+  EXPECT_EQ(in_use(), "");
+  node_says("include_directories(include/node/parts)\n");
+  EXPECT_EQ(in_use(), "") << "its own folder of that name";
+  folder.write("ws/src/node/main.cpp", "#include <lib/parts/detail.h>\n");
+  EXPECT_EQ(in_use(), "detail.h ");
+}
+
+TEST_F(IncludeFolder, that_its_package_names_does) {
+  for (const char* text :
+       {"catkin_package(INCLUDE_DIRS include include/lib/parts)\n",
+        "catkin_package(INCLUDE_DIRS include include/${PROJECT_NAME}/parts/)\n",
+        "target_include_directories(lib PUBLIC $<BUILD_INTERFACE:${X}/parts>)\n",
+        "foreach(name parts others)\ninclude_directories(include/lib/${name})\nendforeach()\n",
+        "file(GLOB folders include/lib/*)\ninclude_directories(${folders})\n"}) {
+    lib_says(text);
+    EXPECT_EQ(in_use(), "detail.h ") << text;
+  }
+}
+
+TEST_F(IncludeFolder, that_the_users_package_names_does) {
+  for (const char* text :
+       {"include_directories(../lib/include/lib/parts)\n",
+        "include_directories(${lib_SOURCE_DIR}/include/lib/parts)\n",
+        "find_path(folder detail.h PATH_SUFFIXES lib/parts)\n", "include_directories(${lib_folder}/parts)\n",
+        "file(GLOB folders ../lib/include/lib/*)\ninclude_directories(${folders})\n"}) {
+    node_says(text);
+    EXPECT_EQ(in_use(), "detail.h ") << text;
+  }
+}
+
+TEST_F(IncludeFolder, of_its_own_package_serves_always) {
+  folder.write("ws/src/lib/include/lib/api.h", "#include <detail.h>\n");
+  folder.write("ws/src/node/main.cpp", "#include <lib/api.h>\n");
+  EXPECT_EQ(in_use(), "api.h detail.h ");
+}
+
+TEST_F(IncludeFolder, that_nobody_can_tell_does) {
+  fs::remove(folder / "ws/src/node/package.xml");
+  EXPECT_EQ(in_use(), "detail.h ") << "a file in no package";
+}
+
 TEST_F(HeaderUsers, a_file_beside_the_directive_is_meant_first) {
   folder.write("ws/src/node/api.h", "");
   folder.write("ws/src/node/main.cpp", "#include \"api.h\"\n");
