@@ -342,7 +342,7 @@ bool is_or_points_to(clang::QualType type, const char* name) {
 }  // namespace
 
 bool is_pcl_cloud(clang::QualType type) {
-  return is_or_points_to(type, "pcl::PointCloud");
+  return is_or_points_to(type, "pcl::PointCloud") || is_or_points_to(type, "pcl::PCLPointCloud2");
 }
 
 bool is_cv_image(clang::QualType type) {

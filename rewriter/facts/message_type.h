@@ -59,7 +59,7 @@ bool leads_to_messages(clang::QualType type);
 /// data part is nothing but data, as a number is: a Point, a ColorRGBA.
 std::optional<MessageType> message_reached(clang::QualType type);
 
-/// pcl::PointCloud<T>, directly or by pointer.
+/// pcl::PointCloud<T> or pcl::PCLPointCloud2, directly or by pointer: what roscpp sends as a sensor_msgs/PointCloud2.
 bool is_pcl_cloud(clang::QualType type);
 
 /// cv_bridge::CvImage, directly or by pointer.

@@ -174,7 +174,7 @@ struct Advertise : SiteFact {
   bool no_twin = false;
   bool needs_memory = false;          ///< the argument that follows could be taken for a memory size
   std::optional<std::string> memory;  ///< as written; set where the call is ported already
-  bool pcl = false;                   ///< advertised as a pcl::PointCloud
+  bool pcl = false;                   ///< advertised as a cloud of PCL
   Around around = Around::function;
   std::string rule;
 };
@@ -194,7 +194,7 @@ struct Publish : SiteFact {
   std::vector<EntityId> messages;  ///< what the first argument denotes
   bool in_void_function = false;
   bool in_block = false;  ///< the statement stands in a block of its own
-  bool pcl = false;       ///< a pcl::PointCloud or a cv_bridge::CvImage is published as such
+  bool pcl = false;       ///< a cloud of PCL or a cv_bridge::CvImage is published as such
   bool nested_only = false;
   bool twin = false;                   ///< a tzc:: message is published
   std::optional<LocalObject> part_of;  ///< none: of no object, or of one that lasts

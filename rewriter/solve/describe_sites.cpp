@@ -234,7 +234,7 @@ Site SiteDescriber::describe(const SiteId& id, const Subscribe& fact) const {
     site.level = Level::shared;
     if (fact.converts)
       copied(site, codes::TZC2010,
-             "the callback takes a pcl::PointCloud, which is made from the shared bytes");
+             "the callback takes a cloud of PCL, which is made from the shared bytes");
     else if (const std::optional<std::string> why = why_copied(fact))
       copied(site, codes::TZC2001, *why);
   }

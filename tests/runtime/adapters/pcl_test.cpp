@@ -189,6 +189,17 @@ TEST_F(Pcl, a_callback_may_take_the_point_type) {
   EXPECT_EQ(7, other->points[7].x);
 }
 
+TEST_F(Pcl, a_callback_may_take_pcl_point_cloud2) {
+  const Cloud cloud = cloud_of(10, 20);
+  const auto result = encoded(cloud);
+  const auto received = message::make_copy<::pcl::PCLPointCloud2>(result.control.data(),
+                                                                  result.control.size(), blocks(result));
+  ASSERT_TRUE(received);
+  ::sensor_msgs::PointCloud2 message;
+  ::pcl_conversions::fromPCL(*received, message);
+  EXPECT_EQ(librarys_message(cloud), message);
+}
+
 TEST_F(Pcl, hostile_clouds_are_refused_or_harmless) {
   ::pcl::console::setVerbosityLevel(::pcl::console::L_ALWAYS);  // PCL complains about unknown fields
   const auto result = encoded(cloud_of(4, 5));

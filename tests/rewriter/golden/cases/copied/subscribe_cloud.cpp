@@ -14,8 +14,8 @@ class Node {
   ros::Subscriber by_pointer_, by_name_;
 };
 //--- expected
-// subscribe src/node.cpp:8 sensor_msgs/PointCloud2 copied 'points' TZC2010 the callback takes a pcl::PointCloud, which is made from the shared bytes
-// subscribe src/node.cpp:9 sensor_msgs/PointCloud2 copied 'points' TZC2010 the callback takes a pcl::PointCloud, which is made from the shared bytes
+// subscribe src/node.cpp:8 sensor_msgs/PointCloud2 copied 'points' TZC2010 the callback takes a cloud of PCL, which is made from the shared bytes
+// subscribe src/node.cpp:9 sensor_msgs/PointCloud2 copied 'points' TZC2010 the callback takes a cloud of PCL, which is made from the shared bytes
 //
 // +++ src/node.cpp
 // +#include <tzc/pcl.h>

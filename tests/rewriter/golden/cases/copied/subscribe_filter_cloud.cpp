@@ -20,8 +20,8 @@ class Node {
   message_filters::TimeSynchronizer<pcl::PointCloud<pcl::PointXYZ>, pcl::PointCloud<pcl::PointXYZ>> sync_;
 };
 //--- expected
-// subscribe src/node.cpp:10 sensor_msgs/PointCloud2 copied 'left' TZC2010 the callback takes a pcl::PointCloud, which is made from the shared bytes
-// subscribe src/node.cpp:11 sensor_msgs/PointCloud2 copied 'right' TZC2010 the callback takes a pcl::PointCloud, which is made from the shared bytes
+// subscribe src/node.cpp:10 sensor_msgs/PointCloud2 copied 'left' TZC2010 the callback takes a cloud of PCL, which is made from the shared bytes
+// subscribe src/node.cpp:11 sensor_msgs/PointCloud2 copied 'right' TZC2010 the callback takes a cloud of PCL, which is made from the shared bytes
 //
 // +++ src/node.cpp
 // +#include <tzc/message_filters.h>
