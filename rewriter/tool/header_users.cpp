@@ -58,15 +58,35 @@ bool depends_on_any(const fs::path& file, const std::set<std::string>& packages)
                      [&](const std::string& package) { return depends_on(manifest, package); });
 }
 
-/// Of the packages that the command line names.
-std::set<std::string> names_of_packages(const std::vector<std::string>& arguments) {
-  std::set<std::string> names;
-  for (const std::string& argument : arguments)
-    if (const Expected<std::vector<std::string>> folders = find_packages_at(argument))
+/// The packages at these places: folder, canonical, and name.
+std::map<std::string, std::string> packages_at(const std::vector<std::string>& places) {
+  std::map<std::string, std::string> found;
+  for (const std::string& place : places)
+    if (const Expected<std::vector<std::string>> folders = find_packages_at(place))
       for (const std::string& folder : *folders)
-        if (const Expected<PackageXml> manifest = read_package_xml(folder)) names.insert(manifest->name);
-  return names;
+        if (const Expected<PackageXml> manifest = read_package_xml(folder)) found[folder] = manifest->name;
+  return found;
 }
+
+/// Of which the command line names sources.
+class NamedPackages {
+ public:
+  explicit NamedPackages(const std::vector<std::string>& arguments) : folders_(packages_at(arguments)) {
+    for (const auto& item : folders_) names_.insert(item.second);
+  }
+  bool has_name(const std::string& name) const { return names_.count(name) != 0; }
+  /// The packages below a folder that it hides.
+  std::vector<std::string> hidden_in(const std::string& folder) const {
+    std::vector<std::string> hidden;
+    for (const auto& [place, name] : packages_at({folder}))
+      if (has_name(name) && folders_.count(place) == 0) hidden.push_back(place);
+    return hidden;
+  }
+
+ private:
+  std::map<std::string, std::string> folders_;
+  std::set<std::string> names_;
+};
 
 }  // namespace
 
@@ -102,8 +122,7 @@ std::vector<std::vector<std::string>> joined_by_headers(const std::vector<std::s
   return sets;
 }
 
-std::map<std::string, std::string> headers_in_use(const FolderSet& packages,
-                                                  const std::vector<std::string>& roots,
+std::map<std::string, std::string> headers_in_use(const FolderSet& packages, const SearchedFolders& searched,
                                                   const std::vector<Inclusion>& known) {
   PackageHeaders headers(packages);
   std::map<std::string, std::string> users;
@@ -112,12 +131,14 @@ std::map<std::string, std::string> headers_in_use(const FolderSet& packages,
     if (users.emplace(header, user).second) todo.push_back(header);
   };
   for (const Inclusion& inclusion : known) use(inclusion.header, inclusion.file);
+  std::vector<std::string> left_out(packages.begin(), packages.end());
+  left_out.insert(left_out.end(), searched.left_out.begin(), searched.left_out.end());
   TextFiles files(
       [&](const std::string& file) {
         for (const std::string& header : headers.included_by(file)) use(header, file);
       },
-      packages);
-  for (const std::string& root : roots) files.walk(root);
+      FolderSet(left_out));
+  for (const std::string& root : searched.roots) files.walk(root);
   while (!todo.empty()) {
     const std::string header = todo.back();
     todo.pop_back();
@@ -143,23 +164,25 @@ Note note_on_users(const std::string& package_dir, const std::map<std::string, s
   return {codes::TZC1005, Location{package_dir + "/package.xml", 1, 1}, text};
 }
 
-std::vector<std::string> roots_of_users(const std::set<std::string>& packages, const std::string& workspace,
-                                        const std::vector<std::string>& named,
-                                        const std::set<std::string>& shares) {
-  std::vector<std::string> roots = {workspace};
-  roots.insert(roots.end(), named.begin(), named.end());
-  const std::set<std::string> hidden = names_of_packages(named);
+SearchedFolders folders_of_users(const std::set<std::string>& packages, const std::string& workspace,
+                                 const std::vector<std::string>& named, const std::set<std::string>& shares) {
+  SearchedFolders searched{{workspace}, {}};
+  searched.roots.insert(searched.roots.end(), named.begin(), named.end());
+  const NamedPackages hiding(named);
   for (const std::string& share : shares) {
     const fs::path prefix = fs::path(share) / "..";
-    for (const std::string& folder : source_spaces(prefix)) roots.push_back(folder);
+    for (const std::string& space : source_spaces(prefix)) {
+      searched.roots.push_back(space);
+      for (const std::string& folder : hiding.hidden_in(space)) searched.left_out.push_back(folder);
+    }
     std::error_code failed;
     for (const auto& entry : fs::directory_iterator(share, failed)) {
       const std::string name = entry.path().filename();
-      if (hidden.count(name) == 0 && depends_on_any(entry.path() / "package.xml", packages))
-        roots.push_back((prefix / "include" / name).string());
+      if (!hiding.has_name(name) && depends_on_any(entry.path() / "package.xml", packages))
+        searched.roots.push_back((prefix / "include" / name).string());
     }
   }
-  return roots;
+  return searched;
 }
 
 }  // namespace tzc::rewriter

@@ -23,11 +23,15 @@ std::vector<Inclusion> inclusions_between(const std::vector<std::string>& packag
 /// The packages, those together of which one includes a header of another; in the order given.
 std::vector<std::vector<std::string>> joined_by_headers(const std::vector<std::string>& packages);
 
+/// Where other code is searched: below `roots`, without `left_out`. Folders, canonical if they are left out.
+struct SearchedFolders {
+  std::vector<std::string> roots, left_out;
+};
+
 /// Headers of the packages that other code includes, directly or through other files of the packages, each with the
-/// file that does so: absolute paths. Searched as text in all C++ files below `roots`, what lies in the packages
+/// file that does so: absolute paths. Searched as text in all C++ files of `searched`, what lies in the packages
 /// excepted. `known`: inclusions that count though they lie in the packages.
-std::map<std::string, std::string> headers_in_use(const FolderSet& packages,
-                                                  const std::vector<std::string>& roots,
+std::map<std::string, std::string> headers_in_use(const FolderSet& packages, const SearchedFolders& searched,
                                                   const std::vector<Inclusion>& known = {});
 
 /// Tells the reader of a package's report what was searched, and which headers stay. `others`: names of the packages that
@@ -36,11 +40,10 @@ Note note_on_users(const std::string& package_dir, const std::map<std::string, s
                    const std::vector<std::string>& others = {});
 
 /// Where code lies that may include a header of one of these packages (names): the workspace, what the command line names, the
-/// workspaces below this one, and the headers of installed packages that depend on one of them. An installed package of
-/// which the command line names the sources is none: they hide it.
+/// workspaces below this one, and the headers of installed packages that depend on one of them. Left out are packages of
+/// the latter two of which the command line names other sources, which hide them.
 /// `shares`: folders of installed packages' files, such as /usr/share.
-std::vector<std::string> roots_of_users(const std::set<std::string>& packages, const std::string& workspace,
-                                        const std::vector<std::string>& named,
-                                        const std::set<std::string>& shares);
+SearchedFolders folders_of_users(const std::set<std::string>& packages, const std::string& workspace,
+                                 const std::vector<std::string>& named, const std::set<std::string>& shares);
 
 }  // namespace tzc::rewriter

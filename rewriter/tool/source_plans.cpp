@@ -151,14 +151,14 @@ class SourcePlanner {
   /// Exported headers that no other code is seen to include are the packages' own. What one of the packages includes of
   /// another without that a compiler sees it is known once the units are parsed.
   Expected<PortPlans> plan_with_headers(EngineOptions& engine) const {
-    HeaderUsers users = headers_in_use(engine.packages, roots());
+    HeaderUsers users = headers_in_use(engine.packages, searched());
     engine.others.headers_in_use = keys_of(users);
     engine.others.more_headers_in_use = [&](const UnitsOfFile& units_of_file) {
       std::vector<Inclusion> unseen;
       for (const Inclusion& inclusion : inclusions_between(folders()))
         if (users.count(inclusion.header) == 0 && !is_compiled(inclusion, units_of_file))
           unseen.push_back(inclusion);
-      users = headers_in_use(engine.packages, roots(), unseen);
+      users = headers_in_use(engine.packages, searched(), unseen);
       return keys_of(users);
     };
     Expected<PortPlans> plans = inputs_.engine.plan(engine);
@@ -183,14 +183,14 @@ class SourcePlanner {
     return all;
   }
 
-  std::vector<std::string> roots() const {
+  SearchedFolders searched() const {
     std::set<std::string> names, shares;
     for (const SourcePackage& package : packages_) {
       names.insert(package.name);
       for (const std::string& folder : share_folders(package.build_dir)) shares.insert(folder);
     }
-    std::vector<std::string> all = roots_of_users(names, workspace(), inputs_.options.packages, shares);
-    for (const SourcePackage& package : packages_) all.push_back(source_space(package.dir));
+    SearchedFolders all = folders_of_users(names, workspace(), inputs_.options.packages, shares);
+    for (const SourcePackage& package : packages_) all.roots.push_back(source_space(package.dir));
     return all;
   }
 

@@ -23,11 +23,11 @@ class HeaderUsers : public ::testing::Test {
     folder.write("ws/src/lib/include/lib/detail.h", "void detail();\n");
     folder.write("ws/src/lib/src/lib.cpp", "#include <lib/api.h>\n#include <lib/detail.h>\n");
   }
-  std::string in_use() const { return in_use({folder / "ws"}); }
+  std::string in_use() const { return in_use({{folder / "ws"}, {}}); }
   /// "api.h detail.h "
-  std::string in_use(const std::vector<std::string>& roots, const std::vector<Inclusion>& known = {}) const {
+  std::string in_use(const SearchedFolders& searched, const std::vector<Inclusion>& known = {}) const {
     std::string names;
-    for (const auto& item : headers_in_use(folder / "ws/src/lib", roots, known))
+    for (const auto& item : headers_in_use(folder / "ws/src/lib", searched, known))
       names += fs::path(item.first).filename().string() + " ";
     return names;
   }
@@ -191,7 +191,7 @@ TEST_F(HeaderUsers, installed_packages_that_depend_on_it_are_searched) {
   folder.write("opt/share/stranger/package.xml", "<package><name>lib</name><depend>lib2</depend></package>");
   folder.write("opt/include/user/user.h", "#include <lib/api.h>\n");
   folder.write("opt/include/stranger/stranger.h", "#include <lib/detail.h>\n");
-  EXPECT_EQ(in_use(roots_of_users({"lib"}, folder / "ws", {}, {folder / "opt/share"})), "api.h ");
+  EXPECT_EQ(in_use(folders_of_users({"lib"}, folder / "ws", {}, {folder / "opt/share"})), "api.h ");
 }
 
 TEST_F(HeaderUsers, an_installed_package_is_not_if_its_sources_are_named) {
@@ -204,7 +204,7 @@ TEST_F(HeaderUsers, an_installed_package_is_not_if_its_sources_are_named) {
   folder.write("opt/include/lib/old.h", "#include <lib/detail.h>\n");
   folder.write("opt/include/user/user.h", "#include <lib/api.h>\n");
   const auto in_use_if_named = [&](const std::vector<std::string>& named) {
-    return in_use(roots_of_users({"lib"}, folder / "ws", named, {folder / "opt/share"}));
+    return in_use(folders_of_users({"lib"}, folder / "ws", named, {folder / "opt/share"}));
   };
   EXPECT_EQ(in_use_if_named({folder / "ws/src/lib"}), "api.h ") << "user is installed, and stays";
   EXPECT_EQ(in_use_if_named({folder / "ws/src"}), "");
@@ -214,13 +214,29 @@ TEST_F(HeaderUsers, workspaces_below_are_searched) {
   folder.write("under/devel/.catkin", (folder / "under/src") + ";" + (folder / "gone"));
   folder.write("under/src/node/main.cpp", "#include <lib/detail.h>\n");
   fs::create_directories(folder / "under/devel/share");
-  EXPECT_EQ(in_use(roots_of_users({"lib"}, folder / "ws", {}, {folder / "under/devel/share"})), "detail.h ");
+  EXPECT_EQ(in_use(folders_of_users({"lib"}, folder / "ws", {}, {folder / "under/devel/share"})),
+            "detail.h ");
+}
+
+TEST_F(HeaderUsers, a_package_of_a_workspace_below_is_not_if_other_sources_of_it_are_named) {
+  for (const char* place : {"ws/src/lib", "under/src/lib"})
+    folder.write(std::string(place) + "/package.xml", "<package><name>lib</name></package>");
+  folder.write("under/devel/.catkin", (folder / "under/src"));
+  folder.write("under/src/lib/lib.cpp", "#include <lib/detail.h>\n");
+  folder.write("under/src/node/main.cpp", "#include <lib/api.h>\n");
+  fs::create_directories(folder / "under/devel/share");
+  const auto in_use_if_named = [&](const std::string& named) {
+    return in_use(folders_of_users({"lib"}, folder / "ws", {named}, {folder / "under/devel/share"}));
+  };
+  EXPECT_EQ(in_use_if_named(folder / "ws/src/lib"), "api.h ");
+  EXPECT_EQ(in_use_if_named(folder / "under/src/lib"), "api.h detail.h ")
+      << "named itself: it is another set's";
 }
 
 TEST_F(HeaderUsers, the_note_names_what_stays_and_who_uses_it) {
   folder.write("ws/src/node/main.cpp", "#include <lib/api.h>\n");
   const std::string package = folder / "ws/src/lib";
-  const Note note = note_on_users(package, headers_in_use(package, {folder / "ws"}));
+  const Note note = note_on_users(package, headers_in_use(package, {{folder / "ws"}, {}}));
   EXPECT_THAT(note.text, HasSubstr("stay: include/lib/api.h (by " + (folder / "ws/src/node/main.cpp") + ")"));
   EXPECT_THAT(note_on_users(package, {}).text, HasSubstr("none of them includes one"));
 }
@@ -249,7 +265,7 @@ TEST_F(HeaderUsers, a_package_is_no_user_of_those_that_are_solved_with_it) {
   folder.write("ws/src/node/main.cpp", "#include <lib/api.h>\n");
   folder.write("ws/src/other/main.cpp", "#include <lib/detail.h>\n");
   const FolderSet packages({folder / "ws/src/lib", folder / "ws/src/node"});
-  const auto users = headers_in_use(packages, {folder / "ws"});
+  const auto users = headers_in_use(packages, {{folder / "ws"}, {}});
   ASSERT_EQ(users.size(), 1u);
   EXPECT_EQ(users.begin()->second, folder / "ws/src/other/main.cpp");
   EXPECT_THAT(note_on_users(folder / "ws/src/lib", users, {"node"}).text,
