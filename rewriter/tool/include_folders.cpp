@@ -25,6 +25,10 @@ bool is_of_path(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || std::string("_-+./${}*").find(c) != std::string::npos;
 }
 
+bool is_variable(const std::string& part) {
+  return part.find('$') != std::string::npos;
+}
+
 /// The package that a file is part of; empty: none.
 std::string package_of(const std::string& file) {
   std::error_code failed;
@@ -36,38 +40,54 @@ std::string package_of(const std::string& file) {
 
 }  // namespace
 
-void IncludeFolders::add(const std::string& cmake_file, const std::string& project, PathEnds& ends) {
+void IncludeFolders::add(const std::string& cmake_file, const std::string& project, Words& words) {
   const Expected<std::string> read = read_file(cmake_file);
   std::string text = read ? *read : "";
   replace_all(text, "${PROJECT_NAME}", project);
+  bool are_suffixes = false;
   for (auto begin = text.begin(); begin != text.end();) {
     const auto end = std::find_if_not(begin, text.end(), is_of_path);
     fs::path path(begin, end);
     if (!path.has_filename()) path = path.parent_path();
-    ends.names.insert(path.filename().string());
-    ends.pairs.insert((path.parent_path().filename() / path.filename()).string());
+    const std::string name = path.filename(), parent = path.parent_path().filename();
+    words.last.insert(name);
+    if (path.has_parent_path()) words.pairs.insert(parent + "/" + name);
+    words.has_patterns |= path.has_parent_path() && name == any_folder;
+    are_suffixes |= name == "PATH_SUFFIXES";
+    if (are_suffixes) words.suffixes.insert(name);
     begin = std::find_if(end, text.end(), is_of_path);
+    are_suffixes &= std::find(end, begin, ')') == begin;
   }
 }
 
-const IncludeFolders::PathEnds& IncludeFolders::ends_in(const std::string& package) {
-  const auto known = ends_.emplace(package, PathEnds());
-  PathEnds& ends = known.first->second;
-  if (!known.second || package.empty()) return ends;
+const IncludeFolders::Words& IncludeFolders::words_of(const std::string& package) {
+  const auto known = words_.emplace(package, Words());
+  Words& words = known.first->second;
+  if (!known.second || package.empty()) return words;
   const Expected<PackageXml> manifest = read_package_xml(package);
   const std::string project = manifest ? manifest->name : fs::path(package).filename().string();
   TextFiles files(
       [&](const std::string& file) {
-        ends.is_known = true;
-        add(file, project, ends);
+        words.is_known = true;
+        add(file, project, words);
       },
       {},
       [](const std::string& name) {
         return name == "CMakeLists.txt" || name.find(".cmake") != std::string::npos;
       });
   files.walk(package);
-  if (ends.names.count(any_folder)) ends.is_known = false;
-  return ends;
+  return words;
+}
+
+/// A path may be put together: "lib/${name}" and the name, or a name of PATH_SUFFIXES.
+bool IncludeFolders::Words::may_name(const std::string& parent, const std::string& name) const {
+  if (!is_known || has_patterns || pairs.count(parent + "/" + name)) return true;
+  const bool has_name = last.count(name) != 0;
+  return suffixes.count(name) != 0 || std::any_of(pairs.begin(), pairs.end(), [&](const std::string& pair) {
+           const std::string first = fs::path(pair).parent_path(), second = fs::path(pair).filename();
+           return (is_variable(first) && second == name) ||
+                  (has_name && first == parent && is_variable(second));
+         });
 }
 
 bool IncludeFolders::may_serve(const std::string& folder, const std::string& package,
@@ -75,13 +95,10 @@ bool IncludeFolders::may_serve(const std::string& folder, const std::string& pac
   const fs::path path(folder);
   const std::string name = path.filename(), parent = path.parent_path().filename();
   if (name == "include" || !is_below(folder, package)) return true;
-  const PathEnds& own = ends_in(package);
-  if (!own.is_known || own.names.count(name)) return true;
-  const PathEnds& other = ends_in(package_of(file));
-  return !other.is_known || other.pairs.count(parent + "/" + name) ||
-         std::any_of(other.pairs.begin(), other.pairs.end(), [&](const std::string& pair) {
-           return pair.find('$') != std::string::npos && fs::path(pair).filename() == name;
-         });
+  const Words& own = words_of(package);
+  const bool is_word =
+      path.parent_path() == package && (own.last.count(name) != 0 || own.last.count(any_folder) != 0);
+  return is_word || own.may_name(parent, name) || words_of(package_of(file)).may_name(parent, name);
 }
 
 }  // namespace tzc::rewriter

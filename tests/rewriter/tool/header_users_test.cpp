@@ -87,6 +87,8 @@ TEST_F(IncludeFolder, that_no_cmake_file_names_does_not_serve_other_packages) {
   EXPECT_EQ(in_use(), "");
   node_says("include_directories(include/node/parts)\n");
   EXPECT_EQ(in_use(), "") << "its own folder of that name";
+  lib_says("find_path(x y.h PATH_SUFFIXES z)\nfind_package(PCL COMPONENTS parts)\n");
+  EXPECT_EQ(in_use(), "") << "another thing of that name";
   folder.write("ws/src/node/main.cpp", "#include <lib/parts/detail.h>\n");
   EXPECT_EQ(in_use(), "detail.h ");
 }
@@ -104,11 +106,11 @@ TEST_F(IncludeFolder, that_its_package_names_does) {
 }
 
 TEST_F(IncludeFolder, that_the_users_package_names_does) {
-  for (const char* text :
-       {"include_directories(../lib/include/lib/parts)\n",
-        "include_directories(${lib_SOURCE_DIR}/include/lib/parts)\n",
-        "find_path(folder detail.h PATH_SUFFIXES lib/parts)\n", "include_directories(${lib_folder}/parts)\n",
-        "file(GLOB folders ../lib/include/lib/*)\ninclude_directories(${folders})\n"}) {
+  for (const char* text : {"include_directories(../lib/include/lib/parts)\n",
+                           "include_directories(${lib_SOURCE_DIR}/include/lib/parts)\n",
+                           "find_path(folder detail.h PATHS ${lib}/include/lib PATH_SUFFIXES parts)\n",
+                           "include_directories(${lib_folder}/parts)\n",
+                           "file(GLOB folders ../lib/include/lib/*)\ninclude_directories(${folders})\n"}) {
     node_says(text);
     EXPECT_EQ(in_use(), "detail.h ") << text;
   }
