@@ -74,6 +74,7 @@ class Collector {
     say("packages", options_.packages);
     say("only", options_.only);
     say("except", options_.except);
+    say("dead", options_.dead_files);
     say("build", options_.build_dir);
     say("includes", options_.tzc_includes);
     for (const auto number : {static_cast<int>(options_.level), static_cast<int>(options_.on_exhausted),

@@ -43,6 +43,10 @@ std::string filter_format(const std::string& text) {
   return text + ": write topic=GLOB, type=GLOB or file=GLOB";
 }
 
+bool is_file_of(const std::string& file, const std::vector<std::string>& globs, const FolderSet& packages) {
+  return matches_one(packages.relative(file), globs);
+}
+
 SiteFilter make_filter(const std::vector<std::string>& only, const std::vector<std::string>& except,
                        const FolderSet& packages) {
   if (only.empty() && except.empty()) return {};

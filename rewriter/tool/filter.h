@@ -18,4 +18,7 @@ std::string filter_format(const std::string& text);
 SiteFilter make_filter(const std::vector<std::string>& only, const std::vector<std::string>& except,
                        const FolderSet& packages);
 
+/// Whether one of the globs, relative to the package, names the file.
+bool is_file_of(const std::string& file, const std::vector<std::string>& globs, const FolderSet& packages);
+
 }  // namespace tzc::rewriter

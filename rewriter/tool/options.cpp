@@ -125,6 +125,10 @@ void add_selection(CLI::App& app, Raw& raw) {
       ->delimiter(',')
       ->check(filter_format)
       ->group(group);
+  repeated(app, "--dead-files", options.dead_files, "GLOB",
+           "Files that nothing compiles any more: what they name is ported (see --explain=TZC3007)")
+      ->delimiter(',')
+      ->group(group);
   app.add_option("--level", raw.level, "How far to go: zero_copy (default), one_copy or plain")
       ->check([](const std::string& text) { return one_of(levels, text); })
       ->type_name("LEVEL")

@@ -30,6 +30,7 @@ struct Options {
   std::string baseline;
   std::string undo;  ///< where --apply saves what takes it back; empty: a place of the tool's own
   std::vector<std::string> only, except;  ///< "topic=GLOB", "type=GLOB", "file=GLOB"
+  std::vector<std::string> dead_files;    ///< globs: nothing compiles them any more, whatever is configured
   Level level = Level::zero_copy;
   OnExhausted on_exhausted = OnExhausted::deliver;
   std::uint64_t small = 4096;  ///< bytes of arrays below which a message stays as it is

@@ -61,7 +61,7 @@ class SourcePlanner {
     engine.others.unshared_twins = unshared_twins(*messages);
     const WorkspaceCode workspace_code(packages_, inputs_);
     engine.others.unseen_files = [&](const UnitsOfFile& units_of_file) {
-      return unseen_files(workspace_code.includes(), engine.packages, units_of_file);
+      return living(unseen_files(workspace_code.includes(), engine.packages, units_of_file));
     };
     Expected<PortPlans> plans =
         inputs_.options.change_exported ? plan_with_headers(engine) : inputs_.engine.plan(engine);
@@ -73,6 +73,15 @@ class SourcePlanner {
   }
 
  private:
+  bool is_dead(const std::string& file) const {
+    return is_file_of(file, inputs_.options.dead_files, FolderSet(folders()));
+  }
+  std::vector<UnseenFile> living(std::vector<UnseenFile> files) const {
+    const auto dead = [this](const UnseenFile& unseen) { return is_dead(unseen.file); };
+    files.erase(std::remove_if(files.begin(), files.end(), dead), files.end());
+    return files;
+  }
+
   std::vector<std::string> folders() const {
     std::vector<std::string> folders;
     for (const auto& item : build_dirs_) folders.push_back(item.first);
@@ -156,7 +165,8 @@ class SourcePlanner {
     engine.others.more_headers_in_use = [&](const UnitsOfFile& units_of_file) {
       std::vector<Inclusion> unseen;
       for (const Inclusion& inclusion : inclusions_between(folders()))
-        if (users.count(inclusion.header) == 0 && !is_compiled(inclusion, units_of_file))
+        if (users.count(inclusion.header) == 0 && !is_dead(inclusion.file) &&
+            !is_compiled(inclusion, units_of_file))
           unseen.push_back(inclusion);
       users = headers_in_use(engine.packages, searched(), unseen);
       return keys_of(users);

@@ -48,6 +48,17 @@ TEST_F(CatkinBesideOthers, a_member_that_a_file_names_which_is_not_compiled_stay
   EXPECT_THAT(result.output, HasSubstr("test/use.cpp:1:1: a file that is not analysed names 'pub'"));
 }
 
+TEST_F(CatkinBesideOthers, unless_the_file_is_said_to_be_dead) {
+  put("demo/test/use.cpp", use);
+  put("demo/test/more.cpp", use);
+  configure(node_target);
+  const ProcessResult one = rewrite({"--dead-files=test/use.*"});
+  EXPECT_THAT(one.output, HasSubstr("test/more.cpp:1:1: a file that is not analysed names 'pub'"));
+  const ProcessResult both = rewrite({"--apply", "--dead-files=test/use.*,test/more.cpp"});
+  EXPECT_EQ(both.status, 0) << both.errors << both.output;
+  EXPECT_THAT(core(), HasSubstr("tzc::Publisher pub"));
+}
+
 TEST_F(CatkinBesideOthers, a_member_that_a_generated_source_names_stays) {
   put("demo/src/use.cpp.in", use);
   configure(find +
