@@ -233,8 +233,7 @@ Site SiteDescriber::describe(const SiteId& id, const Subscribe& fact) const {
     site.rule = fact.rule;
     site.level = Level::shared;
     if (fact.converts)
-      copied(site, codes::TZC2010,
-             "the callback takes a cloud of PCL, which is made from the shared bytes");
+      copied(site, codes::TZC2010, "the callback takes a cloud of PCL, which is made from the shared bytes");
     else if (const std::optional<std::string> why = why_copied(fact))
       copied(site, codes::TZC2001, *why);
   }

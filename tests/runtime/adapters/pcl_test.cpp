@@ -192,8 +192,8 @@ TEST_F(Pcl, a_callback_may_take_the_point_type) {
 TEST_F(Pcl, a_callback_may_take_pcl_point_cloud2) {
   const Cloud cloud = cloud_of(10, 20);
   const auto result = encoded(cloud);
-  const auto received = message::make_copy<::pcl::PCLPointCloud2>(result.control.data(),
-                                                                  result.control.size(), blocks(result));
+  const auto received =
+      message::make_copy<::pcl::PCLPointCloud2>(result.control.data(), result.control.size(), blocks(result));
   ASSERT_TRUE(received);
   ::sensor_msgs::PointCloud2 message;
   ::pcl_conversions::fromPCL(*received, message);
