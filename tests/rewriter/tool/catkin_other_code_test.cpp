@@ -53,7 +53,7 @@ TEST_F(CatkinBesideOthers, unless_the_file_is_said_to_be_dead) {
   put("demo/test/more.cpp", use);
   configure(node_target);
   const ProcessResult one = rewrite({"--dead-files=test/use.*"});
-  EXPECT_THAT(one.output, HasSubstr("test/more.cpp:1:1: a file that is not analysed names 'pub'"));
+  EXPECT_THAT(one.errors, HasSubstr("test/more.cpp:1:1: a file that is not analysed names 'pub'"));
   const ProcessResult both = rewrite({"--apply", "--dead-files=test/use.*,test/more.cpp"});
   EXPECT_EQ(both.status, 0) << both.errors << both.output;
   EXPECT_THAT(core(), HasSubstr("tzc::Publisher pub"));
