@@ -10,13 +10,7 @@
 namespace tzc::rewriter {
 namespace {
 
-/// What a filter that names its message, as message_filters::Subscriber does, passes on; none: it passes on images.
-std::optional<clang::QualType> passed_on(const clang::CXXRecordDecl* record) {
-  const auto* templated = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
-  if (!templated || templated->getTemplateArgs().size() == 0) return {};
-  return templated->getTemplateArgs()[0].getAsType();
-}
-
+/// A filter that names its message, as message_filters::Subscriber does.
 void describe_type(Subscribe& site, clang::QualType type, const clang::PrintingPolicy& policy) {
   const CallbackParameter parameter = callback_parameter_of(type);
   site.type = type.getAsString(policy);
@@ -59,8 +53,9 @@ Subscribe FilterCollector::site_of(const Construction& construction, const Entit
   const ClassRename* rename = unit_.rules.find_class_or_ported(name);
   if (rename) site.rule = rename->rule;
   site.ported = unit_.rules.find_ported_class(name) != nullptr;
-  if (const std::optional<clang::QualType> type = passed_on(construction.record))
-    describe_type(site, *type, unit_.ast().getPrintingPolicy());
+  const auto* templated = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(construction.record);
+  if (const clang::QualType type = first_argument(templated); !type.isNull())
+    describe_type(site, type, unit_.ast().getPrintingPolicy());
   for (const clang::Expr* argument : construction.arguments)
     if (!site.topic && !argument->getType()->isArithmeticType()) site.topic = constant_string(argument);
   site.scope = scope_of(construction.expr);

@@ -23,12 +23,6 @@ bool is_std_template(const clang::ClassTemplateSpecializationDecl* decl, llvm::S
   return decl && decl->getName() == name && decl->isInStdNamespace();
 }
 
-clang::QualType first_argument(const clang::ClassTemplateSpecializationDecl* decl) {
-  if (!decl || decl->getTemplateArgs().size() == 0) return {};
-  const clang::TemplateArgument& argument = decl->getTemplateArgs()[0];
-  return argument.getKind() == clang::TemplateArgument::Type ? argument.getAsType() : clang::QualType();
-}
-
 bool has_message_shape(const clang::ClassTemplateSpecializationDecl* decl) {
   if (!decl || !decl->getName().ends_with("_") || decl->getTemplateArgs().size() != 1) return false;
   if (!llvm::isa_and_nonnull<clang::NamespaceDecl>(decl->getDeclContext())) return false;
@@ -340,6 +334,16 @@ bool is_or_points_to(clang::QualType type, const char* name) {
 }
 
 }  // namespace
+
+clang::QualType first_argument(const clang::ClassTemplateSpecializationDecl* decl) {
+  if (!decl || decl->getTemplateArgs().size() == 0) return {};
+  const clang::TemplateArgument& argument = decl->getTemplateArgs()[0];
+  return argument.getKind() == clang::TemplateArgument::Type ? argument.getAsType() : clang::QualType();
+}
+
+clang::QualType first_argument(clang::QualType type) {
+  return first_argument(specialization_of(type));
+}
 
 bool is_pcl_cloud(clang::QualType type) {
   return is_or_points_to(type, "pcl::PointCloud") || is_or_points_to(type, "pcl::PCLPointCloud2");

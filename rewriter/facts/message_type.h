@@ -2,6 +2,7 @@
 #pragma once
 
 #include <clang/AST/ASTContext.h>
+#include <clang/AST/DeclTemplate.h>
 
 #include <cstdint>
 #include <optional>
@@ -58,6 +59,10 @@ bool leads_to_messages(clang::QualType type);
 /// The stock message that a type leads to, or whose twin it does: through pointers, containers and iterators. One without a
 /// data part is nothing but data, as a number is: a Point, a ColorRGBA.
 std::optional<MessageType> message_reached(clang::QualType type);
+
+/// The type that a class is first a template of; null: there is none.
+clang::QualType first_argument(const clang::ClassTemplateSpecializationDecl* decl);
+clang::QualType first_argument(clang::QualType type);
 
 /// pcl::PointCloud<T> or pcl::PCLPointCloud2, directly or by pointer: what roscpp sends as a sensor_msgs/PointCloud2.
 bool is_pcl_cloud(clang::QualType type);

@@ -13,21 +13,10 @@ struct Spelling {
   std::vector<std::string> headers;
 };
 
-/// What a filter is a template of; none: it is no template.
-std::optional<clang::QualType> first_argument(clang::QualType filter) {
-  const auto* made = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
-      filter.getCanonicalType()->getAsCXXRecordDecl());
-  if (!made || made->getTemplateArgs().size() == 0) return {};
-  const clang::TemplateArgument& first = made->getTemplateArgs()[0];
-  if (first.getKind() != clang::TemplateArgument::Type) return {};
-  return first.getAsType();
-}
-
 /// Of a publisher's or filter's class. Clouds are read from shared memory where TZC's header for them is included.
 Spelling spelling_of(const ClassRename& rename, clang::QualType type) {
   Spelling spelling{rename.to, rename.rule, {rename.header}};
-  const std::optional<clang::QualType> argument = first_argument(type);
-  if (argument && is_pcl_cloud(*argument)) spelling.headers.push_back("tzc/pcl.h");
+  if (is_pcl_cloud(first_argument(type))) spelling.headers.push_back("tzc/pcl.h");
   return spelling;
 }
 
@@ -79,10 +68,9 @@ Change change_of(Place where, const Spelling& spelling, const std::string& old_t
 /// A typedef of a filter class hides the message, which the ported class has to be given.
 std::string hidden_arguments(clang::QualType type, const clang::PrintingPolicy& policy) {
   if (message_of(type) || !pointee_of(type).isNull()) return "";
-  const std::optional<clang::QualType> argument = first_argument(type);
-  if (!argument) return "";
-  if (is_pcl_cloud(*argument)) return "<" + argument->getCanonicalType().getAsString(policy) + ">";
-  const auto message = message_of(*argument);
+  const clang::QualType argument = first_argument(type);
+  if (is_pcl_cloud(argument)) return "<" + argument.getCanonicalType().getAsString(policy) + ">";
+  const auto message = message_of(argument);
   return message ? "<" + stock_name(message->name) + ">" : "";
 }
 

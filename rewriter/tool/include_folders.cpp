@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <string_view>
 
 #include "buildfiles/package_xml.h"
 #include "edits/files.h"
@@ -22,7 +23,8 @@ void replace_all(std::string& text, const std::string& old, const std::string& r
 }
 
 bool is_of_path(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) || std::string("_-+./${}*").find(c) != std::string::npos;
+  constexpr std::string_view others = "_-+./${}*";
+  return std::isalnum(static_cast<unsigned char>(c)) || others.find(c) != std::string_view::npos;
 }
 
 bool is_variable(const std::string& part) {
@@ -51,7 +53,7 @@ void IncludeFolders::add(const std::string& cmake_file, const std::string& proje
     if (!path.has_filename()) path = path.parent_path();
     const std::string name = path.filename(), parent = path.parent_path().filename();
     words.last.insert(name);
-    if (path.has_parent_path()) words.pairs.insert(parent + "/" + name);
+    if (path.has_parent_path()) words.pairs.emplace(parent, name);
     words.has_patterns |= path.has_parent_path() && name == any_folder;
     are_suffixes |= name == "PATH_SUFFIXES";
     if (are_suffixes) words.suffixes.insert(name);
@@ -81,12 +83,11 @@ const IncludeFolders::Words& IncludeFolders::words_of(const std::string& package
 
 /// A path may be put together: "lib/${name}" and the name, or a name of PATH_SUFFIXES.
 bool IncludeFolders::Words::may_name(const std::string& parent, const std::string& name) const {
-  if (!is_known || has_patterns || pairs.count(parent + "/" + name)) return true;
+  if (!is_known || has_patterns || pairs.count({parent, name})) return true;
   const bool has_name = last.count(name) != 0;
-  return suffixes.count(name) != 0 || std::any_of(pairs.begin(), pairs.end(), [&](const std::string& pair) {
-           const std::string first = fs::path(pair).parent_path(), second = fs::path(pair).filename();
-           return (is_variable(first) && second == name) ||
-                  (has_name && first == parent && is_variable(second));
+  return suffixes.count(name) != 0 || std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+           return (is_variable(pair.first) && pair.second == name) ||
+                  (has_name && pair.first == parent && is_variable(pair.second));
          });
 }
 

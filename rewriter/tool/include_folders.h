@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace tzc::rewriter {
 
@@ -21,9 +22,10 @@ class IncludeFolders {
   /// What the CMake files of a package say.
   struct Words {
     bool is_known = false;
-    bool has_patterns = false;       ///< for folders: "include/lib/*"
-    std::set<std::string> last;      ///< parts of paths, and other words: "filters"
-    std::set<std::string> pairs;     ///< the last two parts of paths: "pcl_ros/filters", "${folder}/filters"
+    bool has_patterns = false;   ///< for folders: "include/lib/*"
+    std::set<std::string> last;  ///< parts of paths, and other words: "filters"
+    std::set<std::pair<std::string, std::string>>
+        pairs;                       ///< the last two parts of paths: "pcl_ros", "filters"
     std::set<std::string> suffixes;  ///< that commands such as find_path() add to paths
 
     bool may_name(const std::string& parent, const std::string& name) const;
