@@ -89,7 +89,7 @@ class Spending {
 };
 
 void publish_at_rate(const std::function<void(std::uint64_t)>& publish, double rate, std::uint64_t from,
-                     std::uint64_t to) {
+                     std::uint64_t to, Board& board) {
   const auto period = static_cast<std::int64_t>(1e9 / rate);
   std::int64_t next = now_ns();
   for (std::uint64_t index = from; index < to; ++index) {
@@ -97,6 +97,7 @@ void publish_at_rate(const std::function<void(std::uint64_t)>& publish, double r
     const timespec until{next / 1'000'000'000, next % 1'000'000'000};
     ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
     publish(index);
+    if (index >= warm_up) board.returned_ns[index - warm_up] = now_ns();
   }
 }
 
@@ -115,13 +116,13 @@ void send_all(Contender& contender, const Setup& setup, Board& board) {
     return;
   }
   sleep_ms(rest_ms);
-  publish_at_rate(publish, setup.rate, 0, warm_up);
+  publish_at_rate(publish, setup.rate, 0, warm_up, board);
   wait_until_received(board, setup, warm_up);
   sleep_ms(rest_ms);
   Spending spending(board, setup);
   spending.begin();
   const std::int64_t start = now_ns();
-  publish_at_rate(publish, setup.rate, warm_up, setup.count + warm_up);
+  publish_at_rate(publish, setup.rate, warm_up, setup.count + warm_up, board);
   board.publishing_ns = now_ns() - start;
   board.published = true;
   wait_until_received(board, setup, warm_up + setup.count);
@@ -151,18 +152,36 @@ Outcome run_publisher(Contender& contender, const Setup& setup, Board& board) {
   return board.published ? Outcome::complete : Outcome::failed;
 }
 
+std::vector<std::uint64_t> publishing_times(const Setup& setup, const Board& board) {
+  std::vector<std::uint64_t> times;
+  for (std::size_t i = 0; i < setup.count; ++i) {
+    const std::int64_t begin = board.published_ns[i], end = board.returned_ns[i];
+    if (begin != 0 && end >= begin) times.push_back(static_cast<std::uint64_t>(end - begin));
+  }
+  return times;
+}
+
 Measurement collect(const Setup& setup, const Board& board, Outcome outcome) {
   Measurement result;
   result.outcome = outcome;
   result.seconds = static_cast<double>(board.publishing_ns) / 1e9;
   result.publisher = board.publisher.spent;
   if (setup.real_time) result.published_ns.assign(board.published_ns, board.published_ns + setup.count);
+  result.publishing_ns = publishing_times(setup, board);
   for (std::size_t who = 0; who < setup.subscribers; ++who) {
     const std::uint64_t* first = board.latency_ns[who];
     result.latency_ns.emplace_back(first, first + setup.count);
     result.subscribers += board.subscriber[who].spent;
   }
   return result;
+}
+
+/// 0 of none.
+double percentile_us(std::vector<std::uint64_t>& all_ns, std::size_t percent) {
+  if (all_ns.empty()) return 0;
+  const auto at = all_ns.begin() + static_cast<std::ptrdiff_t>(all_ns.size() * percent / 100);
+  std::nth_element(all_ns.begin(), at, all_ns.end());
+  return static_cast<double>(*at) / 1000.0;
 }
 
 }  // namespace
@@ -207,15 +226,15 @@ void add(const Measurement& measurement, Samples& samples) {
     std::copy_if(received.begin(), received.end(), std::back_inserter(samples.latency_ns),
                  [](std::uint64_t ns) { return ns != 0; });
   }
+  samples.publishing_ns.insert(samples.publishing_ns.end(), measurement.publishing_ns.begin(),
+                               measurement.publishing_ns.end());
 }
 
 Row summarize(const Contender& contender, const Setup& setup, Samples samples) {
-  std::vector<std::uint64_t>& all = samples.latency_ns;
-  std::sort(all.begin(), all.end());
-  Row row{contender.name(), setup.size_bytes, setup.subscribers, samples.sent, all.size(), 0, 0};
-  if (all.empty()) return row;
-  row.median_us = static_cast<double>(all[all.size() / 2]) / 1000.0;
-  row.p99_us = static_cast<double>(all[all.size() * 99 / 100]) / 1000.0;
+  Row row{contender.name(), setup.size_bytes, setup.subscribers, samples.sent, samples.latency_ns.size()};
+  row.median_us = percentile_us(samples.latency_ns, 50);
+  row.p99_us = percentile_us(samples.latency_ns, 99);
+  row.publish_us = percentile_us(samples.publishing_ns, 50);
   return row;
 }
 

@@ -44,7 +44,8 @@ struct Board {
   std::atomic<std::uint64_t> received[most_subscribers];
   std::uint64_t latency_ns[most_subscribers][most_messages];
   std::atomic<std::int64_t>
-      published_ns[most_messages];  // when each message's latency began, by the clock of now_ns
+      published_ns[most_messages];          // when each message's latency began, by the clock of now_ns
+  std::int64_t returned_ns[most_messages];  // when the publisher had done with it
 };
 
 /// The record of what one subscriber receives.
@@ -118,8 +119,9 @@ struct Measurement {
   double seconds = 0;  // from when the first message was due until the last one was published, and a period
   std::vector<std::vector<std::uint64_t>> latency_ns;  // [subscriber][message]; 0: not delivered
   std::vector<std::int64_t> published_ns;              // [message]; 0: it reached nobody. Only in real time
-  Cost publisher;                                      // with its subscribers, where they live in its process
-  Cost subscribers;                                    // all of them together
+  std::vector<std::uint64_t> publishing_ns;  // of each message that reached somebody: see Row::publish_us
+  Cost publisher;                            // with its subscribers, where they live in its process
+  Cost subscribers;                          // all of them together
 };
 
 /// Forks the publisher and the subscribers, sends at the given rate, and returns what arrived. All processes
@@ -133,8 +135,9 @@ inline std::size_t shared_memory_bytes(const Setup& setup, bool copied_out) {
 
 /// The deliveries of one or several measurements.
 struct Samples {
-  std::size_t sent = 0;                   // times the number of subscribers
-  std::vector<std::uint64_t> latency_ns;  // of each delivered message
+  std::size_t sent = 0;                      // times the number of subscribers
+  std::vector<std::uint64_t> latency_ns;     // of each delivered message
+  std::vector<std::uint64_t> publishing_ns;  // of each message that reached somebody
 };
 
 void add(const Measurement& measurement, Samples& samples);

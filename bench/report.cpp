@@ -27,7 +27,7 @@ std::string cpu_model() {
 nlohmann::json to_json(const Row& row) {
   return {{"contender", row.contender}, {"size_bytes", row.size_bytes}, {"subscribers", row.subscribers},
           {"sent", row.sent},           {"delivered", row.delivered},   {"median_us", row.median_us},
-          {"p99_us", row.p99_us}};
+          {"p99_us", row.p99_us},       {"publish_us", row.publish_us}};
 }
 
 /// What another contender did with the same messages.
@@ -55,14 +55,14 @@ nlohmann::json machine() {
 }
 
 void print_table(const std::vector<Row>& rows) {
-  std::printf("%-20s %12s %12s %8s %10s %10s %10s %9s %9s\n", "contender", "size_bytes", "subscribers",
-              "sent", "delivered", "median_us", "p99_us", "x_socket", "tcpros_x");
+  std::printf("%-20s %12s %12s %8s %10s %10s %10s %10s %9s %9s\n", "contender", "size_bytes", "subscribers",
+              "sent", "delivered", "median_us", "p99_us", "publish_us", "x_socket", "tcpros_x");
   for (const Row& row : rows) {
     const Row* socket = find_beside(rows, row, "seqpacket");
     const Row* tcpros = find_beside(rows, row, "tcpros");
-    std::printf("%-20s %12zu %12zu %8zu %10zu %10.1f %10.1f %9s %9s\n", row.contender.c_str(), row.size_bytes,
-                row.subscribers, row.sent, row.delivered, row.median_us, row.p99_us,
-                socket != nullptr ? ratio(row.median_us, socket->median_us).c_str() : "",
+    std::printf("%-20s %12zu %12zu %8zu %10zu %10.1f %10.1f %10.1f %9s %9s\n", row.contender.c_str(),
+                row.size_bytes, row.subscribers, row.sent, row.delivered, row.median_us, row.p99_us,
+                row.publish_us, socket != nullptr ? ratio(row.median_us, socket->median_us).c_str() : "",
                 tcpros != nullptr ? ratio(tcpros->median_us, row.median_us).c_str() : "");
   }
   std::fflush(stdout);

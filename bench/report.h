@@ -18,6 +18,8 @@ struct Row {
   std::size_t delivered = 0;
   double median_us = 0;
   double p99_us = 0;
+  /// The median of the publisher's own time: from where the latency begins until it goes on with something else. 0: not measured.
+  double publish_us = 0;
 };
 
 /// What the figures depend on: processor, number of them, kernel, architecture.
