@@ -13,6 +13,7 @@ struct Command {
 int run_core(int argc, char** argv);
 int run_roscpp(int argc, char** argv);
 int run_scale(int argc, char** argv);
+int run_soak(int argc, char** argv);
 int run_sustained(int argc, char** argv);
 int run_paper(int argc, char** argv);
 int run_inside(int argc, char** argv);

@@ -15,6 +15,8 @@ const Command commands[] = {
      tzc::bench::run_roscpp},
     {"scale", "many topics between few processes: threads, descriptors, memory, time until all are shared",
      tzc::bench::run_scale},
+    {"soak", "nodes that are killed, stopped and replaced, for hours: messages, memory, descriptors, threads",
+     tzc::bench::run_soak},
 #endif
 #ifdef TZC_BENCH_PAPER
     {"paper", "the evaluation of the TZC paper: latency, reliability, copies; tables, plots, a page",

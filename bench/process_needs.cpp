@@ -35,12 +35,12 @@ std::size_t status_kb(pid_t process, const std::string& field) {
 
 Needs needs_of(pid_t process) {
   return {entries_of(folder_of(process) + "/task"), entries_of(folder_of(process) + "/fd"),
-          status_kb(process, "RssAnon")};
+          status_kb(process, "RssAnon"), status_kb(process, "RssShmem")};
 }
 
 Needs most(const Needs& a, const Needs& b) {
   return {std::max(a.threads, b.threads), std::max(a.descriptors, b.descriptors),
-          std::max(a.private_kb, b.private_kb)};
+          std::max(a.private_kb, b.private_kb), std::max(a.shared_kb, b.shared_kb)};
 }
 
 }  // namespace bench

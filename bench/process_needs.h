@@ -17,6 +17,7 @@ struct Needs {
   std::size_t threads = 0;
   std::size_t descriptors = 0;
   std::size_t private_kb = 0;
+  std::size_t shared_kb = 0;  ///< pages of memory files that it has mapped
 };
 
 /// All zero when the process is gone.

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""usage: test_bench.py TZC_BENCH core|roscpp|scale|sustained|inside
+"""usage: test_bench.py TZC_BENCH core|roscpp|scale|soak|sustained|inside
 
 A short run of the command delivers messages, writes the JSON file that is promised, and mistakes are told."""
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 FIELDS = {"contender": str, "size_bytes": int, "subscribers": int, "sent": int, "delivered": int,
           "median_us": (int, float), "p99_us": (int, float), "publish_us": (int, float)}
@@ -93,8 +95,80 @@ def check_scale(bench):
     assert "Examples:" in run(bench, "scale", "--help").stdout
 
 
+class RunningSoak:
+    """A soak of at most a minute that somebody disturbs."""
+
+    def __init__(self, bench, folder):
+        self.path = os.path.join(folder, "soak.json")
+        self.process = subprocess.Popen([bench, "soak", "--minutes", "1", "--look-every", "1", "--kill-every", "3", "--stop-for",
+                                         "1", "--json", self.path],
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        for line in self.process.stderr:  # until the subscribers receive
+            if "received 0," not in line:
+                break
+
+    def children(self):
+        with open(f"/proc/{self.process.pid}/task/{self.process.pid}/children") as file:
+            return [int(word) for word in file.read().split()]
+
+    def environment(self):
+        """With the ROS master, which is the first child."""
+        with open(f"/proc/{self.children()[0]}/environ", "rb") as file:
+            values = dict(value.split(b"=", 1) for value in file.read().split(b"\0") if b"=" in value)
+        return dict(os.environ, **{name.decode(): values[name].decode() for name in (b"ROS_MASTER_URI", b"ROS_IP")})
+
+    def end(self):
+        """Its status, table, messages and rows. None of its processes is left."""
+        children = self.children() if self.process.poll() is None else []
+        table, messages = self.process.communicate(timeout=120)
+        left = [child for child in children if os.path.exists(f"/proc/{child}")]
+        assert not left, left
+        with open(self.path) as file:
+            rows = {row["process"]: row for row in json.load(file)["rows"]}
+        return self.process.returncode, table, messages, rows
+
+
+def check_undisturbed_soak(bench, folder):
+    soak = RunningSoak(bench, folder)
+    time.sleep(15)
+    soak.process.send_signal(signal.SIGINT)
+    status, table, messages, rows = soak.end()
+    assert status == 0, (table, messages)
+    assert "Too short to judge" in table and "GREW" not in table, table
+    assert rows["publisher"]["published"] > 100 and rows["killed_publisher"]["published"] > 0, rows
+    for name in ("subscriber", "direct", "keeper", "guest", "stopped", "killed"):
+        assert rows[name]["received"] > 0 and rows[name]["spoiled"] == 0, (name, rows[name])
+    for name, row in rows.items():
+        assert bool(row["killed"]) == name.startswith("killed") != bool(row["looks"]), (name, row)
+    for row in rows.values():
+        assert all(look[need] > 0 for look in row["looks"] for need in ("threads", "descriptors", "private_kb")), row
+
+
+def check_soak(bench):
+    """It runs, it can be ended, and it tells of a message that nobody of it published and of a process that ends."""
+    with tempfile.TemporaryDirectory() as folder:
+        check_undisturbed_soak(bench, folder)
+        soak = RunningSoak(bench, folder)
+        foreign = subprocess.run(["rostopic", "pub", "-1", "/soak/scans", "sensor_msgs/Image", "{step: 3, data: [1, 2, 3]}"],
+                                 env=soak.environment(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60)
+        assert foreign.returncode == 0, foreign.stdout
+        soak.process.send_signal(signal.SIGINT)
+        status, table, _, rows = soak.end()
+        assert status == 1 and rows["subscriber"]["spoiled"] == 1 and rows["direct"]["spoiled"] == 1, table
+        soak = RunningSoak(bench, folder)
+        os.kill(soak.children()[2], signal.SIGKILL)
+        status, table, messages, _ = soak.end()
+        assert status == 1 and "subscriber ended by itself" in messages, (table, messages)
+    for mistake in (["--minutes", "0"], ["--look-every", "-1"], ["--hours", "2"]):
+        told = run(bench, "soak", *mistake)
+        assert told.returncode == 2 and mistake[0] in told.stderr, (mistake, told)
+    assert "Examples:" in run(bench, "soak", "--help").stdout
+
+
 def main():
     bench, command = sys.argv[1:]
+    if command == "soak":
+        return check_soak(bench)
     if command == "scale":
         return check_scale(bench)
     if command == "inside":
