@@ -4,6 +4,8 @@
 #include <ros/init.h>
 #include <tzc/shared_reading.h>
 
+#include <utility>
+
 namespace ros {
 // What ros::getGlobalCallbackQueue() points to: roscpp's library exports it, and no header declares it. Null address: the
 // roscpp of this process has none.
@@ -13,6 +15,9 @@ extern __attribute__((weak)) CallbackQueuePtr g_global_queue;
 namespace tzc {
 namespace detail {
 namespace {
+
+thread_local HeardQueue* read_for = nullptr;
+thread_local void (*left_call)() = nullptr;
 
 // ros::init() makes a global queue only if there is none. It can run as soon as main() does, so this queue has to be there
 // when the library is loaded, after roscpp, on which it depends.
@@ -38,19 +43,38 @@ void HeardQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uin
 // The guest leaves when it sees a callback, says so, and takes one. As long as it has not said so, it is going to.
 bool HeardQueue::is_the_guests() {
   const boost::mutex::scoped_lock lock(mutex_);
-  return has_guest_ && callbacks_.size() <= 1;
+  return has_guest_ && !guest_has_call_ && callbacks_.size() <= 1;
 }
 
 void HeardQueue::wait(std::chrono::milliseconds most) {
   if (!wants_caller() && !wait_as_guest(most)) wait_for_turn(most);
+  if (left_call != nullptr) std::exchange(left_call, nullptr)();
+}
+
+HeardQueue* HeardQueue::of_guest() {
+  return read_for;
+}
+
+// In one step for threads that add a callback: it is there, or they see that the guest has something else to call.
+bool HeardQueue::leave_call(void (*call)()) {
+  const boost::mutex::scoped_lock lock(mutex_);
+  if (!callbacks_.empty() || !enabled_ || guest_has_call_) return false;
+  guest_has_call_ = true;
+  left_call = call;
+  return true;
 }
 
 bool HeardQueue::wait_as_guest(std::chrono::milliseconds most) {
   const std::unique_lock<std::mutex> guest(guest_, std::try_to_lock);
   if (!guest.owns_lock()) return false;
   has_guest_ = true;
-  const bool has_read = channel::read_while_idle(most, [this] { return wants_caller(); });
+  read_for = this;
+  const bool has_read =
+      channel::read_while_idle(most, [this] { return left_call != nullptr || wants_caller(); });
+  read_for = nullptr;
   has_guest_ = false;
+  const boost::mutex::scoped_lock lock(mutex_);
+  guest_has_call_ = false;
   return has_read;
 }
 

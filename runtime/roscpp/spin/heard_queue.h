@@ -16,12 +16,21 @@ namespace detail {
 ///
 /// One idle thread is the *guest*, which reads; further ones sleep. A callback wakes the guest, or, if there is none or it has
 /// one to call already, another idle thread; what the guest itself adds wakes nobody.
+///
+/// What reads on the guest's thread may leave it one call, which then need not go through this queue.
 class HeardQueue final : public ros::CallbackQueue {
  public:
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t removal_id) override;
 
-  /// Waits until a callback is there, for so long at most. May return for no reason. Any number of threads.
+  /// Waits until a callback is there, for so long at most, and makes the call that it was left as the guest, if any. May return
+  /// for no reason. Any number of threads.
   void wait(std::chrono::milliseconds most);
+
+  /// The queue for which the calling thread reads now, as its guest. Null: it does not.
+  static HeardQueue* of_guest();
+  /// On the guest's thread: it makes the call as soon as it has left the reading to the reader, before whatever comes into this
+  /// queue from now on. False: something waits here already, the guest has a call, or the queue is disabled.
+  bool leave_call(void (*call)());
 
   /// The global queue of this process, if it is of this class. Null: something set it before this library was loaded.
   static HeardQueue* global();
@@ -34,6 +43,7 @@ class HeardQueue final : public ros::CallbackQueue {
 
   std::mutex guest_;  ///< held by the one that is there
   std::atomic<bool> has_guest_{false};
+  bool guest_has_call_ = false;  ///< under mutex_
   std::mutex idle_mutex_;
   std::condition_variable idle_;
   std::atomic<unsigned> idle_threads_{0};  ///< besides the guest

@@ -2,32 +2,65 @@
 #pragma once
 
 #include <ros/subscription.h>
+#include <ros/subscription_queue.h>
 
 #include <functional>
+#include <type_traits>
 #include <typeinfo>
+#include <utility>
+
+#include "roscpp/roscpp_access.h"
 
 namespace tzc {
 namespace detail {
 
-/// What call_directly needs of a shared message.
+/// What a DirectCall needs to know of a shared message.
 struct DirectMessage {
-  const std::type_info& type;  ///< of the C++ class that decode gives
+  const std::type_info& type;  ///< of the C++ class that is decoded
   const bool latched;
   const boost::shared_ptr<ros::M_string> connection_header;
-  /// Returns the message, or a private copy for a callback that may write; null when malformed.
-  std::function<boost::shared_ptr<void>(bool writes)> decode;
 };
+
+/// Makes the message that a callback gets: a copy of its own if it may write. Null: it is malformed.
+using Decode = std::function<boost::shared_ptr<void>(bool may_write)>;
 
 /// Whether a callback of the subscription is dispatched directly.
 bool has_direct_callback(ros::Subscription& subscription);
 
-/// Hot path to the callback of a subscription that has only one and dispatches it directly: does what
-/// Subscription::handleMessage and SubscriptionQueue::call do for such a message, without a queue in between.
-/// Waits for a callback that runs on another thread.
-/// @return false: it did nothing, and the message must go through roscpp's queue. That is so for latched
-/// topics, with topic statistics, for several callbacks, for callbacks of another type or queue, and while
-/// earlier messages wait in the subscription's queue.
-bool call_directly(ros::Subscription& subscription, const DirectMessage& message);
+/// The hot path to the callback of a subscription that has only one: what Subscription::handleMessage and
+/// SubscriptionQueue::call do for such a message, without a queue in between. As roscpp: as long as this exists, no other callback of
+/// the subscription runs, unless it allows more, and a thread that unsubscribes waits. Used on one thread.
+class DirectCall {
+ public:
+  enum class Turn { waits, at_once };  ///< while a callback of the subscription runs on another thread
+
+  /// Empty: the message must go through roscpp's queue. That is so for latched topics, with topic statistics, for several
+  /// callbacks, for a callback of another type, or whose queue does not lead to `queue`, and while earlier messages wait
+  /// in the subscription's queue.
+  static DirectCall prepare(ros::Subscription& subscription, const DirectMessage& message,
+                            const ros::CallbackQueueInterface& queue, Turn turn);
+
+  explicit operator bool() const { return callback_ != nullptr; }
+  /// The callback may write to the message.
+  bool writes() const;
+  /// roscpp calls back several times at once.
+  bool is_concurrent() const;
+  /// Unless the callback's tracked object has died.
+  void call(const Decode& decode);
+
+ private:
+  using CallbackInfoPtr =
+      std::decay_t<decltype(roscpp_access::callbacks_(std::declval<ros::Subscription&>()).front())>;
+
+  static CallbackInfoPtr only_callback(ros::Subscription& subscription,
+                                       const ros::CallbackQueueInterface& queue);
+  bool take_turn(Turn turn);
+
+  CallbackInfoPtr callback_;
+  boost::shared_ptr<ros::M_string> connection_header_;
+  ros::SubscriptionQueuePtr queue_;
+  boost::unique_lock<boost::recursive_mutex> turn_;
+};
 
 }  // namespace detail
 }  // namespace tzc

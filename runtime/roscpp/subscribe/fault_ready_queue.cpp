@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <typeinfo>
 
 #include "channel/fault_signals.h"
 #include "roscpp/roscpp_access.h"
@@ -39,6 +40,7 @@ class FaultReadyQueue final : public ros::CallbackQueueInterface {
     queue_.addCallback(boost::make_shared<FaultReadyCallback>(callback), removal_id);
   }
   void removeByID(std::uint64_t removal_id) override { queue_.removeByID(removal_id); }
+  bool stands_for(const ros::CallbackQueueInterface& queue) const { return &queue_ == &queue; }
 
  private:
   ros::CallbackQueueInterface& queue_;
@@ -66,6 +68,12 @@ bool make_ready_for_faults(ros::Subscription& subscription) {
     queue = stand_in_for(*queue);
   }
   return access::nonconst_callbacks_(subscription) != 0;
+}
+
+bool leads_to(const ros::CallbackQueueInterface& queue, const ros::CallbackQueueInterface& other) {
+  if (&queue == &other) return true;
+  return typeid(queue) == typeid(FaultReadyQueue) &&
+         static_cast<const FaultReadyQueue&>(queue).stands_for(other);
 }
 
 }  // namespace detail

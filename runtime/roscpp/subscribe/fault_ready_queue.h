@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/callback_queue_interface.h>
 #include <ros/subscription.h>
 
 namespace tzc {
@@ -12,6 +13,9 @@ namespace detail {
 /// message there would end the process. Any thread; call it before each message.
 /// @return whether a callback of the subscription may write to messages.
 bool make_ready_for_faults(ros::Subscription& subscription);
+
+/// Whether callbacks that are added to `queue` are called by who calls those of `other`.
+bool leads_to(const ros::CallbackQueueInterface& queue, const ros::CallbackQueueInterface& other);
 
 }  // namespace detail
 }  // namespace tzc

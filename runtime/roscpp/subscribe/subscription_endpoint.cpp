@@ -2,6 +2,7 @@
 #include "roscpp/subscribe/subscription_endpoint.h"
 
 #include <ros/connection.h>
+#include <tzc/direct_dispatch.h>
 
 #include <cstring>
 
@@ -9,6 +10,7 @@
 #include "roscpp/roscpp_access.h"
 #include "roscpp/subscribe/direct_queue.h"
 #include "roscpp/subscribe/fault_ready_queue.h"
+#include "roscpp/subscribe/guest_call.h"
 #include "roscpp/throttled_warning.h"
 #include "roscpp/upgrade/offer.h"
 #include "trace/trace.h"
@@ -61,7 +63,10 @@ void SubscriptionEndpoint::take(const channel::MessagePtr& message) {
   if (!subscription || subscription->isDropped()) return;
   add(counted().messages_received_, 1);
   add(counted().bytes_received_, message->control_size());
-  if (!calls_directly_) return take_indirectly(*subscription, message);
+  if (!calls_directly_) {
+    if (message->tag() == kControlPart && take_as_guest(*subscription, message)) return;
+    return take_indirectly(*subscription, message);
+  }
   if (message->tag() == kControlPart && take_directly(*subscription, message)) return;
   {
     const DirectReaderScope scope;
@@ -115,11 +120,24 @@ boost::shared_ptr<void> SubscriptionEndpoint::decode(const channel::MessagePtr& 
   return decoded;
 }
 
+DirectMessage SubscriptionEndpoint::described() const {
+  return {*codec_.type, link_->isLatched(), link_->getConnection()->getHeader().getValues()};
+}
+
 bool SubscriptionEndpoint::take_directly(ros::Subscription& subscription,
                                          const channel::MessagePtr& message) {
-  return call_directly(subscription,
-                       {*codec_.type, link_->isLatched(), link_->getConnection()->getHeader().getValues(),
-                        [&](bool writes) { return decode(message, writes); }});
+  DirectCall call =
+      DirectCall::prepare(subscription, described(), *direct_dispatch_queue(), DirectCall::Turn::waits);
+  if (!call) return false;
+  call.call([&](bool may_write) { return decode(message, may_write); });
+  return true;
+}
+
+bool SubscriptionEndpoint::take_as_guest(ros::Subscription& subscription,
+                                         const channel::MessagePtr& message) {
+  HeardQueue* const queue = HeardQueue::of_guest();
+  return queue != nullptr && leave_to_guest(*queue, subscription, described(),
+                                            [&](bool may_write) { return decode(message, may_write); });
 }
 
 void SubscriptionEndpoint::take_control_part(ros::Subscription& subscription,

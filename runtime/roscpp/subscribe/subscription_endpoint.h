@@ -46,6 +46,8 @@ class SubscriptionEndpoint {
   void give(ros::Subscription& subscription, const ros::SerializedMessage& message, bool ser, bool nocopy);
   void take_indirectly(ros::Subscription& subscription, const channel::MessagePtr& message);
   bool take_directly(ros::Subscription& subscription, const channel::MessagePtr& message);
+  bool take_as_guest(ros::Subscription& subscription, const channel::MessagePtr& message);
+  DirectMessage described() const;
   /// Adds to the parked link's counters, which topic statistics and getBusStats show. The poll thread, which
   /// owns them, counts nothing while the link is parked.
   ros::PublisherLink::Stats& counted() const;

@@ -45,6 +45,13 @@ class Callbacks(TopicCase):
         for listener in listeners.values():
             self.assert_got(listener, range(100), shared=True)
 
+    def test_bursts_come_in_order_whoever_spins(self):
+        """Of several messages that a guest reads at once the first is called past the queue, and is the first."""
+        listeners = [self.listen(spinner=spinner, queue=2000) for spinner in ("tzc", "tzc_multi", "tzc_async")]
+        self.talk(count=2000, rate=100000, subscribers=3, queue=2000)
+        for listener in listeners:
+            self.assert_got(listener, range(2000), shared=True)
+
 
 class Ends(TopicCase):
     def keep(self, **parameters):

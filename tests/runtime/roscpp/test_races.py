@@ -75,6 +75,13 @@ class Races(TopicCase):
         self.assertEqual([m["shared"] for m in subscriber.messages()], [False] + 9 * [True])
         self.assertEqual(self.events(subscriber), {"second came meanwhile": True})
 
+    def test_who_unsubscribes_waits_for_a_callback_that_was_in_no_queue(self):
+        subscriber = Listener(self.node("racer", "subscriber", {"race": "unsubscribe"}))
+        self.start_talker(count=0, rate=20, subscribers=1)
+        self.assertEqual(subscriber.process.wait(60), 0, subscriber.process.tail())
+        self.assertEqual(self.events(subscriber), {"ended before": True})
+        self.assertEqual([message["shared"] for message in subscriber.messages()], [True])
+
 
 if __name__ == "__main__":
     main()

@@ -18,6 +18,7 @@
 ///   late_attach   a subscriber: it attaches when it is connected, the publisher (pid) is stopped when it is
 ///                 asked for an offer, and goes on when the call is given up
 ///   cut_short     a subscriber: its first channel ends before it is noted
+///   unsubscribe   a subscriber with two threads of tzc::AsyncSpinner: it unsubscribes while its callback runs past the queue
 ///   planted       a subscriber with a data race of its own, for ThreadSanitizer to find
 #include <ros/callback_queue_interface.h>
 #include <ros/poll_manager.h>
@@ -28,6 +29,7 @@
 #include <tzc/ros.h>
 #include <tzc/sensor_msgs/Image.h>
 
+#include <atomic>
 #include <string>
 #include <thread>
 #include <vector>
@@ -281,6 +283,29 @@ void cut_short(ros::NodeHandle& node) {
   ros::spin();
 }
 
+// As behind roscpp's queue, the thread that unsubscribes waits for the callback's end.
+void unsubscribe(ros::NodeHandle& node) {
+  tzc::sync_point_hook = [](const char* step) {
+    if (std::string(step) == "guest: calls") gate().tell("past the queue");
+  };
+  static std::atomic<bool> inside{false};
+  const boost::function<void(const sensor_msgs::ImageConstPtr&)> print =
+      [](const sensor_msgs::ImageConstPtr& image) {
+        if (!gate().happened("past the queue")) return;  // the first ones may come over TCPROS
+        inside = true;
+        gate().tell("called");
+        gate().wait_for({"never"}, std::chrono::milliseconds(500));
+        tzc_test::print_image(*image);
+        inside = false;
+      };
+  ros::Subscriber subscriber = tzc::subscribe<sensor_msgs::Image>(node, "image", 100, print);
+  tzc::AsyncSpinner spinner(2);
+  spinner.start();
+  gate().wait_for({"called"});
+  subscriber.shutdown();
+  print_event("ended before", !inside);
+}
+
 int planted_counter = 0;
 
 // The transport's reader thread writes what the main thread reads.
@@ -311,6 +336,7 @@ int main(int argc, char** argv) {
   if (race == "slow_move") slow_move(node);
   if (race == "late_attach") late_attach(node);
   if (race == "cut_short") cut_short(node);
+  if (race == "unsubscribe") unsubscribe(node);
   if (race == "planted") planted(node);
   tzc::sync_point_hook = nullptr;
 }

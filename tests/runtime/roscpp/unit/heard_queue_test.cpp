@@ -156,6 +156,92 @@ TEST_F(HeardQueueWithThreads, what_is_read_while_a_callback_runs_is_called_by_an
   }
 }
 
+/// What reads on the guest's thread leaves it a call.
+class HeardQueueWithGuest : public HeardQueueWithThreads {
+ protected:
+  void SetUp() override {
+    steps.clear();
+    HeardQueueWithThreads::SetUp();
+    channel::SubscriberOptions options;
+    options.address = out_->address();
+    options.shared_thread = true;
+    options.on_message = [this](const channel::MessagePtr&) { on_message(); };
+    in_ = *channel::Subscriber::create(std::move(options));
+  }
+  virtual void on_message() {
+    HeardQueue* const queue = HeardQueue::of_guest();
+    if (queue == nullptr) return note("no guest");
+    EXPECT_EQ(queue, &queue_);
+    note(queue->leave_call([] { note("left"); }) ? "taken" : "refused");
+    note(queue->leave_call([] { note("second"); }) ? "taken" : "refused");
+    add([this] {
+      note("added");
+      ++called_;
+    });
+  }
+  static void note(const std::string& step) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    steps.push_back(step);
+  }
+
+  static std::mutex mutex;
+  static std::vector<std::string> steps;
+};
+std::mutex HeardQueueWithGuest::mutex;
+std::vector<std::string> HeardQueueWithGuest::steps;
+
+TEST_F(HeardQueueWithGuest, it_makes_one_call_that_it_was_left_and_before_what_came_later) {
+  start(1);
+  std::this_thread::sleep_for(milliseconds(100));  // until it waits as a guest
+  publish();
+  ASSERT_TRUE(called(1));
+  EXPECT_EQ(steps, (std::vector<std::string>{"taken", "refused", "left", "added"}));
+}
+
+TEST_F(HeardQueueWithGuest, it_takes_none_while_something_waits_or_the_queue_is_disabled) {
+  EXPECT_EQ(HeardQueue::of_guest(), nullptr);
+  add([] {});
+  EXPECT_FALSE(queue_.leave_call([] {}));
+  queue_.clear();
+  queue_.disable();
+  EXPECT_FALSE(queue_.leave_call([] {}));
+  queue_.enable();
+  EXPECT_TRUE(queue_.leave_call([] { note("left"); }));
+  queue_.wait(milliseconds(1));
+  EXPECT_EQ(steps, std::vector<std::string>{"left"});
+}
+
+/// The call that is left waits for a callback that is added after it: another thread has to call that one.
+class HeardQueueWithSlowGuest : public HeardQueueWithGuest {
+ protected:
+  void on_message() override {
+    meeting = std::make_unique<Meeting>();
+    HeardQueue* const queue = HeardQueue::of_guest();
+    const auto come = [] {
+      meeting->come();
+      ++ended;
+    };
+    if (queue == nullptr || !queue->leave_call(come)) add(come);
+    add(come);
+  }
+
+  static std::unique_ptr<Meeting> meeting;
+  static std::atomic<int> ended;
+};
+std::unique_ptr<Meeting> HeardQueueWithSlowGuest::meeting;
+std::atomic<int> HeardQueueWithSlowGuest::ended{0};
+
+TEST_F(HeardQueueWithSlowGuest, what_comes_while_it_calls_is_called_by_another_thread) {
+  start(2);
+  for (int round = 1; round <= 300; ++round) {
+    publish();
+    const auto end = std::chrono::steady_clock::now() + slow;
+    while (ended < 2 * round && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    ASSERT_EQ(ended, 2 * round);
+    ASSERT_TRUE(meeting->took_place()) << round;
+  }
+}
+
 }  // namespace
 }  // namespace detail
 }  // namespace tzc

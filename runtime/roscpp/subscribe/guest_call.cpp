@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/subscribe/guest_call.h"
+
+#include <utility>
+
+#include "sync_point/sync_point.h"
+
+namespace tzc {
+namespace detail {
+namespace {
+
+struct LeftMessage {
+  DirectCall call;
+  boost::shared_ptr<void> decoded;
+};
+thread_local LeftMessage left;
+
+void call_what_was_left() {
+  sync_point("guest: calls");
+  LeftMessage mine = std::exchange(left, LeftMessage());  // its callback may spin, and be left another one
+  mine.call.call([&mine](bool) { return std::move(mine.decoded); });
+}
+
+}  // namespace
+
+// A thread that unsubscribes waits in roscpp's queue for callbacks that several threads may call at once, and would not here.
+bool leave_to_guest(HeardQueue& queue, ros::Subscription& subscription, const DirectMessage& message,
+                    const Decode& decode) {
+  DirectCall call = DirectCall::prepare(subscription, message, queue, DirectCall::Turn::at_once);
+  if (!call || call.is_concurrent() || !queue.leave_call(&call_what_was_left)) return false;
+  const bool writes = call.writes();
+  left = LeftMessage{std::move(call), decode(writes)};
+  return true;
+}
+
+}  // namespace detail
+}  // namespace tzc
