@@ -59,7 +59,10 @@ Soak::Soak(const SoakPlan& plan) : plan_(plan), start_ns_(now_ns()) {
   const auto& roles = soak_roles();
   void* memory = ::mmap(nullptr, sizeof(SoakCounts) * roles.size(), PROT_READ | PROT_WRITE,
                         MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) return;
+  if (memory == MAP_FAILED) {
+    std::perror("tzc-bench soak: memory for the processes' counts");
+    return;
+  }
   for (std::size_t i = 0; i < roles.size(); ++i)
     processes_.push_back({&roles[i], new (static_cast<SoakCounts*>(memory) + i) SoakCounts()});
   for (SoakProcess& process : processes_) start(process);

@@ -18,6 +18,7 @@ thread_local LeftMessage left;
 void call_what_was_left() {
   sync_point("guest: calls");
   LeftMessage mine = std::exchange(left, LeftMessage());  // its callback may spin, and be left another one
+  if (!mine.call) return;                                 // there was no memory for the message
   mine.call.call([&mine](bool) { return std::move(mine.decoded); });
 }
 
@@ -28,6 +29,7 @@ bool leave_to_guest(HeardQueue& queue, ros::Subscription& subscription, const Di
                     const Decode& decode) {
   DirectCall call = DirectCall::prepare(subscription, message, queue, DirectCall::Turn::at_once);
   if (!call || call.is_concurrent() || !queue.leave_call(&call_what_was_left)) return false;
+  sync_point("guest: decodes");
   const bool writes = call.writes();
   left = LeftMessage{std::move(call), decode(writes)};
   return true;

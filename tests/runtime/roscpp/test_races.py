@@ -82,6 +82,13 @@ class Races(TopicCase):
         self.assertEqual(self.events(subscriber), {"ended before": True})
         self.assertEqual([message["shared"] for message in subscriber.messages()], [True])
 
+    def test_a_guest_without_memory_for_a_message_goes_on(self):
+        subscriber = Listener(self.node("racer", "subscriber", {"race": "no_memory"}))
+        self.start_talker(count=0, rate=20, subscribers=1)
+        self.wait_for(subscriber, 5)
+        self.assertTrue(subscriber.process.alive())
+        self.assertTrue(all(message["right"] for message in subscriber.messages()))
+
 
 if __name__ == "__main__":
     main()

@@ -19,6 +19,7 @@
 ///                 asked for an offer, and goes on when the call is given up
 ///   cut_short     a subscriber: its first channel ends before it is noted
 ///   unsubscribe   a subscriber with two threads of tzc::AsyncSpinner: it unsubscribes while its callback runs past the queue
+///   no_memory     a subscriber with tzc::spin: there is no memory for its first shared message
 ///   planted       a subscriber with a data race of its own, for ThreadSanitizer to find
 #include <ros/callback_queue_interface.h>
 #include <ros/poll_manager.h>
@@ -30,6 +31,7 @@
 #include <tzc/sensor_msgs/Image.h>
 
 #include <atomic>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>
@@ -306,6 +308,20 @@ void unsubscribe(ros::NodeHandle& node) {
   print_event("ended before", !inside);
 }
 
+void no_memory(ros::NodeHandle& node) {
+  tzc::sync_point_hook = [](const char* step) {
+    if (std::string(step) != "guest: decodes" || gate().happened("refused")) return;
+    gate().tell("refused");
+    throw std::bad_alloc();
+  };
+  const boost::function<void(const sensor_msgs::ImageConstPtr&)> print =
+      [](const sensor_msgs::ImageConstPtr& image) {
+        if (gate().happened("refused")) tzc_test::print_image(*image);
+      };
+  const ros::Subscriber subscriber = tzc::subscribe<sensor_msgs::Image>(node, "image", 100, print);
+  tzc::spin();
+}
+
 int planted_counter = 0;
 
 // The transport's reader thread writes what the main thread reads.
@@ -337,6 +353,7 @@ int main(int argc, char** argv) {
   if (race == "late_attach") late_attach(node);
   if (race == "cut_short") cut_short(node);
   if (race == "unsubscribe") unsubscribe(node);
+  if (race == "no_memory") no_memory(node);
   if (race == "planted") planted(node);
   tzc::sync_point_hook = nullptr;
 }
