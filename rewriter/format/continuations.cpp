@@ -2,43 +2,13 @@
 #include "format/continuations.h"
 
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 #include "edits/diff.h"
+#include "format/brackets.h"
 
 namespace tzc::rewriter {
 namespace {
-
-/// The brackets of a line that stay open at its end, and how many of earlier lines it closes.
-struct Brackets {
-  std::vector<std::size_t> open;  ///< columns, from the outermost
-  std::size_t closed = 0;
-};
-
-/// Behind a string or character literal that begins at `at`.
-std::size_t behind_literal(const std::string& line, std::size_t at) {
-  const char quote = line[at];
-  for (++at; at < line.size() && line[at] != quote; ++at)
-    if (line[at] == '\\') ++at;
-  return at;
-}
-
-Brackets brackets_of(const std::string& line) {
-  Brackets found;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '/' && i + 1 < line.size() && line[i + 1] == '/') break;
-    if (c == '"' || c == '\'') i = behind_literal(line, i);
-    if (c == '(' || c == '[' || c == '{') found.open.push_back(i);
-    if (c != ')' && c != ']' && c != '}') continue;
-    if (found.open.empty())
-      ++found.closed;
-    else
-      found.open.pop_back();
-  }
-  return found;
-}
 
 /// A line before and after the edits.
 struct Pair {

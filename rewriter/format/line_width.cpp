@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "edits/diff.h"
+#include "format/brackets.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -36,10 +37,12 @@ bool ends_statement(std::string_view line) {
          line.find("//") != std::string_view::npos;
 }
 
-/// A statement with a line that is too wide.
+/// A statement with lines that are too wide.
 struct Wide {
-  unsigned first;  ///< offset of its first word
-  clang::tooling::Range line;
+  unsigned first;               ///< offset of its first word
+  clang::tooling::Range lines;  ///< from the first one that is too wide to the last one that may move with it
+
+  void reach(unsigned end) { lines = {lines.getOffset(), end - lines.getOffset()}; }
 };
 
 /// Tabs have no known width, and a directive cannot be broken.
@@ -47,23 +50,57 @@ bool can_be_broken(std::string_view line) {
   return line.find('\t') == std::string_view::npos && line[0] != '#';
 }
 
-std::vector<Wide> wide_statements(const std::string& before, const std::string& after) {
-  const std::size_t width = width_of_file(before);
-  std::vector<Wide> found;
-  unsigned offset = 0, first = 0;
-  bool begins = true;
-  for (const DiffLine& line : diff_lines(before, after)) {
-    if (line.change == LineChange::removed) continue;
-    if (begins) {
-      const std::size_t word = line.text.find_first_not_of(' ');
-      first = offset + static_cast<unsigned>(std::min(word, line.text.size()));
-    }
-    if (line.change == LineChange::added && width_of(line.text) > width && can_be_broken(line.text))
-      found.push_back({first, {offset, static_cast<unsigned>(line.text.size())}});
-    begins = ends_statement(line.text);
-    offset += static_cast<unsigned>(line.text.size());
+/// Finds the statements of a file, line by line.
+class WideStatements {
+ public:
+  explicit WideStatements(std::size_t width) : width_(width) {}
+
+  void line(const DiffLine& line) {
+    const unsigned end = offset_ + static_cast<unsigned>(line.text.size());
+    if (begins_) begin(line.text);
+    const bool is_wide =
+        line.change == LineChange::added && width_of(line.text) > width_ && can_be_broken(line.text);
+    if (is_wide && !is_found()) found_.push_back({first_, {offset_, 0}});
+    if (is_found() && (is_wide || stands_behind_bracket(line.text))) found_.back().reach(end);
+    read_brackets(line.text);
+    begins_ = ends_statement(line.text);
+    offset_ = end;
   }
-  return found;
+
+  const std::vector<Wide>& found() const { return found_; }
+
+ private:
+  void begin(std::string_view line) {
+    first_ = offset_ + static_cast<unsigned>(std::min(line.find_first_not_of(' '), line.size()));
+    open_.clear();
+  }
+
+  /// The statement of this line is one.
+  bool is_found() const { return !found_.empty() && found_.back().first == first_; }
+
+  /// Right behind the innermost one that is open: the line moves when its bracket does.
+  bool stands_behind_bracket(std::string_view line) const {
+    return !open_.empty() && line.find_first_not_of(' ') == open_.back() + 1;
+  }
+
+  void read_brackets(std::string_view line) {
+    const Brackets brackets = brackets_of(line);
+    open_.resize(open_.size() - std::min(open_.size(), brackets.closed));
+    open_.insert(open_.end(), brackets.open.begin(), brackets.open.end());
+  }
+
+  const std::size_t width_;
+  std::vector<Wide> found_;
+  unsigned offset_ = 0, first_ = 0;
+  bool begins_ = true;
+  std::vector<std::size_t> open_;  ///< columns of the statement's brackets
+};
+
+std::vector<Wide> wide_statements(const std::string& before, const std::string& after) {
+  WideStatements statements(width_of_file(before));
+  for (const DiffLine& line : diff_lines(before, after))
+    if (line.change != LineChange::removed) statements.line(line);
+  return statements.found();
 }
 
 /// What the lines that are indented least are indented by.
@@ -83,6 +120,7 @@ clang::format::FormatStyle style_for(const std::string& before) {
   style.MaxEmptyLinesToKeep = 1000;
   style.SortIncludes = clang::format::FormatStyle::SI_Never;
   style.ReflowComments = false;
+  style.BreakStringLiterals = false;
   return style;
 }
 
@@ -91,7 +129,7 @@ bool is_break(const clang::tooling::Replacement& replacement, const std::string&
   const unsigned at = replacement.getOffset(), end = at + replacement.getLength();
   const bool breaks = replacement.getReplacementText().contains('\n') ||
                       text.substr(at, replacement.getLength()).find('\n') != std::string::npos;
-  return breaks && at > wide.first && end < wide.line.getOffset() + wide.line.getLength();
+  return breaks && at > wide.first && end < wide.lines.getOffset() + wide.lines.getLength();
 }
 
 /// By how much the statement's first word, which stays where it is, stands right of where clang-format wants it.
@@ -124,7 +162,7 @@ std::string wrapped(const std::string& path, const std::string& before, const st
   const std::vector<Wide> statements = wide_statements(before, after);
   if (statements.empty()) return after;
   std::vector<clang::tooling::Range> ranges;
-  for (const Wide& wide : statements) ranges.push_back(wide.line);
+  for (const Wide& wide : statements) ranges.push_back(wide.lines);
   const clang::tooling::Replacements all = clang::format::reformat(style_for(before), after, ranges, path);
   clang::tooling::Replacements breaks;
   for (const Wide& wide : statements)

@@ -2,6 +2,11 @@
 // Files without a .clang-format: alignment and width stay as the author has them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <sstream>
+
+#include "format/brackets.h"
 #include "format/continuations.h"
 #include "format/line_width.h"
 
@@ -83,6 +88,99 @@ TEST(LineWidth, tabs_and_directives_are_not_broken) {
   for (const std::string& line : {"\tf(aaaaaaaaaa, " + std::string(80, 'b') + ");\n",
                                   "#define F f(aaaaaaaaaa, " + std::string(80, 'b') + ")\n"})
     EXPECT_EQ(wrapped("a.cpp", "", line), line);
+}
+TEST(LineWidth, a_line_behind_a_bracket_moves_with_it) {
+  const std::string before =
+      "pub =\n"
+      "    nh.advertise<Image>(\"a_topic_name\", bind(&Node::is_connected, this),\n"
+      "                        bind(&Node::is_gone, this));\n";
+  const std::string after =
+      "pub =\n"
+      "    tzc::advertise<Image>(node_handle, \"a_topic_name\", bind(&Node::is_connected, this),\n"
+      "                          bind(&Node::is_gone, this));\n";
+  EXPECT_EQ(wrapped("a.cpp", before, after),
+            "pub = tzc::advertise<Image>(node_handle, \"a_topic_name\",\n"
+            "                            bind(&Node::is_connected, this),\n"
+            "                            bind(&Node::is_gone, this));\n");
+}
+TEST(LineWidth, two_lines_of_a_statement_are_broken_as_one) {
+  const std::string filler(40, 'x');
+  EXPECT_EQ(wrapped("a.cpp", "",
+                    "pub = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh, \"scan\", 10, bind(&" + filler +
+                        "),\n                                                  bind(&" + filler + "));\n"),
+            "pub = tzc::advertise<tzc::sensor_msgs::LaserScan>(\n    nh, \"scan\", 10, bind(&" + filler +
+                "),\n    bind(&" + filler + "));\n");
+}
+TEST(LineWidth, a_literal_is_not_broken) {
+  const std::string line =
+      "pub = advertise(\"" + std::string(50, 'a') + " " + std::string(50, 'b') + "\");\n";
+  EXPECT_EQ(wrapped("a.cpp", "", line).find("\" \""), std::string::npos);
+  EXPECT_NE(wrapped("a.cpp", "", line).find("a b"), std::string::npos);
+}
+
+/// Calls with arguments of any length, some of them calls, whose lines stand behind a bracket or end with one.
+class RandomCall {
+ public:
+  explicit RandomCall(unsigned seed) : random_(seed) {}
+
+  std::string text(std::size_t indent) {
+    text_ = std::string(indent, ' ') + name() + " = ";
+    call(0);
+    return text_ + ";\n";
+  }
+
+ private:
+  std::size_t up_to(std::size_t most) { return random_() % (most + 1); }
+  std::string name() { return std::string(1 + up_to(30), 'n'); }
+
+  void call(int depth) {
+    text_ += name() + "(";
+    const std::size_t column = text_.size() - (text_.rfind('\n') + 1);
+    for (std::size_t left = up_to(4) + 1; left > 0; --left) {
+      if (depth < 2 && up_to(2) == 0)
+        call(depth + 1);
+      else
+        text_ += name();
+      if (left > 1) text_ += up_to(1) == 0 ? ", " : ",\n" + std::string(column, ' ');
+    }
+    text_ += ")";
+  }
+
+  std::mt19937 random_;
+  std::string text_;
+};
+
+std::string without_blanks(std::string text) {
+  text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }),
+             text.end());
+  return text;
+}
+
+void expect_well_formed(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::size_t> open;
+  bool ended_with_bracket = false;
+  for (std::string line; std::getline(stream, line);) {
+    ASSERT_FALSE(line.empty() || line.back() == ' ') << text;
+    if (!open.empty() && !ended_with_bracket) {
+      ASSERT_EQ(line.find_first_not_of(' '), open.back() + 1) << text;
+    }
+    const Brackets brackets = brackets_of(line);
+    ASSERT_LE(brackets.closed, open.size()) << text;
+    open.resize(open.size() - brackets.closed);
+    open.insert(open.end(), brackets.open.begin(), brackets.open.end());
+    ended_with_bracket =
+        ended_with_bracket || line.back() == '(';  // from there on the indentation is clang-format's
+  }
+}
+
+TEST(LineWidth, whatever_is_wide_is_aligned_when_it_was_and_leaves_no_blanks) {
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    const std::string after = "int n;\n" + RandomCall(seed).text(2 * (seed % 3));
+    const std::string text = wrapped("a.cpp", "", after);
+    ASSERT_EQ(without_blanks(text), without_blanks(after));
+    ASSERT_NO_FATAL_FAILURE(expect_well_formed(text)) << "seed " << seed << "\n" << after;
+  }
 }
 
 }  // namespace
