@@ -18,13 +18,14 @@ printf 'cmake_minimum_required(VERSION 3.0.2)\nproject(broken)\nfind_package(no_
 mkdir "$work/inputs"
 printf '%s\n' --command 'rosrun camera_pair camera_node _count:=20' --duration 20 >"$work/inputs/wild.args"
 
-port() { "$root/scripts/port-packages" --out "$work/out" --no-speed --inputs "$work/inputs" "$@" >"$work/printed" 2>&1; }
+port() { "$root/scripts/port-packages" --out "$work/out" --no-speed --build-type None --inputs "$work/inputs" "$@" >"$work/printed" 2>&1; }
 port --no-tests --only camera_pair --only broken --only image_publisher "$work/wild" debian:ros-image-pipeline ||
   fail "it ends with $?"
 holds "$work/out/table.txt" '^wild +1 \(-1\) +3, 3 +1/0/0/0 +1/0/0/0 +1/0/0 .* equal '
 holds "$work/out/table.txt" '^wild: broken is left out: CMake Error at broken/CMakeLists.txt:3'
 holds "$work/out/table.txt" '^ros-image-pipeline +1 '
 holds "$work/out/wild/port.diff" '^\+.*tzc::advertise'
+holds "$work/out/wild/ported/build/CMakeCache.txt" '^CMAKE_BUILD_TYPE:.*=None'
 [ -x "$work/out/wild/ported/devel/lib/camera_pair/camera_node" ] || fail "the port was not built"
 
 port --no-tests --only camera_pair --only broken --only image_publisher "$work/wild" debian:ros-image-pipeline ||

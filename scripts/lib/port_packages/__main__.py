@@ -9,6 +9,8 @@ import sys
 from .repository import Repository
 from .table import table
 
+USUAL_BUILD = "Release"
+
 
 def parse_arguments():
     parser = argparse.ArgumentParser(prog="scripts/port-packages")
@@ -19,6 +21,7 @@ def parse_arguments():
     parser.add_argument("--with", dest="options", action="append", default=[])
     parser.add_argument("--no-tests", dest="tests", action="store_false")
     parser.add_argument("--no-speed", dest="speed", action="store_false")
+    parser.add_argument("--build-type", default=USUAL_BUILD)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--timeout", type=float, default=900)
     parser.add_argument("--again", action="store_true")
@@ -30,7 +33,8 @@ def key_of(settings):
     """What a result depends on besides its source: the program and what it was told."""
     with open(os.path.join(settings.tzc, "bin/tzc-rewrite"), "rb") as file:
         program = hashlib.sha256(file.read()).hexdigest()
-    return [program, settings.only, settings.options, settings.tests, settings.speed, settings.inputs]
+    built = [] if settings.build_type == USUAL_BUILD else [settings.build_type]
+    return [program, settings.only, settings.options, settings.tests, settings.speed, settings.inputs, *built]
 
 
 def catkin_share():

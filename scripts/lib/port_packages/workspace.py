@@ -98,7 +98,7 @@ class Workspace:
 
     def configure_command(self, names):
         flags = {"CATKIN_DEVEL_PREFIX": self.devel, "CMAKE_INSTALL_PREFIX": os.path.join(self.root, "install"),
-                 "CMAKE_BUILD_TYPE": "Release", "CMAKE_EXPORT_COMPILE_COMMANDS": "ON",
+                 "CMAKE_BUILD_TYPE": self.settings.build_type, "CMAKE_EXPORT_COMPILE_COMMANDS": "ON",
                  "PYTHON_EXECUTABLE": "/usr/bin/python3", "CATKIN_WHITELIST_PACKAGES": ";".join(names),
                  "CATKIN_ENABLE_TESTING": "ON" if self.settings.tests else "OFF"}
         if shutil.which("ccache"):
