@@ -32,6 +32,21 @@ port --no-tests --only camera_pair --only broken --only image_publisher "$work/w
   fail "again, it ends with $?"
 holds "$work/printed" '^wild: is done already'
 
+mkdir -p "$work/tested/tested"
+sed 's/camera_pair/tested/' "$root/samples/camera_pair/package.xml" >"$work/tested/tested/package.xml"
+cat >"$work/tested/tested/CMakeLists.txt" <<'CMAKE'
+cmake_minimum_required(VERSION 3.0.2)
+project(tested)
+find_package(catkin REQUIRED)
+catkin_package()
+catkin_add_gtest(passes passes.cpp)
+catkin_add_gtest(cannot_be_built cannot_be_built.cpp)
+CMAKE
+printf '#include <gtest/gtest.h>\nTEST(Suite, passes) {}\nint main(int c, char** v) { testing::InitGoogleTest(&c, v); return RUN_ALL_TESTS(); }\n' >"$work/tested/tested/passes.cpp"
+printf '#error no\n' >"$work/tested/tested/cannot_be_built.cpp"
+port "$work/tested" || fail "with a test that cannot be built it ends with $?"
+holds "$work/out/table.txt" '^tested +1 .* 1/1, 1/1 '
+
 status=0
 port --again --only broken "$work/wild" || status=$?
 [ "$status" = 1 ] || fail "with nothing to port it ends with $status"

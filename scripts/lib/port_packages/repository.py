@@ -132,8 +132,7 @@ class Repository:
         results = {}
         for version, workspace in (("before", self.original), ("after", self.ported)):
             workspace.make("tests", timeout=self.settings.timeout)
-            remove(os.path.join(workspace.build, "test_results"))
-            if workspace.make("run_tests", timeout=self.settings.timeout).timed_out:
+            if not workspace.run_tests(self.packages, self.settings.timeout):
                 self.say(f"the tests took longer than {self.settings.timeout} s and were stopped")
             results[version] = workspace.test_results()
             self.result[f"tests_{version}"] = [sum(results[version].values()), len(results[version])]

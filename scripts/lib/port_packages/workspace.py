@@ -6,6 +6,7 @@ import os
 import re
 import shlex
 import shutil
+import subprocess
 import xml.etree.ElementTree
 
 from .command import run, tail
@@ -124,11 +125,20 @@ class Workspace:
         error = text[text.find("CMake Error"):].split("\n\n")[0]
         return " ".join(" ".join(error.split()).split()[:40])
 
-    def make(self, *targets, timeout=None):
+    def make(self, *targets, called=None, timeout=None):
         """Builds what can be built, whatever fails."""
-        log = os.path.join(self.log, "-".join(("make", *targets)) + ".log")
+        log = os.path.join(self.log, "-".join(("make", *([called] if called else targets))) + ".log")
         return run(["ninja", "-C", self.build, "-k", "0", f"-j{self.settings.jobs}", *targets], log, env=self.env,
                    timeout=timeout)
+
+    def run_tests(self, packages, timeout):
+        """Those of each package: catkin's target run_tests runs none as long as one test of the workspace cannot be built.
+        Whether they ended in time."""
+        listed = subprocess.run(["ninja", "-C", self.build, "-t", "targets", "all"], stdout=subprocess.PIPE, text=True, check=True)
+        known = {line.split(":")[0] for line in listed.stdout.splitlines()}
+        targets = known & {f"run_tests_{package.name}" for package in packages}
+        remove(os.path.join(self.build, "test_results"))
+        return not targets or not self.make(*sorted(targets), called="run_tests", timeout=timeout).timed_out
 
     def units(self):
         """{object file: whether it is there}, as CMake names it, the same in both versions."""
