@@ -16,9 +16,10 @@ struct Range {
 struct Trend {
   Range early;
   Range late;
-  /// The least of late is above the most of early, by more than a hundredth: whatever grows steadily does so in the end,
-  /// and what goes up and down does not.
-  bool grew() const { return late.least > early.most + early.most / 100; }
+  /// The least of late above the most of early: whatever grows steadily does so in the end, and what goes up and down does not.
+  std::size_t growth() const { return late.least > early.most ? late.least - early.most : 0; }
+  /// By more than a hundredth, and what a control beside it grew by.
+  bool grew(std::size_t of_the_control = 0) const { return growth() > early.most / 100 + of_the_control; }
 };
 
 /// Of looks at equal distances, in their order. With less than four the ranges are empty.

@@ -161,27 +161,37 @@ void publish_until_killed(SoakCounts& counts) {
   publish("soak_killed_publisher", passing_topics, counts);
 }
 
-void spin(const char* name, SoakCounts& counts, std::size_t kept) {
+void receive(const char* name, SoakCounts& counts, std::size_t kept, void (*spin)()) {
   start_node(name);
   ros::NodeHandle node;
   const auto subscribers = subscribe_to_all(node, counts, kept);
-  ros::spin();
+  spin();
 }
 
 void spin_for_long(SoakCounts& counts) {
-  spin("soak_subscriber", counts, 0);
+  receive("soak_subscriber", counts, 0, &ros::spin);
 }
 
 void keep(SoakCounts& counts) {
-  spin("soak_keeper", counts, kept_of_a_topic);
+  receive("soak_keeper", counts, kept_of_a_topic, &tzc::spin);
 }
 
 void spin_while_stopped(SoakCounts& counts) {
-  spin("soak_stopped", counts, 0);
+  receive("soak_stopped", counts, 0, &tzc::spin);
 }
 
 void spin_until_killed(SoakCounts& counts) {
-  spin("soak_killed", counts, kept_of_a_topic);
+  receive("soak_killed", counts, kept_of_a_topic, &tzc::spin);
+}
+
+void receive_over_tcpros(SoakCounts& counts) {
+  start_node("soak_plain");
+  ros::NodeHandle node;
+  std::vector<ros::Subscriber> subscribers;
+  for (const SoakTopic& topic : passing_topics)
+    subscribers.push_back(
+        node.subscribe<::sensor_msgs::Image>(topic.name, topic.queue_size, into_new_sink(counts, 0)));
+  ros::spin();
 }
 
 void dispatch_directly(SoakCounts& counts) {
@@ -209,10 +219,15 @@ void come_and_go(SoakCounts& counts) {
 
 const std::vector<SoakRole>& soak_roles() {
   static const std::vector<SoakRole> roles{
-      {"publisher", Fate::lasts, publish_for_long}, {"subscriber", Fate::lasts, spin_for_long},
-      {"direct", Fate::lasts, dispatch_directly},   {"keeper", Fate::lasts, keep},
-      {"guest", Fate::lasts, come_and_go},          {"stopped", Fate::stopped, spin_while_stopped},
-      {"killed", Fate::killed, spin_until_killed},  {"killed_publisher", Fate::killed, publish_until_killed},
+      {"publisher", Fate::lasts, publish_for_long},
+      {"subscriber", Fate::lasts, spin_for_long},
+      {"direct", Fate::lasts, dispatch_directly},
+      {"keeper", Fate::lasts, keep},
+      {"guest", Fate::lasts, come_and_go},
+      {"stopped", Fate::stopped, spin_while_stopped},
+      {"killed", Fate::killed, spin_until_killed},
+      {"killed_publisher", Fate::killed, publish_until_killed},
+      {"plain", Fate::lasts, receive_over_tcpros, true},
   };
   return roles;
 }

@@ -27,6 +27,7 @@ struct SoakRole {
   const char* name;
   Fate fate;
   void (*run)(SoakCounts&);  ///< in a process of its own that has a ROS master; returns when ROS ends
+  bool is_control = false;   ///< has nothing of TZC: what grows in it too is roscpp's
 };
 
 const std::vector<SoakRole>& soak_roles();

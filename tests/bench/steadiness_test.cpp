@@ -34,6 +34,13 @@ TEST(Trend, a_hundredth_of_the_memory_is_no_growth) {
   EXPECT_TRUE(trend_of({10000, 10000, 10000, 10000, 10050, 10099, 10101, 10101}).grew());
 }
 
+TEST(Trend, what_a_control_grew_by_as_well_is_not_counted) {
+  const Trend trend = trend_of({10000, 10000, 10000, 10000, 10050, 10150, 10150, 10160});
+  EXPECT_EQ(trend.growth(), 150u);
+  EXPECT_TRUE(trend.grew(49));
+  EXPECT_FALSE(trend.grew(50));
+}
+
 TEST(Trend, a_leak_under_noise_grew) {
   std::mt19937 random{1};
   const auto noise = [&random] { return static_cast<double>(random() % 200); };

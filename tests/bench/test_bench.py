@@ -136,7 +136,7 @@ def check_undisturbed_soak(bench, folder):
     assert status == 0, (table, messages)
     assert "Too short to judge" in table and "GREW" not in table, table
     assert rows["publisher"]["published"] > 100 and rows["killed_publisher"]["published"] > 0, rows
-    for name in ("subscriber", "direct", "keeper", "guest", "stopped", "killed"):
+    for name in ("subscriber", "direct", "keeper", "guest", "stopped", "killed", "plain"):
         assert rows[name]["received"] > 0 and rows[name]["spoiled"] == 0, (name, rows[name])
     for name, row in rows.items():
         assert bool(row["killed"]) == name.startswith("killed") != bool(row["looks"]), (name, row)
