@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 
 namespace tzc::rewriter {
 namespace {
@@ -161,6 +162,21 @@ std::set<std::string> identifiers_in(const std::string& text) {
     at = end;
   }
   return found;
+}
+
+bool only_calls_members(const std::string& text, const std::string& name,
+                        const std::set<std::string>& members) {
+  static const std::regex call("\\s*(?:\\.|->)\\s*(\\w+)\\s*\\(");
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    if ((at > 0 && is_word(text[at - 1])) || (end < text.size() && is_word(text[end]))) continue;
+    std::smatch found;
+    const auto behind = text.begin() + static_cast<std::ptrdiff_t>(end);
+    if (!std::regex_search(behind, text.end(), found, call, std::regex_constants::match_continuous) ||
+        members.count(found[1]) == 0)
+      return false;
+  }
+  return true;
 }
 
 std::size_t offset_of(const std::string& text, unsigned line, unsigned column) {

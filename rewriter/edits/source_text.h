@@ -20,6 +20,10 @@ std::string squeezed(std::string text);
 
 std::set<std::string> identifiers_in(const std::string& text);
 
+/// Whether each mention of the name is a call of one of these members of it: `name.member(` or `name->member(`.
+bool only_calls_members(const std::string& text, const std::string& name,
+                        const std::set<std::string>& members);
+
 /// Where a definition lies.
 struct TextRange {
   std::size_t begin = 0, end = 0;

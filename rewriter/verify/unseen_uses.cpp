@@ -46,12 +46,17 @@ UnseenUses::UnseenUses(const UnseenCode& unseen, const Facts& facts, const Compo
         texts_[entity->where.file] = without_comments(read(entity->where.file).value_or(""));
 }
 
+void UnseenUses::add(const Place& where, std::string code, const UnseenFile* file) {
+  std::set<std::string> words = identifiers_in(code);
+  parts_.push_back({where, std::move(code), std::move(words), file});
+}
+
 void UnseenUses::add_branch(const Place& place, const ReadFile& read) {
   const std::string text = read(place.file).value_or("");
   if (place.end > text.size() || place.begin >= place.end || in_dual_branch(text, place.line + 1)) return;
   const std::string branch = text.substr(place.begin, place.end - place.begin);
   if (is_dead(branch)) return;
-  parts_.push_back({place, identifiers_in(without_comments(branch)), nullptr});
+  add(place, without_comments(branch), nullptr);
   const auto [known, is_new] = texts_.try_emplace(place.file);
   if (!is_new) return;
   known->second = without_comments(text);
@@ -62,7 +67,7 @@ void UnseenUses::add_file(const UnseenFile& file, const ReadFile& read) {
   Place whole;
   whole.file = file.file;
   whole.line = whole.column = 1;
-  parts_.push_back({whole, identifiers_in(without_comments(read(file.file).value_or(""))), &file});
+  add(whole, without_comments(read(file.file).value_or("")), &file);
 }
 
 bool UnseenUses::compiled_together(const std::string& file, const std::string& other) const {
@@ -84,6 +89,15 @@ bool UnseenUses::may_name(const Part& part, const Entity& entity) const {
                      [&](const Change& change) { return part.file->headers.count(change.where.file) != 0; });
 }
 
+/// Whether the part compiles with a ros::Publisher as with a tzc::Publisher. Those of image_transport are not the same: their
+/// publish() takes whatever converts to an image. A file may belong to a target that is not linked with TZC.
+bool UnseenUses::fits_either_class(const Part& part, const Entity& entity) {
+  static const std::set<std::string> members{"publish", "getNumSubscribers", "getTopic", "isLatched",
+                                             "shutdown"};
+  return !part.file && entity.role == EntityRole::publisher && entity.ported_as.name == "tzc::Publisher" &&
+         only_calls_members(part.code, entity.name, members);
+}
+
 std::string UnseenUses::named_in(const Part& part, const Entity& entity) const {
   if (!may_name(part, entity)) return "";
   const std::string& text = texts_.at(entity.where.file);
@@ -92,7 +106,7 @@ std::string UnseenUses::named_in(const Part& part, const Entity& entity) const {
              parameter = entity.storage == Storage::parameter;
   const std::string function = parameter ? function_around(text, at) : "";
   if (!function.empty() && part.words.count(function)) return function;
-  if (entity.name.empty() || !part.words.count(entity.name)) return "";
+  if (entity.name.empty() || !part.words.count(entity.name) || fits_either_class(part, entity)) return "";
   if (!local && !parameter) return entity.name;
   const std::size_t end = local ? end_of_block(text, at) : end_of_function(text, at);
   const bool in_scope =

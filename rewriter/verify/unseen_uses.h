@@ -28,7 +28,8 @@ struct UnseenCode {
 
 /// No compiler sees such code here, so entities that it names keep their types. Dead code (`#if 0`) and the branches
 /// without TZC of --dual do not count, nor do branches that are never compiled together with anything that the port of a component
-/// changes: where they are compiled, nothing of it has changed.
+/// changes: where they are compiled, nothing of it has changed. Nor does a branch that only calls what a ros::Publisher and a
+/// tzc::Publisher both have: it compiles with either, and publishes stock messages.
 class UnseenUses {
  public:
   UnseenUses(const UnseenCode& unseen, const Facts& facts, const Components& components,
@@ -41,9 +42,11 @@ class UnseenUses {
   /// A branch, or a file.
   struct Part {
     Place where;
-    std::set<std::string> words;       ///< identifiers
+    std::string code;                  ///< without comments
+    std::set<std::string> words;       ///< its identifiers
     const UnseenFile* file = nullptr;  ///< null: a branch of a file that is compiled
   };
+  void add(const Place& where, std::string code, const UnseenFile* file);
   void add_branch(const Place& place, const ReadFile& read);
   void add_file(const UnseenFile& file, const ReadFile& read);
   bool lies_apart(const Part& part, const Edits& edits) const;
@@ -51,6 +54,7 @@ class UnseenUses {
   std::optional<Obstacle> use_of(const Entity& entity, const Part& part) const;
   /// The variable or function of the entity that the part names; empty: none.
   std::string named_in(const Part& part, const Entity& entity) const;
+  static bool fits_either_class(const Part& part, const Entity& entity);
   bool may_name(const Part& part, const Entity& entity) const;
   bool compiled_together(const std::string& file, const std::string& other) const;
 

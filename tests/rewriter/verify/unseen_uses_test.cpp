@@ -82,6 +82,31 @@ TEST(UnseenUses, a_local_that_the_branch_names_keeps_its_type) {
             "TZC3007");
 }
 
+std::string obstacle_of_publisher(const std::string& branch,
+                                  const std::string& ported_as = "tzc::Publisher") {
+  Entity publisher = entity("pub", EntityRole::publisher);
+  publisher.ported_as.name = ported_as;
+  return Branch(function_with("#ifdef X\n" + branch + "\n#endif\n"), publisher).obstacle();
+}
+
+TEST(UnseenUses, calls_that_either_publisher_has_do_not_count) {
+  for (const char* branch : {"pub.publish(stock);", "if (pub.getNumSubscribers() > 0) pub . publish(make());",
+                             "pub->publish(stock);", "this->pub.shutdown();",
+                             "ROS_INFO(\"%s\", pub.getTopic().c_str());  // keep(pub)"})
+    EXPECT_EQ(obstacle_of_publisher(branch), "") << branch;
+}
+
+TEST(UnseenUses, whatever_else_is_done_to_a_publisher_counts) {
+  for (const char* branch : {"keep(pub);", "pub = nh.advertise<Image>(1);", "ros::Publisher pub;", "&pub;",
+                             "pub.publish(keep(pub));", "pub.publish<Image>(stock);", "pub.stock_only();",
+                             "pub.publish;", "#define PUB pub", "pub\n"})
+    EXPECT_EQ(obstacle_of_publisher(branch), "TZC3007") << branch;
+}
+
+TEST(UnseenUses, a_call_of_an_image_publisher_counts) {
+  EXPECT_EQ(obstacle_of_publisher("pub.publish(stock);", "tzc::image_transport::Publisher"), "TZC3007");
+}
+
 TEST(UnseenUses, another_name_does_not_count) {
   EXPECT_EQ(Branch(function_with("#ifdef X\n use(images);  // image\n#endif\n"),
                    entity("image", EntityRole::message))
@@ -155,6 +180,12 @@ Entity member_of_node(bool is_private = false) {
 TEST(UnseenUses, a_member_that_a_file_names_keeps_its_type) {
   EXPECT_EQ(obstacle_by_file("void test(Node& n) { send(n.pub); }", member_of_node()), "TZC3007");
   EXPECT_EQ(obstacle_by_file("void test(Node& n) { send(n.publisher); }  // pub", member_of_node()), "");
+}
+
+TEST(UnseenUses, a_file_that_only_publishes_counts_since_its_target_may_not_be_linked_with_tzc) {
+  Entity member = member_of_node();
+  member.ported_as.name = "tzc::Publisher";
+  EXPECT_EQ(obstacle_by_file("void run(Node& node) { node.pub.publish(stock); }\n", member), "TZC3007");
 }
 
 TEST(UnseenUses, a_file_that_does_not_include_the_header_does_not_count) {
