@@ -26,8 +26,8 @@ Examples:
   tzc-bench soak --minutes 1440 --json day.json
 Runs a ROS master of its own. SIGINT ends it early, with the table of what has been until then.
 Exit status: 0: no message was spoiled, no process ended by itself, nothing grew; 1 otherwise; 2: a mistake on the command
-line. What grows is judged from 10 minutes on, before, processes are still warming up, and by more than 1 % and what the plain
-subscriber grew by, which has nothing of TZC.)";
+line. What grows is judged from 10 minutes on: before, processes are still warming up. It grew if that is more than 1 % and what
+the plain subscriber grew by, which has nothing of TZC.)";
 
 constexpr double judged_from_minutes = 10;
 using Quantity = std::size_t Needs::*;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
 
 namespace tzc::rewriter {
 namespace {
@@ -118,6 +117,21 @@ class Definitions {
   std::map<std::string, TextRange> found_;
 };
 
+std::size_t behind_blanks(const std::string& text, std::size_t at) {
+  return std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+}
+
+/// The member that is called of what ends at `at`; empty: none is. No regular expression: a comment of any length may lie between.
+std::string called_member(const std::string& text, std::size_t at) {
+  at = behind_blanks(text, at);
+  const std::size_t access = text.compare(at, 1, ".") == 0 ? 1 : text.compare(at, 2, "->") == 0 ? 2 : 0;
+  if (access == 0) return "";
+  const std::size_t begin = behind_blanks(text, at + access);
+  std::size_t end = begin;
+  while (end < text.size() && is_word(text[end])) ++end;
+  return text.compare(behind_blanks(text, end), 1, "(") == 0 ? text.substr(begin, end - begin) : "";
+}
+
 }  // namespace
 
 std::map<std::string, TextRange> definitions_in(const std::string& text) {
@@ -166,15 +180,10 @@ std::set<std::string> identifiers_in(const std::string& text) {
 
 bool only_calls_members(const std::string& text, const std::string& name,
                         const std::set<std::string>& members) {
-  static const std::regex call("\\s*(?:\\.|->)\\s*(\\w+)\\s*\\(");
   for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();
     if ((at > 0 && is_word(text[at - 1])) || (end < text.size() && is_word(text[end]))) continue;
-    std::smatch found;
-    const auto behind = text.begin() + static_cast<std::ptrdiff_t>(end);
-    if (!std::regex_search(behind, text.end(), found, call, std::regex_constants::match_continuous) ||
-        members.count(found[1]) == 0)
-      return false;
+    if (members.count(called_member(text, end)) == 0) return false;
   }
   return true;
 }

@@ -134,7 +134,9 @@ class Workspace:
     def run_tests(self, packages, timeout):
         """Those of each package: catkin's target run_tests runs none as long as one test of the workspace cannot be built.
         Whether they ended in time."""
-        listed = subprocess.run(["ninja", "-C", self.build, "-t", "targets", "all"], stdout=subprocess.PIPE, text=True, check=True)
+        listed = subprocess.run(["ninja", "-C", self.build, "-t", "targets", "all"], stdout=subprocess.PIPE, text=True)
+        if listed.returncode != 0:
+            raise RuntimeError(f"ninja does not list the targets of {self.build}")
         known = {line.split(":")[0] for line in listed.stdout.splitlines()}
         targets = known & {f"run_tests_{package.name}" for package in packages}
         remove(os.path.join(self.build, "test_results"))

@@ -96,6 +96,10 @@ TEST(UnseenUses, calls_that_either_publisher_has_do_not_count) {
     EXPECT_EQ(obstacle_of_publisher(branch), "") << branch;
 }
 
+TEST(UnseenUses, a_long_comment_in_a_call_is_no_obstacle) {
+  EXPECT_EQ(obstacle_of_publisher("pub /*" + std::string(1 << 20, 'x') + "*/ .publish(stock);"), "");
+}
+
 TEST(UnseenUses, whatever_else_is_done_to_a_publisher_counts) {
   for (const char* branch : {"keep(pub);", "pub = nh.advertise<Image>(1);", "ros::Publisher pub;", "&pub;",
                              "pub.publish(keep(pub));", "pub.publish<Image>(stock);", "pub.stock_only();",
