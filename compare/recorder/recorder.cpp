@@ -41,34 +41,38 @@ bool Recorder::is_input(const std::string& topic) const {
 void Recorder::update() {
   if (!read_graph(graph_)) return;
   for (const auto& [topic, publishers] : graph_.publishers) {
-    if (!filter_.accepts(topic)) continue;
-    auto& [type, nodes] = seen_[topic];
-    type = graph_.types[topic];
-    nodes.insert(publishers.begin(), publishers.end());
-    if (subscriptions_.count(topic) == 0) subscribe(topic);
+    const bool is_recorded = filter_.accepts(topic);
+    if (!is_recorded && (!is_input(topic) || TopicFilter::is_infrastructure(topic))) continue;
+    if (is_recorded) {
+      auto& [type, nodes] = seen_[topic];
+      type = graph_.types[topic];
+      nodes.insert(publishers.begin(), publishers.end());
+      if (subscriptions_.count(topic) == 0 && log_.input_messages() != 0) late_.insert(topic);
+    }
+    if (subscriptions_.count(topic) == 0) subscribe(topic, is_recorded);
   }
   if (ros::WallTime::now() < next_traffic_) return;
   traffic_.update(graph_);
   next_traffic_ = ros::WallTime::now() + ros::WallDuration(traffic_period_s);
 }
 
-void Recorder::subscribe(const std::string& topic) {
-  if (log_.input_messages() != 0) late_.insert(topic);
+void Recorder::subscribe(const std::string& topic, bool is_recorded) {
   const auto codec = codec_table().find(graph_.types[topic]);
   if (options_.uses_shared_memory && codec != codec_table().end()) detail::attach_topic(topic, codec->second);
-  boost::function<void(const Event&)> callback = [this, topic](const Event& event) {
-    on_message(topic, event);
+  boost::function<void(const Event&)> callback = [this, topic, is_recorded](const Event& event) {
+    on_message(topic, event, is_recorded);
   };
   ros::TransportHints hints;
   subscriptions_[topic] =
       node_.subscribe<const Event&>(topic, queue_size, callback, ros::VoidConstPtr(), hints.tcpNoDelay());
 }
 
-void Recorder::on_message(const std::string& topic, const Event& event) {
+void Recorder::on_message(const std::string& topic, const Event& event, bool is_recorded) {
   const ros::WallTime received = ros::WallTime::now();
   const topic_tools::ShapeShifter::ConstPtr& message = event.getConstMessage();
   if (event.getPublisherName() == options_.player)
     return log_.add_input(stamp_of(*message), static_cast<std::int64_t>(received.toNSec()));
+  if (!is_recorded) return;
   writer_.add({topic, ros::Time(received.sec, received.nsec), message, event.getConnectionHeaderPtr()});
   log_.count_message();
 }
@@ -99,7 +103,9 @@ json Recorder::summary() {
       topics.push_back({{"topic", topic}, {"type", entry.first}, {"publishers", publishers}});
   }
   for (const auto& [topic, publishers] : graph_.publishers) {
-    if (!filter_.accepts(topic) && !TopicFilter::is_infrastructure(topic)) left_out.push_back(topic);
+    const bool is_only_input = publishers == std::set<std::string>{options_.player};
+    if (!filter_.accepts(topic) && !TopicFilter::is_infrastructure(topic) && !is_only_input)
+      left_out.push_back(topic);
   }
   for (const auto& [stamp, received] : log_.inputs()) inputs.push_back({stamp, received});
   return {{"now", static_cast<std::int64_t>(ros::WallTime::now().toNSec())},

@@ -33,7 +33,7 @@ class Recorder {
  public:
   explicit Recorder(RecorderOptions options);
 
-  /// Subscribes to new topics, and from time to time reads the nodes' counters.
+  /// Subscribes to new topics, to those of the input whatever the options select, and from time to time reads the nodes' counters.
   void update();
   /// {"graph", "nodes", "topics", "ready", "messages", "inputs", "error"}
   nlohmann::json status() const;
@@ -45,8 +45,9 @@ class Recorder {
   using Event = ros::MessageEvent<topic_tools::ShapeShifter const>;
 
   bool is_input(const std::string& topic) const;
-  void subscribe(const std::string& topic);
-  void on_message(const std::string& topic, const Event& event);
+  /// @param is_recorded false: it is looked at for the times of the input alone
+  void subscribe(const std::string& topic, bool is_recorded);
+  void on_message(const std::string& topic, const Event& event, bool is_recorded);
   /// Every publisher that the master knows is connected to us.
   bool is_ready() const;
 

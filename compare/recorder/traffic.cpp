@@ -38,12 +38,9 @@ void Traffic::update_node(const std::string& node) {
         topics[t][1];  // [[connection, bytes, data bytes, messages, 0], ...]; rospy has a number first
     if (list.getType() != XmlRpcValue::TypeArray) continue;
     for (int c = 0; c < list.size(); ++c) {
-      Connection& connection = connections_[{topics[t][0], node, list[c][0]}];
       const auto bytes = static_cast<std::uint32_t>(static_cast<int>(list[c][1]));
-      connection.bytes +=
-          static_cast<std::uint32_t>(bytes - connection.last_bytes);  // it may have wrapped round
-      connection.last_bytes = bytes;
-      connection.messages = static_cast<std::uint32_t>(static_cast<int>(list[c][3]));
+      const auto messages = static_cast<std::uint32_t>(static_cast<int>(list[c][3]));
+      count(connections_[{topics[t][0], node, list[c][0]}], bytes, messages);
     }
   }
   for (int i = 0; i < info->size(); ++i) {  // [connection, destination, direction, transport, topic, ...]
@@ -54,6 +51,15 @@ void Traffic::update_node(const std::string& node) {
     found->second.subscriber = static_cast<std::string>(entry[1]);
     found->second.transport = static_cast<std::string>(entry[3]);
   }
+}
+
+void Traffic::count(Connection& connection, std::uint32_t bytes, std::uint32_t messages) {
+  // Another link has taken the connection's number: one that moved to shared memory or back counts from 0.
+  if (messages < connection.last_messages) connection.last_messages = connection.last_bytes = 0;
+  connection.bytes += static_cast<std::uint32_t>(bytes - connection.last_bytes);  // it may have wrapped round
+  connection.messages += messages - connection.last_messages;
+  connection.last_bytes = bytes;
+  connection.last_messages = messages;
 }
 
 nlohmann::json Traffic::to_json() const {

@@ -23,13 +23,13 @@ class Traffic {
  private:
   struct Connection {
     std::string subscriber, transport;
-    std::uint32_t last_bytes = 0;
-    std::uint64_t bytes = 0;
-    std::uint32_t messages = 0;
+    std::uint32_t last_bytes = 0, last_messages = 0;
+    std::uint64_t bytes = 0, messages = 0;
   };
   using Key = std::tuple<std::string, std::string, int>;  // topic, node, connection
 
   void update_node(const std::string& node);
+  static void count(Connection& connection, std::uint32_t bytes, std::uint32_t messages);
 
   std::map<std::string, std::string> uris_;
   std::map<Key, Connection> connections_;

@@ -4,19 +4,36 @@
 #include <fmt/format.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <fstream>
 #include <regex>
 
-namespace tzc::compare {
+#include "pairing/recording.h"
 
+namespace tzc::compare {
+namespace {
+
+constexpr std::size_t longest_name = 1000;
+
+}  // namespace
+
+// What roslaunch says (roslaunch/pmon.py, nodeprocess.py): "[camera-2] process has died [pid 1, exit code 3, ...", behind
+// an escape sequence for the colour. Of a required node the name stands in the line before.
 std::set<std::string> died_nodes(const std::string& roslaunch_log) {
-  static const std::regex death("\\[([^\\]]+)-\\d+\\] process has died \\[pid \\d+, exit code (-?\\d+)");
+  static const std::regex name("\\[([^\\[\\]]+)-\\d+\\] (process )?has died");
+  static const std::regex death("process has died \\[pid \\d+, exit code (-?\\d+)");
   std::set<std::string> all;
   std::ifstream log(roslaunch_log);
+  std::string node;
   for (std::string line; std::getline(log, line);) {
+    const std::size_t at = line.find("has died");
+    if (at == std::string::npos) continue;
+    // What a node prints may be of any length, and std::regex recurses for each character.
+    const std::string said = line.substr(at - std::min(at, longest_name), 2 * longest_name);
     std::smatch match;
-    if (std::regex_search(line, match, death))
-      all.insert(fmt::format("{}: exit code {}", match.str(1), match.str(2)));
+    if (std::regex_search(said, match, name)) node = without_anonymous_part(match.str(1));
+    if (!node.empty() && std::regex_search(said, match, death))
+      all.insert(fmt::format("{}: exit code {}", node, match.str(1)));
   }
   return all;
 }

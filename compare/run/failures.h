@@ -6,8 +6,8 @@
 
 namespace tzc::compare {
 
-/// The nodes that roslaunch's log says have died, with their exit codes: "camera: exit code -11". Empty
-/// without a log.
+/// The nodes that roslaunch's log says have died, with their exit codes: "camera: exit code -11"; without what
+/// makes an anonymous name another one in each run. Empty without a log.
 std::set<std::string> died_nodes(const std::string& roslaunch_log);
 
 /// Describes the end of a command that failed; "" when it ended well.

@@ -11,6 +11,8 @@
 #include <set>
 #include <sstream>
 
+#include "pairing/recording.h"
+
 namespace tzc::compare {
 namespace {
 
@@ -64,7 +66,7 @@ std::string name_of(pid_t pid) {
   std::string argument, program;
   bool is_helper = false;
   for (int i = 0; std::getline(file, argument, '\0'); ++i) {
-    if (argument.rfind("__name:=", 0) == 0) return argument.substr(8);
+    if (argument.rfind("__name:=", 0) == 0) return without_anonymous_part(argument.substr(8));
     const std::string base = base_name(argument);
     is_helper = is_helper || (i < 2 && is_helper_program(base));
     if (i == 0 || (i == 1 && program.rfind("python", 0) == 0)) program = base;

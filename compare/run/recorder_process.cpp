@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/recorder_process.h"
 
+#include <chrono>
 #include <filesystem>
 
 #include "run/failure.h"
@@ -11,8 +12,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int summary_steps = 150, summary_step_ms = 100;
-constexpr int flush_ms = 120'000;  // what is queued for a slow disk
+constexpr int summary_step_ms = 100;
+constexpr std::chrono::seconds summary_patience(15);  // without a byte; a long input's times take many reads
+constexpr int flush_ms = 120'000;                     // what is queued for a slow disk
 
 /// It is installed and built beside this program.
 std::vector<std::string> command(const std::vector<std::string>& arguments) {
@@ -33,8 +35,12 @@ void RecorderProcess::fail() {
 }
 
 void RecorderProcess::read(int wait_ms) {
-  text_ += child_.read_output(wait_ms);
-  for (std::size_t end = text_.find('\n'); end != std::string::npos; end = text_.find('\n')) {
+  const std::string more = child_.read_output(wait_ms);
+  if (!more.empty()) heard_ = Clock::now();
+  std::size_t end = more.find('\n');
+  if (end != std::string::npos) end += text_.size();
+  text_ += more;
+  for (; end != std::string::npos; end = text_.find('\n')) {
     const json line = json::parse(text_.substr(0, end), nullptr, false);
     text_.erase(0, end + 1);
     if (line.contains("summary")) summary_ = line["summary"];
@@ -55,7 +61,8 @@ const json& RecorderProcess::status(int wait_ms) {
 json RecorderProcess::summary() {
   summary_ = nullptr;
   child_.write("summary\n");
-  for (int i = 0; i < summary_steps && summary_.is_null(); ++i) status(summary_step_ms);
+  heard_ = Clock::now();
+  while (summary_.is_null() && Clock::now() - heard_ < summary_patience) status(summary_step_ms);
   if (summary_.is_null()) throw Failure("the recorder does not answer:" + child_.log_tail());
   return summary_;
 }

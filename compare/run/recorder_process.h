@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -25,12 +26,15 @@ class RecorderProcess {
   void finish();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void read(int wait_ms);
   [[noreturn]] void fail();
 
   Child child_;
   std::string text_;  ///< an incomplete line
   nlohmann::json status_, summary_;
+  Clock::time_point heard_;  ///< when it said something last
 };
 
 }  // namespace tzc::compare

@@ -239,9 +239,45 @@ class Relay(unittest.TestCase):
         self.assertEqual(result["late_topics"], ["/out"])
         self.assertGreater(findings(result, "/out")[1]["pairs"], 20)
 
+    def test_what_is_selected_says_nothing_about_the_input(self):
+        lazy = "rosrun topic_tools relay /in /out __name:=relay"
+        status, text, result = self.compare(lazy, "--topic", "/out", original=lazy)
+        self.assertEqual(status, 0, text)
+        self.assertEqual((result["late_topics"], result["topics_left_out"]), (["/out"], []))
+        [latency] = result["port_resources"]["latency"]
+        self.assertGreater(latency["messages"], 20)
+
     def test_simulated_time_and_a_quicker_bag(self):
         status, text, _ = self.compare(self.RELAY, "--clock", "--play-args=--rate=2", "--runs", "1")
         self.assertEqual(status, 0, text)
+
+
+class Launch(unittest.TestCase):
+    """A launch file with a node that ends after some seconds, as the workspace says."""
+
+    def compare(self, name, required, original, port):
+        launch = os.path.join(SCRATCH, "ends.launch")
+        with open(launch, "w") as file:
+            file.write(f"""<launch>
+  <node name="talker" pkg="rostopic" type="rostopic" args="pub -r 10 /out std_msgs/String hello"/>
+  <node name="{name}" required="{required}" pkg="rostopic" type="rostopic" launch-prefix="$(env NODE)"/>
+</launch>""")
+        return compare(node_workspace("original", original), node_workspace("port", port), "--launch", launch, "--settle", "1",
+                       "--duration", "8", "--runs", "1")
+
+    def test_a_required_node_that_fails(self):
+        status, text, result = self.compare("ends", "true", 'bash -c "sleep 6"', 'bash -c "sleep 6; exit 3"')
+        self.assertEqual(status, 1, text)
+        self.assertEqual((result["original_failures"], result["port_failures"]), ([], ["ends: exit code 3"]))
+        self.assertIn("DIED, in the port only: ends: exit code 3", text)
+
+    def test_an_anonymous_node_that_fails_in_both(self):
+        fails = 'bash -c "sleep 2; exit 3"'
+        status, text, result = self.compare("$(anon ends)", "false", fails, fails)
+        self.assertEqual(status, 0, text)
+        [failure] = result["original_failures"]
+        self.assertRegex(failure, r"^ends_.*\*: exit code 3$")
+        self.assertEqual(result["port_failures"], [])
 
 
 class Errors(unittest.TestCase):
@@ -258,6 +294,37 @@ class Errors(unittest.TestCase):
 
     def test_no_input_at_all(self):
         self.assertEqual(compare(SCRATCH, SCRATCH)[0], 2)
+
+
+class LongInput(unittest.TestCase):
+    """A recorder that tells of 400,000 input messages, as after half an hour of an IMU: a stand-in, beside a copy of the tool."""
+    RECORDER = """#!/usr/bin/python3
+import json, select, shutil, sys
+shutil.copy(INPUT, sys.argv[sys.argv.index("--bag") + 1])
+status = {"graph": "1", "nodes": ["/relay"], "topics": 1, "ready": True, "messages": 1, "inputs": 1, "error": ""}
+summary = {"now": 1, "traffic": [], "topics": [], "late": [], "left_out": [],
+           "inputs": [[1700000000000000000 + i, 1700000000000000000 + i] for i in range(400000)]}
+while True:
+    print(json.dumps(status), flush=True)
+    if select.select([0], [], [], 0.1)[0]:
+        if not sys.stdin.readline():
+            break
+        print(json.dumps({"summary": summary}), flush=True)
+"""
+
+    def test_the_summary_is_read_whole(self):
+        folder = os.path.join(SCRATCH, "long_input")
+        os.makedirs(folder, exist_ok=True)
+        tool, recorder = (os.path.join(folder, name) for name in ("tzc-compare", "tzc-compare-recorder"))
+        shutil.copy(COMPARE, tool)
+        with open(recorder, "w") as file:
+            file.write(self.RECORDER.replace("INPUT", repr(recording())))
+        os.chmod(recorder, 0o755)
+        workspace = node_workspace("original", "")
+        done = subprocess.run([tool, workspace, workspace, "--quiet", "--runs", "1", "--settle", "0.1", "--duration", "1",
+                               "--command", "sleep 5"], env=environment(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              timeout=120, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout.decode(errors="replace"))
 
 
 class Stopping(unittest.TestCase):
