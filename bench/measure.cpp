@@ -211,7 +211,11 @@ Measurement measure(Contender& contender, const Setup& setup) {
   if (board == nullptr) return Measurement();
   contender.prepare(setup);
   const std::vector<pid_t> subscribers = start_subscribers(contender, setup, *board);
-  const Outcome outcome = run_publisher(contender, setup, *board);
+  Outcome outcome = run_publisher(contender, setup, *board);
+  if (outcome == Outcome::complete && !all_run(subscribers)) {
+    std::fprintf(stderr, "%s: a subscriber has ended early\n", contender.name());
+    outcome = Outcome::failed;
+  }
   board->stop = true;
   if (contender.cleans_up_at_exit()) sleep_ms(time_to_leave_ms);
   stop(subscribers);

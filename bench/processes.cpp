@@ -7,6 +7,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 
@@ -73,6 +74,14 @@ Ending wait_for(pid_t child) {
     if (holding && interrupted()) return Ending::interrupted;
     if (holding && ended == 0) note(::sigwaitinfo(&signals, nullptr));
   }
+}
+
+bool all_run(const std::vector<pid_t>& children) {
+  return std::all_of(children.begin(), children.end(), [](pid_t child) {
+    siginfo_t ended{};
+    return ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           ended.si_pid == 0;
+  });
 }
 
 void stop(const std::vector<pid_t>& children) {

@@ -26,6 +26,9 @@ enum class Ending { exited, failed, interrupted };
 /// Waits until the child ends. failed: with a status other than 0, or by a signal. interrupted: it still runs.
 Ending wait_for(pid_t child);
 
+/// Whether none of the children has ended yet.
+bool all_run(const std::vector<pid_t>& children);
+
 /// Kills the children and waits for them.
 void stop(const std::vector<pid_t>& children);
 

@@ -23,11 +23,31 @@ bool wanted(const Options& options, const Contender& contender, const Setup& set
   return named && contender.supports(setup);
 }
 
-void measure_share(const Options& options, std::size_t round, Entry& entry) {
+void complain(const Entry& entry, const std::string& what) {
+  std::fprintf(stderr, "tzc-bench: %s, %zu bytes to %zu subscriber(s): %s; left out\n",
+               entry.contender->name(), entry.setup.size_bytes, entry.setup.subscribers, what.c_str());
+}
+
+/// False: it failed, which has been said.
+bool measure_share(const Options& options, std::size_t round, Entry& entry) {
   Setup share = entry.setup;
   share.count = share_of(options, round);
   share.name = unique_name();
-  if (share.count > 0) add(measure(*entry.contender, share), entry.samples);
+  if (share.count == 0) return true;
+  const Measurement measurement = measure(*entry.contender, share);
+  if (measurement.outcome == Outcome::complete) return add(measurement, entry.samples), true;
+  complain(entry, "round " + std::to_string(round + 1) + " failed");
+  return false;
+}
+
+/// The lines of the table; nothing for an entry of which no message arrived: false, and that has been said.
+bool add_row(Entry& entry, std::vector<Row>& rows) {
+  const bool any = !entry.samples.latency_ns.empty();
+  if (any)
+    rows.push_back(summarize(*entry.contender, entry.setup, std::move(entry.samples)));
+  else
+    complain(entry, "no message arrived");
+  return any;
 }
 
 void show_progress(std::size_t done, std::size_t of) {
@@ -36,6 +56,24 @@ void show_progress(std::size_t done, std::size_t of) {
 }
 
 }  // namespace
+
+std::string names_of(const Contenders& contenders) {
+  std::string names;
+  for (const auto& contender : contenders)
+    names += (names.empty() ? "" : ", ") + std::string(contender->name());
+  return names;
+}
+
+Contender* find_contender(const Contenders& contenders, const std::string& name) {
+  const auto found = std::find_if(contenders.begin(), contenders.end(),
+                                  [&](const auto& contender) { return contender->name() == name; });
+  return found == contenders.end() ? nullptr : found->get();
+}
+
+std::string unknown_name(const Options& options, const std::function<bool(const std::string&)>& is_known) {
+  const auto unknown = std::find_if_not(options.only.begin(), options.only.end(), is_known);
+  return unknown == options.only.end() ? "" : *unknown;
+}
 
 std::vector<std::pair<Contender*, Setup>> wanted_cells(const Options& options, const Contenders& contenders) {
   std::vector<std::pair<Contender*, Setup>> cells;
@@ -52,21 +90,29 @@ std::vector<std::pair<Contender*, Setup>> wanted_cells(const Options& options, c
 // A virtual machine's wake-ups can take twice as long in one minute as in the next: taking turns gives every
 // contender, size and number of subscribers its share of both.
 int sweep(const Options& options, const Contenders& contenders) {
+  const auto is_known = [&](const std::string& name) { return find_contender(contenders, name) != nullptr; };
+  const std::string unknown = unknown_name(options, is_known);
+  if (!unknown.empty()) {
+    std::fprintf(stderr, "tzc-bench: --only: there is no %s; there are %s\n", unknown.c_str(),
+                 names_of(contenders).c_str());
+    return 2;
+  }
   std::vector<Entry> entries;
   for (const auto& [contender, setup] : wanted_cells(options, contenders))
     entries.push_back({contender, setup});
   std::size_t done = 0;
+  bool failures = false;
   for (std::size_t round = 0; round < options.rounds; ++round) {
     for (Entry& entry : entries) {
-      measure_share(options, round, entry);
+      failures |= !measure_share(options, round, entry);
       show_progress(++done, options.rounds * entries.size());
     }
   }
   std::vector<Row> rows;
-  for (Entry& entry : entries)
-    rows.push_back(summarize(*entry.contender, entry.setup, std::move(entry.samples)));
+  for (Entry& entry : entries) failures |= !add_row(entry, rows);
   print_table(rows);
-  return options.json.empty() || write_json(options.json, rows) ? 0 : 1;
+  const bool is_written = options.json.empty() || write_json(options.json, rows);
+  return is_written && !failures ? 0 : 1;
 }
 
 }  // namespace bench

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,11 +15,22 @@ namespace bench {
 
 using Contenders = std::vector<std::unique_ptr<Contender>>;
 
+/// "tcpros, tzc": for messages.
+std::string names_of(const Contenders& contenders);
+
+/// The contender of this name; null: there is none.
+Contender* find_contender(const Contenders& contenders, const std::string& name);
+
+/// A name of --only that nobody has; empty: there is none.
+std::string unknown_name(const Options& options,
+                         const std::function<bool(const std::string& name)>& is_known);
+
 /// The wanted contenders with their cases, in the order in which they take turns. Setup::name is empty.
 std::vector<std::pair<Contender*, Setup>> wanted_cells(const Options& options, const Contenders& contenders);
 
 /// Measures every wanted contender at every size and number of subscribers, the contenders taking turns,
-/// prints the table and writes the JSON file; the exit code.
+/// prints the table and writes the JSON file. What fails, or delivers nothing, is named and left out. The exit code: 1: one has
+/// failed, or the file cannot be written; 2: --only names nobody.
 int sweep(const Options& options, const Contenders& contenders);
 
 }  // namespace bench

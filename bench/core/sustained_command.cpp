@@ -49,8 +49,11 @@ int run_sustained(int argc, char** argv) {
   if (over) return *over;
   Watched contender;
   const Setup setup{options.sizes[0], options.subscribers[0], options.rate, options.count, unique_name(), 40};
+  const Measurement measurement = measure(contender, setup);
+  if (measurement.outcome != Outcome::complete)
+    return std::fprintf(stderr, "the measurement has failed\n"), 1;
   Samples samples;
-  add(measure(contender, setup), samples);
+  add(measurement, samples);
   const Row row = summarize(contender, setup, std::move(samples));
   print_table({row});
   const bool complete = row.delivered == row.sent;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paper/contender_table.h"
 
-#include <algorithm>
-
 #include "core/contenders.h"
 #ifdef TZC_BENCH_ROSCPP
 #include "roscpp/contenders.h"
@@ -79,19 +77,6 @@ nlohmann::json contender_versions() {
   versions["fastdds"] = fastdds_version();
 #endif
   return versions;
-}
-
-std::string names_of(const Contenders& contenders) {
-  std::string names;
-  for (const auto& contender : contenders)
-    names += (names.empty() ? "" : ", ") + std::string(contender->name());
-  return names;
-}
-
-Contender* find_contender(const Contenders& contenders, const std::string& name) {
-  const auto found = std::find_if(contenders.begin(), contenders.end(),
-                                  [&](const auto& contender) { return contender->name() == name; });
-  return found == contenders.end() ? nullptr : found->get();
 }
 
 }  // namespace bench

@@ -18,11 +18,5 @@ Contenders real_time_contenders();
 /// The versions of what they use, by name.
 nlohmann::json contender_versions();
 
-/// "tcpros, tzc": for messages.
-std::string names_of(const Contenders& contenders);
-
-/// The contender of this name; null: there is none.
-Contender* find_contender(const Contenders& contenders, const std::string& name);
-
 }  // namespace bench
 }  // namespace tzc

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <iterator>
+#include <set>
 
 #include "paper/plots.h"
 #include "paper/real_time_results.h"
@@ -72,11 +73,11 @@ void add_plot(const Store& store, const std::string& name, const std::string& sc
 }
 
 /// The plots of latencies, one for each number of subscribers.
-std::vector<Plot> draw_latencies(const Options& options, const std::vector<Summary>& summaries,
-                                 const Store& store) {
+std::vector<Plot> draw_latencies(const std::vector<Summary>& summaries, const Store& store) {
+  std::set<std::size_t> numbers;
+  for (const Summary& summary : summaries) numbers.insert(summary.cell.subscribers);
   std::vector<Plot> plots;
-  if (summaries.empty()) return plots;
-  for (const std::size_t subscribers : options.subscribers)
+  for (const std::size_t subscribers : numbers)
     add_plot(store, plot_name(subscribers, summaries.front().cell.conditions),
              plot_script(summaries, subscribers), plots);
   return plots;
@@ -104,8 +105,8 @@ std::vector<Section> sections_of(const Options& options, const std::vector<CellR
   const std::vector<RealTimeFigures> real_time = real_time_figures(results, options.rate);
   std::vector<Plot> main_plots, load_plots, real_time_plots;
   if (with_plots) {
-    main_plots = draw_latencies(options, main, store);
-    load_plots = draw_latencies(options, loaded, store);
+    main_plots = draw_latencies(main, store);
+    load_plots = draw_latencies(loaded, store);
     add_plot(store, "real-time", real_time_script(real_time), real_time_plots);
   }
   std::vector<Section> sections = usual_sections(main, std::move(main_plots));
@@ -118,8 +119,12 @@ std::vector<Section> sections_of(const Options& options, const std::vector<CellR
 /// The page, its tables, and the page for a repository.
 void write_sections(const Store& store, std::vector<Section> sections, const std::vector<Section>& more) {
   sections.insert(sections.end(), more.begin(), more.end());
-  for (const Section& section : sections)
-    if (!section.table.rows.empty()) store.write(section.file, to_csv(section.table));
+  for (const Section& section : sections) {
+    if (section.table.rows.empty())
+      store.remove(section.file);  // an earlier run's
+    else
+      store.write(section.file, to_csv(section.table));
+  }
   const json run = json::parse(store.read("run.json"));
   store.write("index.html", page_of(run, sections));
   store.write("README.md", markdown_of(run, sections));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "paper/contender_table.h"
 #include "posix/memory_limit.h"
@@ -32,6 +33,13 @@ Options in_real_time_case(Options options) {
   return options;
 }
 
+/// Behind the others, where this program has no such contender.
+std::size_t place_of(const Cell& cell, const Contestants& contestants) {
+  const Contenders& all = cell.conditions.real_time ? contestants.real_time : contestants.usual;
+  const auto is_it = [&](const auto& contender) { return contender->name() == cell.contender; };
+  return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), is_it) - all.begin());
+}
+
 template <class Condition>
 bool remove_cells(std::vector<Cell>& cells, Condition condition) {
   const auto out = std::remove_if(cells.begin(), cells.end(), condition);
@@ -56,6 +64,14 @@ std::vector<Cell> cells_of(const PaperOptions& options, const Contestants& conte
   add(cells, one, contestants.real_time, in_real_time);
   add(cells, one, contestants.real_time, in_real_time_under_load);
   return cells;
+}
+
+void sort(std::vector<Cell>& cells, const Contestants& contestants) {
+  const auto key = [&](const Cell& cell) {
+    return std::make_tuple(cell.conditions.real_time, cell.conditions.load, cell.size_bytes, cell.subscribers,
+                           place_of(cell, contestants), cell.contender);
+  };
+  std::sort(cells.begin(), cells.end(), [&](const Cell& a, const Cell& b) { return key(a) < key(b); });
 }
 
 Setup setup_of(const Cell& cell, const PaperOptions& options) {

@@ -23,6 +23,10 @@ struct Contestants {
 /// The cases that the options ask for, in the order in which they take turns.
 std::vector<Cell> cells_of(const PaperOptions& options, const Contestants& contestants);
 
+/// Puts cells of whichever runs into the order of cells_of: by conditions, size, subscribers, and as the contenders stand in
+/// the tables.
+void sort(std::vector<Cell>& cells, const Contestants& contestants);
+
 /// What contender and processes of a cell are told, without a number of messages and a name.
 Setup setup_of(const Cell& cell, const PaperOptions& options);
 

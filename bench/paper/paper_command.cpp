@@ -50,13 +50,6 @@ json description_of(const PaperOptions& options) {
       {"begun", date()}, {"settings", settings}, {"versions", contender_versions()}, {"machine", machine()}};
 }
 
-/// A name of --only that no contender has; empty: there is none.
-std::string unknown_name(const Options& options, const Contestants& contestants) {
-  for (const std::string& name : options.only)
-    if (contestants.find(name) == nullptr) return name;
-  return "";
-}
-
 MeasureCell measure_with(const Contestants& contestants, const PaperOptions& options) {
   return [&](const Cell& cell, std::size_t count) {
     Setup setup = setup_of(cell, options);
@@ -116,7 +109,9 @@ int evaluate(const PaperOptions& options, const Contestants& contestants) {
   const Progress progress = measure_missing(options.cells, cells, store, measure_with(contestants, options));
   if (progress == Progress::interrupted)
     return fail(interrupted_status, "interrupted; the same command goes on from here");
-  write_reports(options.cells, cells, store, options.plots, counted);
+  std::vector<Cell> all = store.cells();  // earlier runs may have measured others
+  sort(all, contestants);
+  write_reports(options.cells, all, store, options.plots, counted);
   std::printf("%s\n", store.path_of("index.html").c_str());
   if (!options.publish.empty()) publish(store, options.publish);
   if (progress == Progress::with_failures)
@@ -138,7 +133,8 @@ int run_paper(int argc, char** argv) {
   PaperOptions options;
   if (const auto over = parse_paper_options(argc, argv, options)) return *over;
   const Contestants contestants{all_contenders(), real_time_contenders()};
-  const std::string unknown = unknown_name(options.cells, contestants);
+  const auto is_known = [&](const std::string& name) { return contestants.find(name) != nullptr; };
+  const std::string unknown = unknown_name(options.cells, is_known);
   if (!unknown.empty())
     return fail(2, fmt::format("--only: there is no {}; there are {}", unknown, names_of(contestants.usual)));
   if (options.dry_run) return with_store_errors([&] { return show_plan(options, contestants); });

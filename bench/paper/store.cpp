@@ -63,11 +63,25 @@ std::vector<std::uint64_t> latencies_of_json(const json& json) {
   return latencies;
 }
 
+constexpr char no_result[] = " is not a result of tzc-bench paper: remove it to have it measured again";
+
 json parsed(const std::string& path, const std::string& text) {
   try {
     return json::parse(text);
   } catch (const json::exception&) {
     throw StoreError(path + " is no JSON: remove it to have it measured again");
+  }
+}
+
+Cell cell_of(const std::string& path, const std::string& text) {
+  const json document = parsed(path, text);
+  try {
+    return {document.at("contender"),
+            document.at("size_bytes"),
+            document.at("subscribers"),
+            {document.at("under_load"), document.at("real_time")}};
+  } catch (const json::exception&) {
+    throw StoreError(path + no_result);
   }
 }
 
@@ -126,6 +140,20 @@ void Store::begin(const json& run) const {
   }
 }
 
+void Store::remove(const std::string& name) const {
+  std::error_code ignored;
+  fs::remove(path_of(name), ignored);
+}
+
+std::vector<Cell> Store::cells() const {
+  std::vector<Cell> cells;
+  for (const auto& entry : fs::directory_iterator(path_of("cells"))) {
+    const std::string name = "cells/" + entry.path().filename().string();
+    if (entry.path().extension() == ".json") cells.push_back(cell_of(path_of(name), read(name)));
+  }
+  return cells;
+}
+
 CellResult Store::load(const Cell& cell) const {
   CellResult result{cell, {}};
   const std::string path = path_of(name_of(cell));
@@ -135,7 +163,7 @@ CellResult Store::load(const Cell& cell) const {
     for (const auto& [number, round] : document.at("rounds").items())
       result.rounds.emplace(std::stoul(number), round_of_json(round));
   } catch (const std::exception&) {
-    throw StoreError(path + " is not a result of tzc-bench paper: remove it to have it measured again");
+    throw StoreError(path + no_result);
   }
   return result;
 }

@@ -34,11 +34,15 @@ class Store {
   void take(const std::string& name) const;
   /// Removes NAME.tmp, if it is there.
   void discard(const std::string& name) const;
+  /// Removes NAME, if it is there.
+  void remove(const std::string& name) const;
 
   /// Writes run.json, or compares it with an earlier one: "settings", "machine" and "versions" must be the same,
   /// so that the results are of one kind.
   void begin(const nlohmann::json& run) const;
 
+  /// The cells of which something was measured already, by this run or an earlier one; in no order.
+  std::vector<Cell> cells() const;
   /// The rounds of the cell that were measured already.
   CellResult load(const Cell& cell) const;
   std::vector<CellResult> load(const std::vector<Cell>& cells) const;

@@ -56,6 +56,21 @@ def check_ratios(table, rows):
         assert all(abs(a - b) < 0.02 * b + 0.01 for a, b in zip(shown, expected)), (line, expected)
 
 
+def check_failures(bench):
+    """What could not be measured is no row of lost messages, and no success."""
+    unknown = run(bench, "core", "--only", "tzc,zeromq")
+    assert unknown.returncode == 2 and "no zeromq; there are seqpacket, futex, tzc" in unknown.stderr, unknown
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "figures.json")
+        failed = run(bench, "core", "--only", "tzc,futex", "--sizes", "4k,900g", "--subscribers", "1", "--count", "4", "--rounds", "2",
+                     "--json", path)
+        with open(path) as file:
+            rows = json.load(file)["rows"]
+    assert failed.returncode == 1 and "tzc, 966367641600 bytes to 1 subscriber(s): no message arrived" in failed.stderr, failed
+    assert {(row["contender"], row["size_bytes"]): row["sent"] for row in rows} == {
+        ("tzc", 4096): 4, ("futex", 4096): 4, ("futex", 900 << 30): 4}, rows
+
+
 def check_inside(bench):
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "figures.json")
@@ -180,6 +195,8 @@ def main():
     for mistake in (["--size", "4k"], ["--rate", "-1"], ["--sizes", "many"], ["--subscribers", "99"]):
         told = run(bench, command, *mistake)
         assert told.returncode == 2 and mistake[0] in told.stderr, (mistake, told)
+    if command == "core":
+        check_failures(bench)
     assert "Examples:" in run(bench, command, "--help").stdout
 
 

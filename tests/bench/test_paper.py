@@ -132,6 +132,19 @@ def check_resuming(bench, scratch, options):
     assert {path for path in before if after[path] != before[path]} == {gone}, (before, after)
 
 
+def check_other_cases(bench, scratch, cells):
+    """Whatever a run asks for, and whatever it lacks this time, the report has all that the folder has."""
+    common = ["--subscribers", "2", "--count", "4", *TINY]
+    few = run(bench, scratch, *common, "--sizes", "4k", "--only", "tzc")
+    assert few.returncode == 0 and "measured already" in few.stderr, few
+    assert len(rows(scratch, "latency.csv")) == cells
+    without_ros = run(bench, scratch, *common, "--sizes", "4k,64k", "--only", "tcpros,tzc", "--no-plots", PATH=scratch)
+    assert without_ros.returncode == 1 and "rosmaster" in without_ros.stderr, without_ros
+    assert [key(row) for row in rows(scratch, "latency.csv")].count(("tcpros", 65536, 2)) == 1
+    assert len(rows(scratch, "latency.csv")) == cells
+    assert run(bench, scratch, *common, "--sizes", "4k", "--only", "tzc").returncode == 0  # with plots again
+
+
 def report(bench, scratch):
     contenders = ["tcpros", "intraprocess", "tzc-queue", "tzc-spin", "tzc-direct", "asl", "ach", "tzc"]
     options = ["--sizes", "4k,64k", "--subscribers", "2", "--count", "4", *TINY, "--only", ",".join(contenders)]
@@ -147,6 +160,7 @@ def report(bench, scratch):
     check_plot(scratch, contenders)
     check_publication(bench, scratch, options)
     check_resuming(bench, scratch, options)
+    check_other_cases(bench, scratch, cells=len(contenders) * 2)
     other = run(bench, scratch, *options, "--rate", "60")
     assert other.returncode != 0, "results of two rates were mixed"
 

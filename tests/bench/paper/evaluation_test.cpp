@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "made_up.h"
 #include "temp_dir.h"
 
@@ -110,6 +112,14 @@ TEST_F(Evaluation, reports_the_cells_that_it_has) {
   write_reports(options, cells, store, false);
   EXPECT_THAT(folder.read("reliability.csv"), testing::EndsWith("\na,4096,1,0,2,2,1.000000\n"));
   EXPECT_THAT(folder.read("latency.csv"), testing::Not(testing::HasSubstr("\nb,")));
+}
+
+TEST_F(Evaluation, leaves_no_table_of_a_section_that_is_gone) {
+  run();
+  write_reports(options, cells, store, false, {effort_section({{"package", "lines"}, {{"camera", "3"}}})});
+  EXPECT_THAT(folder.read("effort.csv"), testing::HasSubstr("camera,3"));
+  write_reports(options, cells, store, false, {effort_section({{"package", "lines"}, {}})});
+  EXPECT_FALSE(std::filesystem::exists(store.path_of("effort.csv")));
 }
 
 TEST_F(Evaluation, shows_texts_of_the_machine_as_texts) {

@@ -54,6 +54,22 @@ TEST(Store, has_no_rounds_of_another_cell) {
   EXPECT_TRUE(store.load({"tzc", 4096, 2}).rounds.empty());
 }
 
+TEST(Store, knows_the_cells_of_every_run) {
+  const TempDir folder;
+  const Store store(folder.path());
+  store.save({cell, {{0, made_up({{1}, {2}})}}});
+  store.save({{"tzc", 65536, 1, in_real_time_under_load}, {{0, made_up({{1}})}}});
+  std::vector<Cell> cells = store.cells();
+  ASSERT_EQ(cells.size(), 2u);
+  if (cells[0].contender == "tzc") std::swap(cells[0], cells[1]);
+  EXPECT_EQ(cells[0].contender, "tcpros");
+  EXPECT_EQ(cells[1].size_bytes, 65536u);
+  EXPECT_TRUE(cells[1].conditions == in_real_time_under_load);
+  for (const Cell& one : cells) EXPECT_EQ(store.load(one).rounds.size(), 1u);
+  folder.write("cells/other.json", "{}");
+  EXPECT_NE(problem_of([&] { store.cells(); }).find("other.json is not a result"), std::string::npos);
+}
+
 TEST(Store, removes_what_a_killed_process_left_half_written) {
   const TempDir folder;
   folder.write("cells/tcpros-4096-2.json.tmp", "{\"rou");
