@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "json_report.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "latency.h"
@@ -42,10 +43,16 @@ json rates_json(const Rates& rates) {
           {"exhausted", rates.exhausted}};
 }
 
+/// null: the last bucket has no end.
+json end_json(std::size_t bucket) {
+  const double end = bucket_end_us(bucket);
+  return std::isinf(end) ? json() : json(end);
+}
+
 json latency_json(const Latencies& latencies) {
   json buckets = json::array();
   for (std::size_t i = 0; i < latencies.size(); ++i)
-    if (latencies[i] > 0) buckets.push_back({{"below_us", bucket_end_us(i)}, {"messages", latencies[i]}});
+    if (latencies[i] > 0) buckets.push_back({{"below_us", end_json(i)}, {"messages", latencies[i]}});
   return buckets;
 }
 

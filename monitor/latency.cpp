@@ -2,17 +2,24 @@
 #include "latency.h"
 
 #include <cmath>
+#include <limits>
 #include <numeric>
+
+#include "words.h"
 
 namespace tzc::monitor {
 namespace {
 
 constexpr double unit_us = 1.024;
 
+double power_us(std::size_t bucket) {
+  return std::ldexp(unit_us, static_cast<int>(bucket));
+}
+
 }  // namespace
 
 double bucket_end_us(std::size_t bucket) {
-  return std::ldexp(unit_us, static_cast<int>(bucket));
+  return bucket + 1 < Latencies().size() ? power_us(bucket) : std::numeric_limits<double>::infinity();
 }
 
 std::uint64_t count(const Latencies& latencies) {
@@ -27,6 +34,11 @@ double quantile_s(const Latencies& latencies, double share) {
     if (seen >= wanted) return bucket_end_us(i) * 1e-6;
   }
   return 0;
+}
+
+std::string quantile_words(const Latencies& latencies, double share) {
+  const double end = quantile_s(latencies, share);
+  return std::isinf(end) ? "> " + short_time(power_us(latencies.size() - 2) * 1e-6) : "< " + short_time(end);
 }
 
 }  // namespace tzc::monitor

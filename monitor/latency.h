@@ -3,15 +3,18 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "model.h"
 
 namespace tzc::monitor {
 
-/// Latencies of a bucket are below this, in microseconds.
+/// Latencies of a bucket are below this, in microseconds. The last bucket has all longer ones, too: infinity.
 double bucket_end_us(std::size_t bucket);
 std::uint64_t count(const Latencies& latencies);
 /// A latency that this share of the messages did not exceed, in seconds: the end of its bucket. 0 without any message.
 double quantile_s(const Latencies& latencies, double share);
+/// The same in words: "< 262 us"; of the last bucket "> 4.3 s".
+std::string quantile_words(const Latencies& latencies, double share);
 
 }  // namespace tzc::monitor

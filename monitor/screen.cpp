@@ -23,6 +23,14 @@ void write_all(const std::string& text) {
   }
 }
 
+constexpr char enter[] = "\x1b[?1049h\x1b[?25l", leave[] = "\x1b[?25h\x1b[?1049l";
+
+/// The terminal is somebody else's now, as after the shell's `bg`.
+bool is_in_background() {
+  const pid_t foreground = ::tcgetpgrp(STDOUT_FILENO);
+  return foreground > 0 && foreground != ::getpgrp();
+}
+
 /// The first `columns` characters; escape sequences take no room.
 std::string cut(const std::string& line, std::size_t columns) {
   std::string kept;
@@ -94,14 +102,14 @@ std::string fitted(const std::string& text, std::size_t rows, std::size_t column
 
 // Signals wait for wait(), so none can leave the terminal as it is.
 Screen::Screen() {
-  ::sigemptyset(&ends_);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::sigaddset(&ends_, signal);
-  ::sigprocmask(SIG_BLOCK, &ends_, &before_);
-  write_all("\x1b[?1049h\x1b[?25l");
+  ::sigemptyset(&awaited_);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP}) ::sigaddset(&awaited_, signal);
+  ::sigprocmask(SIG_BLOCK, &awaited_, &before_);
+  write_all(enter);
 }
 
 Screen::~Screen() {
-  write_all("\x1b[?25h\x1b[?1049l");
+  write_all(leave);
   ::sigprocmask(SIG_SETMASK, &before_, nullptr);
 }
 
@@ -116,7 +124,17 @@ bool Screen::wait(double seconds) {
   timespec pause{};
   pause.tv_sec = static_cast<time_t>(seconds);
   pause.tv_nsec = static_cast<long>((seconds - std::floor(seconds)) * 1e9);
-  return ::sigtimedwait(&ends_, nullptr, &pause) < 0;
+  const int signal = ::sigtimedwait(&awaited_, nullptr, &pause);
+  if (signal == SIGTSTP) suspend();
+  return signal < 0 || signal == SIGTSTP;
+}
+
+void Screen::suspend() {
+  write_all(leave);
+  do {
+    ::raise(SIGSTOP);
+  } while (is_in_background());
+  write_all(enter);
 }
 
 }  // namespace tzc::monitor

@@ -8,7 +8,7 @@
 namespace tzc::monitor {
 
 /// The terminal while tzc-monitor refreshes it: its second screen, without cursor. The first screen comes back at the
-/// end, which Ctrl-C and the other signals that end a program only ask for.
+/// end, which Ctrl-C and the other signals that end a program only ask for, and while Ctrl-Z stops it.
 class Screen {
  public:
   Screen();
@@ -22,7 +22,10 @@ class Screen {
   bool wait(double seconds);
 
  private:
-  sigset_t ends_, before_;
+  /// Gives the terminal back until the shell's `fg`.
+  static void suspend();
+
+  sigset_t awaited_, before_;
 };
 
 /// The lines of a text that fit into a terminal, each followed by what clears the rest of its line. A line of words (a

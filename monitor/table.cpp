@@ -155,8 +155,8 @@ class Table {
     const Latencies& latencies = count(one.recent) > 0 ? one.recent : one.latencies;
     std::string text = "latency -";
     if (count(latencies) > 0)
-      text = fmt::format("latency < {} (99%: < {})", short_time(quantile_s(latencies, 0.5)),
-                         short_time(quantile_s(latencies, 0.99)));
+      text = fmt::format("latency {} (99%: {})", quantile_words(latencies, 0.5),
+                         quantile_words(latencies, 0.99));
     if (one.held_messages > 0)
       text += fmt::format(", holds {} ({})", one.held_messages, bytes(one.held_bytes));
     return text + fmt::format(", lost {}", one.lost);

@@ -17,6 +17,8 @@
 namespace tzc::monitor {
 namespace {
 
+constexpr double longest_period_s = 3600;
+
 std::string host_name() {
   char name[256] = {};
   return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
@@ -50,7 +52,7 @@ const char* const help =
     "Publishes diagnostic_msgs/DiagnosticArray on /diagnostics: a status for each node of this machine that\n"
     "shares messages through TZC, from the pages that tzc-monitor reads. Watching costs the nodes nothing.\n"
     "\nOptions:\n"
-    "  _period  seconds between two messages, 1 unless given, at least 0.1\n"
+    "  _period  seconds between two messages, 1 unless given, 0.1 to 3600\n"
     "  --help, --version\n"
     "\nExamples:\n"
     "  rosrun tzc tzc-diagnostics\n"
@@ -69,8 +71,9 @@ std::optional<double> period() {
   const ros::NodeHandle options("~");
   double seconds = 1;
   const bool is_number = !options.hasParam("period") || options.getParam("period", seconds);
-  if (is_number && seconds >= 0.1) return seconds;
-  std::fputs("tzc-diagnostics: _period is a number of seconds, at least 0.1\n", stderr);
+  if (is_number && seconds >= 0.1 && seconds <= longest_period_s) return seconds;
+  std::fprintf(stderr, "tzc-diagnostics: _period is a number of seconds from 0.1 to %.0f\n",
+               longest_period_s);
   return {};
 }
 

@@ -46,10 +46,9 @@ void add_counts(const Node& node, DiagnosticStatus& status) {
                           short_bytes(static_cast<double>(topic.memory.size)), topic.counters.exhausted,
                           topic.counters.dropped + topic.counters.revoked));
   for (const Subscription& one : node.subscriptions)
-    add_value(
-        status, fmt::format("{} from {}", one.topic, one.publisher),
-        fmt::format("{} messages over {}, 99% below {}, holds {}, lost {}", one.messages, name(one.transport),
-                    short_time(quantile_s(one.latencies, 0.99)), one.held_messages, one.lost));
+    add_value(status, fmt::format("{} from {}", one.topic, one.publisher),
+              fmt::format("{} messages over {}, 99% {}, holds {}, lost {}", one.messages, name(one.transport),
+                          quantile_words(one.latencies, 0.99), one.held_messages, one.lost));
 }
 
 class Statuses {

@@ -21,6 +21,16 @@ TEST(Latency, quantiles_are_the_ends_of_their_buckets) {
   EXPECT_DOUBLE_EQ(quantile_s(latencies, 1), (1 << 20) * 1.024e-6);
 }
 
+// Half an hour in a stopped process is not "< 8.6 s".
+TEST(Latency, the_last_bucket_has_no_end) {
+  Latencies latencies{};
+  latencies[22] = 99;
+  EXPECT_EQ(quantile_words(latencies, 0.99), "< 4.3 s");
+  latencies[23] = 901;
+  EXPECT_EQ(quantile_words(latencies, 0.99), "> 4.3 s");
+  EXPECT_EQ(quantile_words(latencies, 0.05), "< 4.3 s");
+}
+
 TEST(Words, times_are_short) {
   EXPECT_EQ(short_time(1.024e-6), "1 us");
   EXPECT_EQ(short_time(262e-6), "262 us");
