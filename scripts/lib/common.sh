@@ -3,7 +3,7 @@
 set -euo pipefail
 
 TZC_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-TZC_BUILD=${TZC_BUILD_DIR:-$TZC_ROOT/build}
+TZC_BUILD=$(realpath -m "${TZC_BUILD_DIR:-$TZC_ROOT/build}")
 
 # Debian's catkin and rosmaster need Debian's python3, and pluginlib drags in ament without ROS_VERSION.
 export PATH=/usr/bin:$PATH
@@ -30,6 +30,10 @@ build_project() {
   local options=()
   while [ "$1" != -- ]; do options+=("$1"); shift; done
   shift
+  local cache=$TZC_BUILD/CMakeCache.txt
+  if [ -e "$cache" ] && ! grep -q '^CMAKE_GENERATOR:INTERNAL=Ninja$' "$cache"; then
+    fail "$TZC_BUILD was configured without Ninja; give another folder: TZC_BUILD_DIR=FOLDER ${0##*/}, or remove it"
+  fi
   quietly "$TZC_BUILD/log/configure.log" cmake -G Ninja -S "$TZC_ROOT" -B "$TZC_BUILD" "${options[@]}"
   # Progress for people; CI logs get the summary.
   if [ -t 1 ]; then

@@ -4,8 +4,9 @@
 usage: compare_bags.py FIRST.bag SECOND.bag
 
 Recordings begin at different frames, so each message of one bag is looked for in the other by its content; the messages
-that both recorded must be in the same order, and there must be some. Exit status 0: equal.
+that both recorded must be in the same order, there must be some, and at no place may each bag have others. Exit status 0: equal.
 """
+import difflib
 import hashlib
 import sys
 
@@ -30,18 +31,33 @@ def contents(path):
         return [content(message) for _, message, _ in bag.read_messages()]
 
 
+def difference(first, second):
+    """What is different between two recordings of the same messages, in words; None: nothing.
+
+    One may have begun earlier, ended later, or lost messages. Where both have messages that the other one has not, they
+    are not the same. A source that repeats itself hides which message was lost, so nothing may be."""
+    common = set(first) & set(second)
+    if not common:
+        return f"no message of one bag is in the other ({len(first)} and {len(second)} messages)"
+    in_first, in_second = ([entry for entry in part if entry in common] for part in (first, second))
+    others = len(first) + len(second) - len(in_first) - len(in_second)
+    if others and len(common) < max(len(in_first), len(in_second)):
+        return f"{others} messages are in one bag only, though the source repeats itself"
+    if in_first != in_second and len(common) > 1:
+        return "the same messages stand in different order or number"
+    steps = difflib.SequenceMatcher(None, first, second, autojunk=False).get_opcodes()
+    changed = [f"message {a + 1} of the first bag, {b + 1} of the second" for kind, a, _, b, _ in steps if kind == "replace"]
+    return f"different content: {'; '.join(changed)}" if changed else None
+
+
 def main():
     first, second = contents(sys.argv[1]), contents(sys.argv[2])
-    common = set(first) & set(second)
-    in_first = [entry for entry in first if entry in common]
-    in_second = [entry for entry in second if entry in common]
-    if not common:
-        print(f"no message of one bag is in the other ({len(first)} and {len(second)} messages)")
+    found = difference(first, second)
+    if found:
+        print(found)
         return 1
-    if in_first != in_second and len(common) > 1:
-        print("the same messages stand in different order or number")
-        return 1
-    print(f"the bags are equal field by field in the {len(in_second)} messages that both recorded (stamps aside)")
+    both = sum(entry in set(first) for entry in second)
+    print(f"the bags are equal field by field in the {both} messages that both recorded (stamps aside)")
     return 0
 
 

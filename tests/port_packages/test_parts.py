@@ -133,6 +133,12 @@ class WorkspaceOf(Folder):
             self.assertEqual(file.read(), "x")
         self.assertEqual(sorted(os.listdir(os.path.join(self.path, "to/a"))), ["changed.h", "same.h"])
 
+    def test_what_was_built_whatever_the_folder_is_called(self):
+        workspace = Workspace(os.path.join(self.path, "python-ports", "ws"), types.SimpleNamespace(tzc="/tzc"))
+        for name in ("pkg/node", "libpkg.so", "python3/dist-packages/pkg/msg.py"):
+            self.put(f"python-ports/ws/devel/lib/{name}")
+        self.assertEqual(workspace.artefacts(), {"pkg/node", "libpkg.so"})
+
     def test_results_of_tests(self):
         path = self.put("r.xml", "<testsuites><testsuite><testcase classname='a' name='x'/><testcase classname='a' name='y'>"
                         "<failure/></testcase></testsuite></testsuites>")

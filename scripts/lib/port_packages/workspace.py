@@ -157,8 +157,8 @@ class Workspace:
     def artefacts(self):
         """Programs and libraries."""
         lib = os.path.join(self.devel, "lib")
-        return {os.path.relpath(os.path.join(folder, name), lib) for folder, _, names in os.walk(lib) for name in names
-                if "python" not in folder}
+        paths = {os.path.relpath(os.path.join(folder, name), lib) for folder, _, names in os.walk(lib) for name in names}
+        return {path for path in paths if not path.startswith("python")}
 
     def test_results(self):
         """{(suite, test): passed}"""
