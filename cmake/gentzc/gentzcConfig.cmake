@@ -15,9 +15,10 @@ macro(_generate_srv_tzc package file include_flags dependencies folder)
   _generate_msg_tzc(${package} ${file} "${include_flags}" "${dependencies}" ${folder})
 endmacro()
 
-# Who waits for a package's C++ headers waits for its TZC headers, too.
+# Who waits for a package's C++ headers waits for its TZC headers, too, and for those that they include.
 macro(_generate_module_tzc package folder headers)
   if(TARGET ${package}_generate_messages_cpp)
-    add_dependencies(${package}_generate_messages_cpp ${package}_generate_messages_tzc)
+    get_property(_tzc_needed GLOBAL PROPERTY tzc_needed_by_${package})
+    add_dependencies(${package}_generate_messages_cpp ${package}_generate_messages_tzc ${_tzc_needed})
   endif()
 endmacro()

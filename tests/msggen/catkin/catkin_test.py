@@ -53,10 +53,14 @@ def build(workspace, variables, *targets):
 def test_workspace(workspace, prefix):
     shutil.copytree(f'{here}/src', f'{workspace}/src')
     variables = environment(prefix)
+    build(workspace, variables, 'probe_node')  # alone: whatever its headers include must be there
+    node = f'{workspace}/devel/lib/probe_node/probe_node'
+    check(os.path.exists(node), 'a target that is built alone has the headers that its own include')
+    run(['cmake', '--build', f'{workspace}/build', '--target', 'clean'], env=variables)
+    shutil.rmtree(f'{workspace}/build')
     first = generated(build(workspace, variables))
     check({'probe_msgs/Probe.msg', 'probe_msgs/Ask.srv', 'plain_msgs/Samples.msg', 'lone_msgs/Scan.msg'} <= set(first),
           f'the first build generates headers from {len(first)} definitions')
-    node = f'{workspace}/devel/lib/probe_node/probe_node'
     check('all as expected' in run([node], env=variables), 'the node that uses them runs')
     check(generated(build(workspace, variables)) == [], 'a second build generates nothing')
     with open(f'{workspace}/src/probe_msgs/msg/Joint.msg', 'a', encoding='utf-8') as file:
@@ -64,9 +68,40 @@ def test_workspace(workspace, prefix):
     again = generated(build(workspace, variables))
     check(set(again) == {'probe_msgs/Joint.msg', 'probe_msgs/Probe.msg'},
           f'a changed definition is generated again, with what uses it, and nothing else: {again}')
+    test_second_configuration(workspace, variables)
     build(workspace, variables, 'install')
     for header in ('probe_msgs/Probe.h', 'probe_msgs/AskRequest.h', 'plain_msgs/Samples.h'):
         check(os.path.exists(f'{workspace}/install/include/tzc/{header}'), f'tzc/{header} is installed')
+
+
+def change(path, text):
+    with open(path, 'a', encoding='utf-8') as file:
+        file.write(text)
+
+
+def test_second_configuration(workspace, variables):
+    """What CMake finds in the devel space is not somebody else's because it is there already."""
+    for package in ('plain_msgs', 'probe_node'):
+        os.utime(f'{workspace}/src/{package}/CMakeLists.txt')
+    change(f'{workspace}/src/plain_msgs/msg/Samples.msg', 'uint8 added\n')
+    change(f'{workspace}/src/lone_msgs/msg/Return.msg', 'uint8 added\n')
+    again = generated(build(workspace, variables))
+    check('plain_msgs/Samples.msg' in again, f'CMake has run again: a package without TZC that has changed is generated again: {again}')
+    check('lone_msgs/Scan.msg' in again, 'a message is generated again when one that it is made of has changed')
+    for folder in (f'{workspace}/devel/include', f'{workspace}/build/early_node/tzc_messages'):
+        with open(f'{folder}/tzc/plain_msgs/Samples.h', encoding='utf-8') as file:
+            check('added' in file.read(), f'{folder} has the new definition')
+
+
+def test_shared_prefix(workspace, variables, prefix):
+    """TZC's folder is a system folder, which is searched last, only while it holds nobody else's headers."""
+    def searched():
+        with open(f'{workspace}/build/probe_node/CMakeFiles/probe_node.dir/flags.make', encoding='utf-8') as file:
+            return re.findall(rf'(-I|-isystem ){re.escape(prefix)}/include(?=\s)', file.read())
+    check(searched() == ['-isystem '], f'{prefix}/include holds TZC alone')
+    os.mkdir(f'{prefix}/include/other_msgs')
+    run(['cmake', f'{workspace}/build'], env=variables)
+    check(searched() == ['-I'], f'{prefix}/include, with other packages, keeps its place before those below it')
 
 
 def test_lone_user(build_folder, workspace, prefix):
@@ -93,7 +128,12 @@ def main():
             run(['cmake', '--install', folder, '--prefix', prefix])
         os.mkdir(f'{scratch}/ws')
         test_plain_project(f'{scratch}/plain', prefix)
+        if kind == 'install':  # what came with TZC is of an older version than the workspace's
+            os.makedirs(f'{prefix}/include/tzc/plain_msgs')
+            change(f'{prefix}/include/tzc/plain_msgs/Samples.h', '#error the headers of another version\n')
         test_workspace(f'{scratch}/ws', prefix)
+        if kind == 'install':
+            test_shared_prefix(f'{scratch}/ws', environment(prefix), prefix)
         test_lone_user(f'{scratch}/lone', f'{scratch}/ws', prefix)
 
 
