@@ -15,6 +15,13 @@ namespace {
 
 constexpr std::size_t longest_name = 1000;
 
+/// What stands near the words; "" without them. What a node prints may be of any length, and std::regex recurses for each
+/// character.
+std::string around(const char* words, const std::string& line) {
+  const std::size_t at = line.find(words);
+  return at == std::string::npos ? "" : line.substr(at - std::min(at, longest_name), 2 * longest_name);
+}
+
 }  // namespace
 
 // What roslaunch says (roslaunch/pmon.py, nodeprocess.py): "[camera-2] process has died [pid 1, exit code 3, ...", behind
@@ -22,18 +29,17 @@ constexpr std::size_t longest_name = 1000;
 std::set<std::string> died_nodes(const std::string& roslaunch_log) {
   static const std::regex name("\\[([^\\[\\]]+)-\\d+\\] (process )?has died");
   static const std::regex death("process has died \\[pid \\d+, exit code (-?\\d+)");
+  static const std::regex missing("ERROR: cannot launch node of type \\[([^\\[\\]]+)\\]");
   std::set<std::string> all;
   std::ifstream log(roslaunch_log);
   std::string node;
   for (std::string line; std::getline(log, line);) {
-    const std::size_t at = line.find("has died");
-    if (at == std::string::npos) continue;
-    // What a node prints may be of any length, and std::regex recurses for each character.
-    const std::string said = line.substr(at - std::min(at, longest_name), 2 * longest_name);
     std::smatch match;
-    if (std::regex_search(said, match, name)) node = without_anonymous_part(match.str(1));
-    if (!node.empty() && std::regex_search(said, match, death))
+    const std::string end = around("has died", line), start = around("cannot launch node", line);
+    if (std::regex_search(end, match, name)) node = without_anonymous_part(match.str(1));
+    if (!node.empty() && std::regex_search(end, match, death))
       all.insert(fmt::format("{}: exit code {}", node, match.str(1)));
+    if (std::regex_search(start, match, missing)) all.insert(match.str(1) + ": cannot be launched");
   }
   return all;
 }

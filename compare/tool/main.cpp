@@ -75,10 +75,10 @@ class Tool {
     // The port runs between two runs of the original, so that a machine that becomes slower or faster favours
     // none of them.
     const RecordedRun original = record("original", options_.original, 1);
+    check_that_something_came(original);
     const RecordedRun port = record("port", options_.port, 1);
     std::vector<RecordedRun> again;
     for (int i = 2; i <= options_.runs; ++i) again.push_back(record("original", options_.original, i));
-    check_that_something_came(original);
     progress_.begin_part("comparing");
     Result result = judge_all(original, port, again);
     progress_.end();
@@ -99,7 +99,9 @@ class Tool {
   static void check_that_something_came(const RecordedRun& original) {
     for (const Stream& stream : original.recording)
       if (!stream.messages.empty()) return;
-    throw Failure("the original's nodes have published nothing that is compared",
+    std::string failures;
+    for (const std::string& failure : original.run.failures) failures += "\n  " + failure;
+    throw Failure("the original's nodes have published nothing that is compared" + failures,
                   "see --duration, --bag, --topic; --keep FOLDER keeps the logs");
   }
 

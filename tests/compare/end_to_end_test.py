@@ -292,6 +292,19 @@ class Errors(unittest.TestCase):
         self.assertEqual(status, 2)
         self.assertIn("a bad day", text)
 
+    def test_nodes_that_are_not_there_are_named(self):
+        launch = os.path.join(SCRATCH, "missing.launch")
+        with open(launch, "w") as file:
+            file.write("""<launch>
+  <node name="there" pkg="topic_tools" type="relay" args="/in /out"/>
+  <node name="not_there" pkg="topic_tools" type="no_such_node"/>
+</launch>""")
+        workspace = node_workspace("original", "")
+        status, text, _ = compare(workspace, workspace, "--launch", launch, "--settle", "1", "--duration", "1")
+        self.assertEqual(status, 2, text)
+        self.assertIn("published nothing", text)
+        self.assertIn("topic_tools/no_such_node: cannot be launched", text)
+
     def test_no_input_at_all(self):
         self.assertEqual(compare(SCRATCH, SCRATCH)[0], 2)
 

@@ -48,6 +48,14 @@ TEST(failures, an_anonymous_node_has_the_same_name_in_each_run) {
   EXPECT_EQ(first, second);
 }
 
+TEST(failures, a_node_that_is_not_there) {
+  EXPECT_THAT(died_by("\x1b[31mERROR: cannot launch node of type [my_pkg/my_node]: Cannot locate node of "
+                      "type [my_node] in "
+                      "package [my_pkg]. Make sure file exists in package path and permission is set to "
+                      "executable\x1b[0m\n"),
+              ElementsAre("my_pkg/my_node: cannot be launched"));
+}
+
 TEST(failures, a_line_of_any_length) {
   const std::string long_text(2'000'000, 'x');
   EXPECT_THAT(died_by("[" + long_text + "\n[camera-2] process has died [pid 4, exit code 1, cmd " +
