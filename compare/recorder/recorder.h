@@ -33,7 +33,8 @@ class Recorder {
  public:
   explicit Recorder(RecorderOptions options);
 
-  /// Subscribes to new topics, to those of the input whatever the options select, and from time to time reads the nodes' counters.
+  /// Subscribes to new topics, to those of the input whatever the options select, and from time to time reads the
+  /// nodes' counters.
   void update();
   /// {"graph", "nodes", "topics", "ready", "messages", "inputs", "error"}
   nlohmann::json status() const;

@@ -6,9 +6,9 @@
 
 namespace tzc::compare {
 
-/// The nodes that roslaunch's log says have died, with their exit codes: "camera: exit code -11"; and types of nodes that
-/// could not be launched: "camera_pair/camera_node: cannot be launched". Without what
-/// makes an anonymous name another one in each run. Empty without a log.
+/// The nodes that roslaunch's log says have died, with their exit codes: "camera: exit code -11"; of anonymous names without
+/// what makes them others in each run. And types of nodes that could not be launched: "camera_pair/camera_node: cannot be
+/// launched". Empty without a log.
 std::set<std::string> died_nodes(const std::string& roslaunch_log);
 
 /// Describes the end of a command that failed; "" when it ended well.

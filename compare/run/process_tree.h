@@ -12,8 +12,8 @@ namespace tzc::compare {
 /// Live and dead (not yet waited for) children of a process.
 std::vector<pid_t> children_of(pid_t parent);
 
-/// Sums up the processor time of processes and of all that they start, by the node's name (__name:=, without_anonymous_part) or
-/// the program's. roslaunch, rosrun, what these use, and shells are not counted.
+/// Sums up the processor time of processes and of all that they start, by the node's name (__name:=, without what makes
+/// anonymous names others in each run) or the program's. roslaunch, rosrun, what these use, and shells are not counted.
 class CpuMeter {
  public:
   /// Looks at these processes and their descendants. Call it often: what a process has used since the last

@@ -32,7 +32,7 @@ build_project() {
   shift
   local cache=$TZC_BUILD/CMakeCache.txt
   if [ -e "$cache" ] && ! grep -q '^CMAKE_GENERATOR:INTERNAL=Ninja$' "$cache"; then
-    fail "$TZC_BUILD was configured without Ninja; give another folder: TZC_BUILD_DIR=FOLDER ${0##*/}, or remove it"
+    fail "$TZC_BUILD was configured without Ninja; give another folder: TZC_BUILD_DIR=FOLDER $0, or remove it"
   fi
   quietly "$TZC_BUILD/log/configure.log" cmake -G Ninja -S "$TZC_ROOT" -B "$TZC_BUILD" "${options[@]}"
   # Progress for people; CI logs get the summary.
