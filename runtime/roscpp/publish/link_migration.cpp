@@ -18,12 +18,17 @@ namespace {
 
 namespace access = roscpp_access;
 
-/// When to check again a link that waits for another thread or process: at first often, because a move takes
-/// at most a few milliseconds, then less and less often, because a stopped process may keep it waiting for
-/// long.
+/// When to check again a link that waits for another thread or process, after so many looks in vain: at first often,
+/// because a move takes at most a few milliseconds, then less and less often, because a stopped process may keep it
+/// waiting for long.
 std::chrono::microseconds pause_before_look(int looks) {
   constexpr std::chrono::microseconds first(300), longest(20000);
   return looks < 16 ? first : std::min(longest, first * (1 << std::min((looks - 16) / 4, 7)));
+}
+
+// A link that waits seldom would pass on less than is published, and never be done.
+int looks_after(SharedLink::Progress progress, int looks) {
+  return progress == SharedLink::Progress::some ? 0 : looks + 1;
 }
 
 }  // namespace
@@ -70,7 +75,7 @@ SharedLinkPtr LinkMigration::park(const TcpLink& tcp, const channel::ConnectionP
   sync_point("move: begins");
   const PublicationLock lock(*publication);
   const auto link = boost::make_shared<SharedLink>(stream, publication, tcp, connection, lock.queued());
-  if (!swap_link_locked(*publication, tcp, link)) return SharedLinkPtr();
+  if (!swap_to_front_locked(*publication, tcp, link)) return SharedLinkPtr();
   add_live(*link);
   ++standing_;
   sync_point("move: parked");
@@ -88,7 +93,9 @@ void LinkMigration::remove_live(SharedLink& link) {
 }
 
 void LinkMigration::go_live(const SharedLinkPtr& link, int looks) {
-  if (link->connection()->alive() && !link->try_go_live()) look_again(link, looks, &LinkMigration::go_live);
+  if (!link->connection()->alive()) return;
+  const Progress progress = link->try_go_live();
+  if (progress != Progress::finished) look_again(link, looks_after(progress, looks), &LinkMigration::go_live);
 }
 
 void LinkMigration::look_again(const SharedLinkPtr& link, int looks, Step step) {
@@ -97,7 +104,7 @@ void LinkMigration::look_again(const SharedLinkPtr& link, int looks, Step step) 
   const auto again = [weak, weak_link, looks, step] {
     const std::shared_ptr<LinkMigration> migration = weak.lock();
     const SharedLinkPtr waiting = weak_link.lock();
-    if (migration && waiting) (migration.get()->*step)(waiting, looks + 1);
+    if (migration && waiting) (migration.get()->*step)(waiting, looks);
   };
   worker_.post(again, pause_before_look(looks));
 }
@@ -115,21 +122,25 @@ void LinkMigration::disconnected(const channel::ConnectionPtr& connection) {
 void LinkMigration::come_back(const SharedLinkPtr& link, int looks) {
   const ros::PublicationPtr publication = publication_.lock();
   if (!publication || link->parked()->getConnection()->isDropped()) return;
-  if (!try_come_back(*publication, link)) return look_again(link, looks, &LinkMigration::come_back);
+  const Progress progress = try_come_back(*publication, link);
+  if (progress != Progress::finished)
+    return look_again(link, looks_after(progress, looks), &LinkMigration::come_back);
   ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << link->getDestinationCallerID() << " is back on TCPROS");
   negotiator_->lost(link->parked());
 }
 
-bool LinkMigration::try_come_back(ros::Publication& publication, const SharedLinkPtr& link) {
-  if (!link->has_returned() && !link->hand_back()) return false;
+LinkMigration::Progress LinkMigration::try_come_back(ros::Publication& publication,
+                                                     const SharedLinkPtr& link) {
+  const Progress handed = link->has_returned() ? Progress::finished : link->hand_back();
+  if (handed != Progress::finished) return handed;
   const PublicationLock lock(publication);
   if (!link->has_returned() && link->try_return(lock.queued())) {
     remove_live(*link);
     sync_point("move: returned");
   }
-  if (!link->may_be_replaced()) return false;
+  if (!link->may_be_replaced()) return Progress::none;
   put_back(publication, link);
-  return true;
+  return Progress::finished;
 }
 
 void LinkMigration::put_back(ros::Publication& publication, const SharedLinkPtr& link) {

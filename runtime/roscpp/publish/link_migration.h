@@ -48,6 +48,7 @@ class LinkMigration : public std::enable_shared_from_this<LinkMigration> {
 
  private:
   using TcpLink = ros::TransportSubscriberLinkPtr;
+  using Progress = SharedLink::Progress;
   using Step = void (LinkMigration::*)(const SharedLinkPtr&, int looks);
 
   void connected(const channel::ConnectionPtr& connection);
@@ -56,7 +57,7 @@ class LinkMigration : public std::enable_shared_from_this<LinkMigration> {
   SharedLinkPtr park(const TcpLink& tcp, const channel::ConnectionPtr& connection);
   void go_live(const SharedLinkPtr& link, int looks);
   void come_back(const SharedLinkPtr& link, int looks);
-  bool try_come_back(ros::Publication& publication, const SharedLinkPtr& link);
+  Progress try_come_back(ros::Publication& publication, const SharedLinkPtr& link);
   void ended(const SharedLinkPtr& link);
   void look_again(const SharedLinkPtr& link, int looks, Step step);
 

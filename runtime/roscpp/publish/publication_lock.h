@@ -23,6 +23,17 @@ inline bool swap_link_locked(ros::Publication& publication, const ros::Subscribe
   return true;
 }
 
+/// The same, but `new_link` gets what is published before all others. A message that is published by pointer is the
+/// program's own object: after a link inside this process has passed it on, a callback may be writing to it.
+inline bool swap_to_front_locked(ros::Publication& publication, const ros::SubscriberLinkPtr& old_link,
+                                 const ros::SubscriberLinkPtr& new_link) {
+  if (!swap_link_locked(publication, old_link, new_link)) return false;
+  ros::V_SubscriberLink& links = roscpp_access::subscriber_links_(publication);
+  const auto place = std::find(links.begin(), links.end(), new_link);
+  std::rotate(links.begin(), place, place + 1);
+  return true;
+}
+
 /// While it lives no thread publishes on the publication, changes its queue of serialized messages, or walks
 /// its links. So it is exact which messages belong to a TCPROS link and which to its successor.
 class PublicationLock {

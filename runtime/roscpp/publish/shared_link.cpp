@@ -16,6 +16,14 @@
 namespace tzc {
 namespace detail {
 
+namespace {
+
+/// For how long nothing is lost of what waits for a subscriber that is slower than the publisher. Afterwards it
+/// loses what it would lose without a move: otherwise it would see old messages for ever.
+constexpr std::chrono::seconds patience{1};
+
+}  // namespace
+
 SharedLink::SharedLink(std::shared_ptr<PublicationStream> stream, const ros::PublicationPtr& publication,
                        ros::TransportSubscriberLinkPtr parked, channel::ConnectionPtr connection,
                        std::size_t queued)
@@ -116,7 +124,7 @@ void SharedLink::deliver(const OutgoingMessage& message) {
 
 bool SharedLink::send(const channel::RecordPtr& record) {
   if (connection_->send(record)) return true;
-  state_ = State::broken;
+  break_off();
   if (!connection_->alive()) return false;  // the channel's own thread handles the end
   const Error failure = connection_->last_failure();
   TZC_WARN_THROTTLED_FOR(
@@ -126,40 +134,61 @@ bool SharedLink::send(const channel::RecordPtr& record) {
   return false;
 }
 
-bool SharedLink::try_go_live() {
+SharedLink::Progress SharedLink::try_go_live() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (state_ != State::draining) return true;
+  if (state_ != State::draining) return Progress::finished;
   if (!switched_) {
-    if (queued_for_tcpros_ > 0 || !is_drained(*parked_)) return false;
+    if (queued_for_tcpros_ > 0 || !is_drained(*parked_)) return Progress::none;
     const std::uint64_t most_bytes = stream_->most_held_bytes();
     switched_ = connection_->send(channel::make_record(kSwitch, &most_bytes, sizeof(most_bytes), {}));
+    begin_patience();
   }
-  send_what_waits();
-  return state_ != State::draining;
+  const bool some = send_what_waits();
+  if (state_ != State::draining) return Progress::finished;
+  return some ? Progress::some : Progress::none;
 }
 
 // Not all at once: the channel would revoke what exceeds the queue. TCPROS keeps the excess in its sockets.
-void SharedLink::send_what_waits() {
-  while (!waiting_.empty() && (queue_size_ == 0 || connection_->in_flight() < queue_size_)) {
-    if (!send(waiting_.front())) return;
-    waiting_.pop();
+bool SharedLink::send_what_waits() {
+  bool some = false;
+  for (; !waiting_.empty(); waiting_.pop(), some = true) {
+    if (is_patient() && queue_size_ != 0 && connection_->in_flight() >= queue_size_) return some;
+    if (!send(waiting_.front())) return some;
   }
-  if (waiting_.empty()) state_ = State::live;
+  state_ = State::live;
+  sync_point("move: live");
+  return some;
+}
+
+void SharedLink::begin_patience() {
+  patient_until_ = Clock::now() + patience;
+}
+
+bool SharedLink::is_patient() const {
+  return Clock::now() < patient_until_;
+}
+
+void SharedLink::break_off() {
+  if (state_ != State::broken) patient_until_ = Clock::time_point();
+  state_ = State::broken;
 }
 
 void SharedLink::collect_undelivered() {
-  state_ = State::broken;
+  break_off();
   waiting_.push_before(connection_->take_undelivered());
 }
 
-bool SharedLink::hand_back() {
+SharedLink::Progress SharedLink::hand_back() {
+  bool some = false;
   while (const channel::RecordPtr record = next_to_hand_back()) {
     const ros::SerializedMessage message = stream_->records().to_stock_bytes(record);
     sync_point("return: serialized");
     if (drop_waiting(record) && message.buf) parked_->enqueueMessage(message, true, false);
+    some = true;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  return waiting_.empty() && queued_for_tcpros_ == 0;
+  if (waiting_.empty() && queued_for_tcpros_ == 0) return Progress::finished;
+  return some ? Progress::some : Progress::none;
 }
 
 // What was in flight to a dead process need not be serialized: its TCPROS connection ends in a moment. The kernel may
@@ -168,7 +197,10 @@ channel::RecordPtr SharedLink::next_to_hand_back() {
   if (peer_is_gone(*parked_) || has_ended(connection_->peer().pid)) return nullptr;
   const std::lock_guard<std::mutex> lock(mutex_);
   collect_undelivered();
-  const bool ready = queued_for_tcpros_ == 0 && !waiting_.empty() && has_room(*parked_, queue_size_);
+  if (queued_for_tcpros_ > 0) return nullptr;
+  if (patient_until_ == Clock::time_point()) begin_patience();
+  if (!is_patient()) waiting_.keep_newest();
+  const bool ready = !waiting_.empty() && (!is_patient() || has_room(*parked_, queue_size_));
   return ready ? waiting_.front() : nullptr;
 }
 

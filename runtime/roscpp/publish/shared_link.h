@@ -6,6 +6,7 @@
 #include <tzc/channel.h>
 
 #include <boost/signals2/connection.hpp>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -32,6 +33,9 @@ namespace detail {
 /// From each of them the link may end with its TCPROS link.
 class SharedLink : public ros::SubscriberLink {
  public:
+  /// What a call of try_go_live or hand_back has done.
+  enum class Progress { none, some, finished };
+
   /// @param queued messages in Publication::publish_queue_ that belong to the TCPROS link; the caller holds
   ///        the publication's locks
   SharedLink(std::shared_ptr<PublicationStream> stream, const ros::PublicationPtr& publication,
@@ -54,14 +58,16 @@ class SharedLink : public ros::SubscriberLink {
   void deliver(const OutgoingMessage& message);
 
   /// Goes live when TCPROS has sent everything that it was given; what waits is sent as fast as the
-  /// subscriber takes it. False: not done yet, call again.
-  bool try_go_live();
+  /// subscriber takes it, but no longer than a second: then all of it at once, and the channel drops what its limit does not
+  /// allow. Unless `finished`: call again.
+  Progress try_go_live();
 
   /// Call it when the channel has broken and the subscriber has delivered all that it took: serializes the
-  /// rest for TCPROS, as fast as TCPROS sends. One thread at a time, which holds no lock of roscpp's:
-  /// serializing takes long. False: not done yet, call again.
-  bool hand_back();
-  /// Call it after hand_back(): from now on everything goes over TCPROS. The caller holds the publication's
+  /// rest for TCPROS, as fast as TCPROS sends, but no longer than a second: then the newest `queue_size` of it, for which
+  /// TCPROS drops what it could not send. One thread at a time, which holds no lock of roscpp's:
+  /// serializing takes long. Unless `finished`: call again.
+  Progress hand_back();
+  /// Call it when hand_back() has finished: from now on everything goes over TCPROS. The caller holds the publication's
   /// locks. False: messages were published since; call hand_back() again.
   /// @param queued messages in Publication::publish_queue_
   bool try_return(std::size_t queued);
@@ -82,14 +88,19 @@ class SharedLink : public ros::SubscriberLink {
   void publish_by_pointer(const ros::SerializedMessage& message);
   void publish_bytes(const ros::SerializedMessage& message);
   void publish_alone(const ros::SerializedMessage& message);
+  using Clock = std::chrono::steady_clock;
   enum class State { draining, live, broken, returned };
 
   /// \name Under mutex_
   /// @{
   /// False: the channel does not take it, nor any later message.
   bool send(const channel::RecordPtr& record);
-  void send_what_waits();
+  /// True: it has sent some.
+  bool send_what_waits();
+  void break_off();
   void collect_undelivered();
+  void begin_patience();
+  bool is_patient() const;
   bool goes_to_tcpros(bool went_by_pointer);
   /// @}
   channel::RecordPtr next_to_hand_back();
@@ -108,6 +119,7 @@ class SharedLink : public ros::SubscriberLink {
   std::size_t queued_for_tcpros_;     ///< draining: messages of roscpp's queue that belong to TCPROS
   std::size_t queued_at_return_ = 0;  ///< returned: messages of roscpp's queue that may have gone by pointer
   WaitingRecords waiting_;
+  Clock::time_point patient_until_{};  ///< what waits is passed on as it is taken until then; not begun: zero
 };
 typedef boost::shared_ptr<SharedLink> SharedLinkPtr;
 

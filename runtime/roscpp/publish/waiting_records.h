@@ -30,6 +30,11 @@ class WaitingRecords {
     while (queue_size_ != 0 && records_.size() > queue_size_ && bytes_ > kSocketBuffers) pop();
   }
 
+  /// Drops all but those of the queue.
+  void keep_newest() {
+    while (queue_size_ != 0 && records_.size() > queue_size_) pop();
+  }
+
   /// Puts older records before the others, and drops none.
   void push_before(const std::vector<channel::RecordPtr>& older) {
     records_.insert(records_.begin(), older.begin(), older.end());

@@ -29,6 +29,18 @@ class Races(TopicCase):
         self.assert_got(listener, range(10))
         self.assertEqual([m["shared"] for m in listener.messages()], [False] + 9 * [True])
 
+    def test_a_move_that_took_long_ends_while_the_publisher_publishes_on(self):
+        listener = self.listen()
+        self.assertEqual(self.race("long_move"), {"live": True})
+        numbers = listener.numbers()
+        self.assertGreater(len(numbers), 20)
+        self.assertEqual(numbers, list(range(len(numbers))))
+
+    def test_a_message_by_pointer_is_copied_before_a_callback_of_its_process_writes_to_it(self):
+        listener = self.listen()
+        self.assertEqual(self.race("local_writer"), {"written before it was copied": False, "written": True})
+        self.assert_got(listener, range(1), shared=True)
+
     def test_an_offer_that_comes_before_the_tcpros_header(self):
         listener = self.listen()
         self.assertEqual(self.race("late_header"), {"connecting": True, "parked": True})
@@ -50,6 +62,17 @@ class Races(TopicCase):
             self.assert_seq_as_tcpros(listener)
         self.assertGreater(sum(m["shared"] for m in shared.messages()), 100)
         self.assertFalse(any(m["shared"] for m in shared.messages()[-20:]))
+
+    def test_back_on_tcpros_that_cannot_send_the_queue_decides_what_is_lost(self):
+        """TCPROS sends nothing for as long as the subscriber waits to be moved back."""
+        shared = self.listen(queue=1000)
+        self.listen("plain")
+        self.assertEqual(self.race("busy_queue", queue=1), {"returned": True})
+        self.wait_for_number(shared, 329)
+        numbers = shared.numbers()
+        self.assertEqual(numbers, sorted(set(numbers)))
+        self.assertGreater(len(numbers), 100)
+        self.assertLess(len(numbers), 330)
 
     def test_a_subscriber_that_does_not_answer_the_offer_in_time(self):
         listener = self.listen()

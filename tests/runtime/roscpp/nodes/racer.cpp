@@ -2,7 +2,7 @@
 /// Runs each of the transport's races in the order of steps that once went wrong. Prints what happened as lines of
 /// JSON ("event"); a subscriber prints its images, too.
 ///
-/// Private parameters: pid (of the other side), queue (by_reference), race, one of
+/// Private parameters: pid (of the other side), queue (by_reference, busy_queue), race, one of
 ///   by_reference  a publisher: a message goes by reference, since no subscriber takes pointers, while a subscriber
 ///                 moves over
 ///   late_header   a publisher: the subscriber is offered shared memory before its TCPROS header is written
@@ -10,6 +10,9 @@
 ///                 one arrives
 ///   busy_queue    a publisher: a subscriber goes back to TCPROS while roscpp's queue is full of what it has
 ///                 already
+///   long_move     a publisher with a queue of one: while a subscriber moves over, TCPROS cannot send for a while, and the node
+///                 publishes on; it ends when the move does
+///   local_writer  a publisher with a subscriber of its own that writes to what it is passed
 ///   silent        a publisher: the subscriber (pid) is stopped when it is called with the offer, and goes on
 ///                 when the call is given up
 ///   two_at_once   a direct subscriber: a message of another publisher arrives while the callback for the first
@@ -145,11 +148,11 @@ void late_header(ros::NodeHandle& node) {
 
 // Messages are in the channel, and as bytes in roscpp's queue for a plain subscriber, when the channel
 // breaks: one more segment than a connection takes.
-void busy_queue(ros::NodeHandle& node) {
+void busy_queue(ros::NodeHandle& node, std::uint32_t queue_size) {
   tzc::sync_point_hook = [](const char* step) {
     if (std::string(step) == "move: returned") gate().tell("returned");
   };
-  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 1000);
+  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", queue_size);
   eventually(
       [&] { return publisher.getNumSubscribers() == 2 && publisher.statistics().shared_subscribers == 1; });
   ros::WallDuration(0.5).sleep();  // the move's end; what is published before it would only be less of a test
@@ -164,9 +167,66 @@ void busy_queue(ros::NodeHandle& node) {
     tzc_test::fill_image(image, number++, 20000);
     publisher.publish(image);
   }
-  print_event("returned", gate().wait_for({"returned"}));
+  print_event("returned", gate().wait_for({"returned"}, std::chrono::seconds(30)));
   publish(publisher, 310, 330);
   let_go_and_end();
+}
+
+/// Publishes at 200 Hz until it has happened, at most 2000 messages: a subscriber keeps up with that. True when it has.
+bool publish_until(const tzc::Publisher& publisher, const std::string& event, std::uint32_t from) {
+  ros::WallRate rate(200);
+  for (std::uint32_t number = from; number < 2000 && !gate().happened(event); ++number) {
+    publish(publisher, number, number + 1);
+    rate.sleep();
+  }
+  return gate().happened(event);
+}
+
+void long_move(ros::NodeHandle& node) {
+  tzc::sync_point_hook = [](const char* step) {
+    const std::string name = step;
+    if (name == "move: begins") {
+      gate().tell("moving");
+      gate().wait_for({"chosen"});
+    }
+    if (name == "publish: by reference" && gate().happened("moving")) gate().tell("chosen");
+    if (name == "move: parked") gate().tell("parked");
+    if (name == "move: live") gate().tell("live");
+  };
+  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 1);
+  gate().wait_for({"moving"});
+  hold_poll_thread_now();
+  publish(publisher, 0, 1);
+  gate().wait_for({"parked"});
+  ros::WallDuration(0.5).sleep();  // by now the worker looks seldom
+  publish(publisher, 1, 20);
+  gate().tell("let go");
+  print_event("live", publish_until(publisher, "live", 20));
+}
+
+// The callback gets the published object itself, as with plain roscpp, and another process gets it, too.
+void local_writer(ros::NodeHandle& node) {
+  const boost::function<void(const sensor_msgs::ImagePtr&)> draw = [](const sensor_msgs::ImagePtr& image) {
+    tzc_test::fill_pattern(image->data.data(), image->data.size(), 1000);
+    gate().tell("written");
+  };
+  const ros::Subscriber writer = node.subscribe<sensor_msgs::Image>("image", 1, draw);
+  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 100);
+  eventually([&] { return publisher.statistics().shared_subscribers == 1; });
+  ros::WallDuration(0.5).sleep();  // the move's end
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  tzc::sync_point_hook = [](const char* step) {
+    if (std::string(step) == "allocate: begin")
+      print_event("written before it was copied",
+                  gate().wait_for({"written"}, std::chrono::milliseconds(500)));
+  };
+  const auto image = boost::make_shared<sensor_msgs::Image>();
+  tzc_test::fill_image(*image, 0, 20000);
+  publisher.publish(image);
+  print_event("written", gate().wait_for({"written"}));
+  tzc::sync_point_hook = nullptr;
+  ros::WallDuration(0.5).sleep();
 }
 
 pid_t other_pid = 0;
@@ -343,10 +403,12 @@ int main(int argc, char** argv) {
   ros::PollManager::instance()->addPollThreadListener(hold_poll_thread);
   const std::string race = options.param<std::string>("race", "");
   if (race == "by_reference") by_reference(node, options.param("queue", 100));
+  if (race == "long_move") long_move(node);
+  if (race == "local_writer") local_writer(node);
   if (race == "late_header") late_header(node);
   other_pid = options.param("pid", 0);
   if (race == "silent") silent(node);
-  if (race == "busy_queue") busy_queue(node);
+  if (race == "busy_queue") busy_queue(node, options.param("queue", 1000));
   if (race == "slow_reader") slow_reader(node);
   if (race == "two_at_once") two_at_once(node);
   if (race == "slow_move") slow_move(node);

@@ -57,6 +57,18 @@ TEST(WaitingRecords, popping_makes_room_again) {
   EXPECT_EQ(drain(records), (Numbers{7, 8})) << "what was taken out does not count any more";
 }
 
+TEST(WaitingRecords, the_newest_are_those_of_the_queue) {
+  WaitingRecords records(2), unlimited(0);
+  for (std::uint32_t number = 0; number < 5; ++number) {
+    records.push(record(number));
+    unlimited.push(record(number));
+  }
+  records.keep_newest();
+  unlimited.keep_newest();
+  EXPECT_EQ(drain(records), (Numbers{3, 4}));
+  EXPECT_EQ(drain(unlimited).size(), 5u);
+}
+
 TEST(WaitingRecords, a_queue_without_a_limit_drops_nothing) {
   WaitingRecords records(0);
   for (std::uint32_t number = 0; number < 5; ++number) records.push(record(number, 3 << 20));
