@@ -4,7 +4,9 @@
 #include <ros/connection.h>
 #include <tzc/direct_dispatch.h>
 
+#include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "channel/inspection.h"
 #include "roscpp/roscpp_access.h"
@@ -19,16 +21,38 @@ namespace tzc {
 namespace detail {
 namespace {
 
-/// The bytes of a received message as roscpp passes buffers around; they stay where they are.
-ros::SerializedMessage borrow(const channel::MessagePtr& message, const std::uint8_t* bytes,
-                              std::size_t size) {
+struct Bytes {
+  const std::uint8_t* data;
+  std::size_t size;
+};
+
+Bytes control_of(const channel::Message& message) {
+  return {message.control(), message.control_size()};
+}
+
+/// A received message as roscpp passes buffers around.
+ros::SerializedMessage as_buffer(const channel::Message& message,
+                                 const boost::shared_array<std::uint8_t>& buffer, std::size_t size) {
+  ros::SerializedMessage given(buffer, size);
+  given.message_start = buffer.get();
+  if (trace::active) trace::recent().remember(buffer.get(), channel::trace_id(message));
+  return given;
+}
+
+/// The bytes stay where they are. `hold` keeps them, and with them the message's blocks.
+ros::SerializedMessage borrow(const channel::Message& message, Bytes bytes,
+                              std::shared_ptr<const void> hold) {
   const boost::shared_array<std::uint8_t> buffer(
-      const_cast<std::uint8_t*>(bytes),
-      [hold = channel::MessagePtr(message)](std::uint8_t*) mutable { hold.reset(); });
-  ros::SerializedMessage borrowed(buffer, size);
-  borrowed.message_start = buffer.get();
-  if (trace::active) trace::recent().remember(bytes, channel::trace_id(*message));
-  return borrowed;
+      const_cast<std::uint8_t*>(bytes.data),
+      [hold = std::move(hold)](std::uint8_t*) mutable { hold.reset(); });
+  return as_buffer(message, buffer, bytes.size);
+}
+
+/// Keeps nothing of the message.
+ros::SerializedMessage copy(const channel::Message& message, Bytes bytes) {
+  const boost::shared_array<std::uint8_t> buffer(new std::uint8_t[bytes.size]);
+  std::copy_n(bytes.data, bytes.size, buffer.get());
+  return as_buffer(message, buffer, bytes.size);
 }
 
 // roscpp's counters are plain words. One thread at a time adds to them; the statistics are read by another.
@@ -50,13 +74,13 @@ void forget_latched_object(ros::Subscription& subscription, const ros::Publisher
 }  // namespace
 
 bool SubscriptionEndpoint::may_begin() {
-  tcpros_drained_ = tcpros_.is_over(*link_->getConnection());
+  tcpros_drained_ = tcpros_.is_over(*connection_);
   return tcpros_drained_;
 }
 
 void SubscriptionEndpoint::take(const channel::MessagePtr& message) {
   // The first record is kSwitch, unless a short queue has dropped it.
-  if (!tcpros_drained_) tcpros_.wait(*link_->getConnection());
+  if (!tcpros_drained_) tcpros_.wait(*connection_);
   tcpros_drained_ = true;
   if (message->tag() == kSwitch) return take_switch(*message);
   const ros::SubscriptionPtr subscription = subscription_.lock();
@@ -104,9 +128,11 @@ bool SubscriptionEndpoint::may_hold(const channel::Message& message) const {
   return false;
 }
 
-boost::shared_ptr<void> SubscriptionEndpoint::decode(const channel::MessagePtr& message,
-                                                     bool may_write) const {
-  const bool copied = may_write || !may_hold(*message);
+bool SubscriptionEndpoint::must_copy(const channel::Message& message, bool may_write) const {
+  return may_write || !may_hold(message);
+}
+
+boost::shared_ptr<void> SubscriptionEndpoint::decode(const channel::MessagePtr& message, bool copied) const {
   const boost::shared_ptr<void> decoded =
       copied
           ? codec_.copy(message->control(), message->control_size(), message->blocks())
@@ -121,7 +147,7 @@ boost::shared_ptr<void> SubscriptionEndpoint::decode(const channel::MessagePtr& 
 }
 
 DirectMessage SubscriptionEndpoint::described() const {
-  return {*codec_.type, link_->isLatched(), link_->getConnection()->getHeader().getValues()};
+  return {*codec_.type, link_->isLatched(), connection_->getHeader().getValues()};
 }
 
 bool SubscriptionEndpoint::take_directly(ros::Subscription& subscription,
@@ -129,20 +155,22 @@ bool SubscriptionEndpoint::take_directly(ros::Subscription& subscription,
   DirectCall call =
       DirectCall::prepare(subscription, described(), *direct_dispatch_queue(), DirectCall::Turn::waits);
   if (!call) return false;
-  call.call([&](bool may_write) { return decode(message, may_write); });
+  call.call([&](bool may_write) { return decode(message, must_copy(*message, may_write)); });
   return true;
 }
 
 bool SubscriptionEndpoint::take_as_guest(ros::Subscription& subscription,
                                          const channel::MessagePtr& message) {
   HeardQueue* const queue = HeardQueue::of_guest();
-  return queue != nullptr && leave_to_guest(*queue, subscription, described(),
-                                            [&](bool may_write) { return decode(message, may_write); });
+  return queue != nullptr && leave_to_guest(*queue, subscription, described(), [&](bool may_write) {
+           return decode(message, must_copy(*message, may_write));
+         });
 }
 
 void SubscriptionEndpoint::take_control_part(ros::Subscription& subscription,
                                              const channel::MessagePtr& message) {
-  const boost::shared_ptr<void> decoded = decode(message, make_ready_for_faults(subscription));
+  const bool copied = must_copy(*message, make_ready_for_faults(subscription));
+  const boost::shared_ptr<void> decoded = decode(message, copied);
   if (!decoded) return;
   bool ser = false, nocopy = false;
   subscription.getPublishTypes(ser, nocopy, *codec_.type);
@@ -151,7 +179,8 @@ void SubscriptionEndpoint::take_control_part(ros::Subscription& subscription,
   // part begins with it.
   const bool needs_wire = ser || link_->isLatched();
   ros::SerializedMessage given = needs_wire ? codec_.serialize(decoded.get())
-                                            : borrow(message, message->control(), message->control_size());
+                                 : copied   ? copy(*message, control_of(*message))
+                                            : borrow(*message, control_of(*message), message);
   given.message = decoded;
   given.type_info = codec_.type;
   give(subscription, given, ser, true);
@@ -161,17 +190,21 @@ void SubscriptionEndpoint::take_control_part(ros::Subscription& subscription,
 void SubscriptionEndpoint::take_whole_message(ros::Subscription& subscription,
                                               const channel::MessagePtr& message) {
   if (message->blocks().empty())
-    return give(subscription, borrow(message, message->control(), message->control_size()), true, false);
+    return give(subscription, borrow(*message, control_of(*message), message), true, false);
   const ConstBlock& block = message->blocks().front();
   std::uint64_t size = 0;
   if (message->control_size() == sizeof(size)) std::memcpy(&size, message->control(), sizeof(size));
-  if (size <= block.size) give(subscription, borrow(message, block.data, size), true, false);
+  if (size > block.size) return;
+  const Bytes bytes{block.data, size};
+  give(subscription,
+       may_hold(*message) ? borrow(*message, bytes, limit_.hold(message)) : copy(*message, bytes), true,
+       false);
 }
 
 void SubscriptionEndpoint::give(ros::Subscription& subscription, const ros::SerializedMessage& message,
                                 bool ser, bool nocopy) {
-  counted().drops_ += subscription.handleMessage(message, ser, nocopy,
-                                                 link_->getConnection()->getHeader().getValues(), link_);
+  counted().drops_ +=
+      subscription.handleMessage(message, ser, nocopy, connection_->getHeader().getValues(), link_);
 }
 
 }  // namespace detail

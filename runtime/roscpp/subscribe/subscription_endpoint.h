@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/connection.h>
 #include <ros/publisher_link.h>
 #include <ros/subscription.h>
 #include <ros/transport_publisher_link.h>
@@ -27,6 +28,7 @@ class SubscriptionEndpoint {
       : topic_(subscription->getName()),
         subscription_(subscription),
         link_(std::move(link)),
+        connection_(link_->getConnection()),
         codec_(std::move(codec)),
         calls_directly_(has_direct_callback(*subscription)) {}
 
@@ -51,14 +53,17 @@ class SubscriptionEndpoint {
   /// Adds to the parked link's counters, which topic statistics and getBusStats show. The poll thread, which
   /// owns them, counts nothing while the link is parked.
   ros::PublisherLink::Stats& counted() const;
-  /// A view of the message, or a copy: for a callback that may write, or a subscription that holds too much
-  /// of the publisher's memory.
-  boost::shared_ptr<void> decode(const channel::MessagePtr& message, bool may_write) const;
+  /// For a callback that may write, or a subscription that holds too much of the publisher's memory.
+  bool must_copy(const channel::Message& message, bool may_write) const;
+  /// A view of the message, or a copy.
+  boost::shared_ptr<void> decode(const channel::MessagePtr& message, bool copied) const;
   bool may_hold(const channel::Message& message) const;
 
   const std::string topic_;
   const ros::SubscriptionWPtr subscription_;
   const ros::TransportPublisherLinkPtr link_;
+  const ros::ConnectionPtr
+      connection_;  ///< on which the link was upgraded; roscpp may give it another one later
   const MessageCodec codec_;
   const bool calls_directly_;
   TcprosDrain tcpros_;           ///< reader thread

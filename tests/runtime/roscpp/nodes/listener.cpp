@@ -6,7 +6,7 @@
 /// `drawn`; with several topics pointer, keep or direct), handler (the number of the message after which a handler of SIGSEGV
 /// is installed), times (so many callbacks), again (seconds after which there is one more callback), answers (a topic, on which it says the number of each image that a pointer or
 /// keep callback has had), topics (several, separated by blanks), queue, spinner (spin, tzc, multi, async, own: a callback
-/// queue of its own).
+/// queue of its own, afterwards: no callback is called before the publisher has come and gone).
 #include <message_filters/simple_filter.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -159,6 +159,11 @@ std::vector<ros::Subscriber> subscribe_named(ros::NodeHandle& node, const std::s
   return subscribers;
 }
 
+void wait_for_the_end_of(const ros::Subscriber& subscriber) {
+  for (const bool is_there : {true, false})
+    while (ros::ok() && (subscriber.getNumPublishers() > 0) != is_there) ros::WallDuration(0.01).sleep();
+}
+
 void spin(const std::string& spinner, ros::CallbackQueue& own) {
   if (spinner == "tzc") {
     tzc::spin();
@@ -214,6 +219,7 @@ int main(int argc, char** argv) {
   };
   const ros::WallTimer later =
       node.createWallTimer(ros::WallDuration(again), subscribe_again, true, again > 0);
+  if (spinner == "afterwards") wait_for_the_end_of(subscribers.front());
   spin(spinner, own);
   answers().end();
 }
