@@ -98,9 +98,9 @@ bool Attachment::publish_by_reference(const std::type_info& type,
 void Attachment::send_queued() {
   endpoint_->send_queued();
 }
-void Attachment::publish_numbered(const std::type_info& type, message::Encoded& encoded,
+void Attachment::publish_numbered(const std::type_info& type, message::Encoded& encoded, Others others,
                                   const std::function<void()>& publish) {
-  endpoint_->publish_numbered(type, encoded, publish);
+  endpoint_->publish_numbered(type, encoded, others, publish);
 }
 bool Attachment::publish_directly(const std::type_info& type, message::Encoded& encoded) {
   return endpoint_->publish_directly(type, encoded);

@@ -252,12 +252,14 @@ void PublicationEndpoint::send_queued() {
 }
 
 void PublicationEndpoint::publish_numbered(const std::type_info& type, message::Encoded& encoded,
-                                           const std::function<void()>& publish) {
-  // No other thread publishes on the topic until this one has.
-  const boost::recursive_mutex::scoped_lock lock(
+                                           Others others, const std::function<void()>& publish) {
+  boost::unique_lock<boost::recursive_mutex> lock(
       access::advertised_topics_mutex_(*ros::TopicManager::instance()));
   const ros::PublicationPtr publication = publication_.lock();
-  if (!publication || !publication->hasSubscribers()) return publish();
+  if (!publication || !publication->hasSubscribers()) {
+    lock.unlock();
+    return publish();
+  }
   send_queued();
   {
     const PublicationLock publication_lock(*publication);
@@ -265,6 +267,7 @@ void PublicationEndpoint::publish_numbered(const std::type_info& type, message::
     write_number(codec, encoded, stream_.foresee_number(publication_lock.queued()));
   }
   const bool is_counted = numbers_by_pointer(*publication, type);
+  if (others == Others::publish) lock.unlock();
   publish();
   if (!is_counted) publication->incrementSequence();
 }

@@ -4,6 +4,7 @@
 #include <ros/single_subscriber_publisher.h>
 #include <ros/transport_subscriber_link.h>
 #include <tzc/channel.h>
+#include <tzc/detail/attachment.h>
 #include <tzc/options.h>
 
 #include <memory>
@@ -56,7 +57,7 @@ class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpo
   void send_queued();
   /// After send_queued(), writes the number into an encoded message of a known type that roscpp gives what is published by reference, and calls
   /// `publish`, which publishes a view of it by pointer.
-  void publish_numbered(const std::type_info& type, message::Encoded& encoded,
+  void publish_numbered(const std::type_info& type, message::Encoded& encoded, Others others,
                         const std::function<void()>& publish);
 
   /// roscpp's connect callback: offers shared memory to the subscriber.

@@ -47,6 +47,14 @@ class ImageTransport(TopicCase):
             self.assert_got(viewer, range(50), shared=True, callback=callback)
         self.assert_got(viewer, range(50), callback="both")
 
+    def test_a_name_that_is_remapped_to_a_remapped_one(self):
+        """image_transport resolves what it advertises twice, so this camera's images go to `other`."""
+        viewer = Listener(self.node("camera", "viewer", {"role": "viewer"}, ["image:=other"]))
+        self.wait_for_subscribers(self.name("second"), 1)
+        camera = self.node("camera", "camera", {"count": 50}, ["image:=pictures", "pictures:=other"])
+        self.assertEqual(camera.wait(40), 0, camera.tail())
+        self.assert_got(viewer, range(50), shared=True, callback="camera")
+
     def test_nothing_is_copied_for_plain_viewers_of_stock_messages(self):
         """Which the library serializes once, and so does the port."""
         for pointer in ("false", "true"):
@@ -72,6 +80,17 @@ class ImageTransport(TopicCase):
             self.ros.wait_until(lambda: len(compressed.numbers(callback=callback)) >= 50, 10, "compressed images")
             self.assertEqual(compressed.numbers(callback=callback), list(range(50)))
             self.assertFalse(any(m["shared"] for m in compressed.messages(callback=callback)))
+
+    def test_other_topics_do_not_wait_while_an_image_is_compressed(self):
+        """roscpp publishes on all topics of a process under one mutex."""
+        for transports in (["compressed"], ["compressed", "raw"]):
+            with self.subTest(transports=transports):
+                self.ros.stop_since(self.before)
+                for transport in transports:
+                    self.view(transport)
+                counters = self.film(role="busy_camera", subscribers=len(transports))
+                # Of ten images. If they had to wait, one or two would fit in before and behind each.
+                self.assertGreater(counters["meanwhile"], 40)
 
 
 if __name__ == "__main__":

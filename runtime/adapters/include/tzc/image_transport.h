@@ -25,7 +25,7 @@ inline std::shared_ptr<::tzc::detail::Attachment> attach_raw(const std::string& 
   options.init<::sensor_msgs::Image>(topic, 1);
   PublisherOptions publisher_options;
   publisher_options.memory_size = memory_size;
-  ros::NodeHandle node;
+  ros::NodeHandle node;  // resolves the topic once more, as the raw transport's own has
   return ::tzc::detail::Attachment::create(node, options, ::tzc::detail::make_codec<::sensor_msgs::Image>(),
                                            publisher_options);
 }
@@ -37,6 +37,17 @@ class ImagePublisherBase : public ::tzc::detail::PublisherBase<Stock> {
   ImagePublisherBase() {}
   ImagePublisherBase(const Stock& publisher, std::size_t memory_size)
       : ::tzc::detail::PublisherBase<Stock>(publisher, attach(publisher, memory_size)) {}
+
+ protected:
+  /// A subscriber takes images by pointer, so what is published by reference goes by pointer, too. Unlike PublisherBase's
+  /// publish_by_reference this lets a subscriber begin with it meanwhile: to prevent that is to hold up all topics of the process
+  /// while plugins compress. Whatever goes by pointer afterwards lets what waits in roscpp's queue go first.
+  bool wants_pointer() const {
+    return this->attachment_ && this->attachment_->wants_pointer(typeid(::sensor_msgs::Image));
+  }
+  void send_queued() const {
+    if (this->attachment_) this->attachment_->send_queued();
+  }
 
  private:
   static std::shared_ptr<::tzc::detail::Attachment> attach(const Stock& publisher, std::size_t memory_size) {
@@ -52,10 +63,15 @@ class Publisher : public detail::ImagePublisherBase<::image_transport::Publisher
  public:
   using detail::ImagePublisherBase<::image_transport::Publisher>::ImagePublisherBase;
 
-  void publish(const ::sensor_msgs::ImageConstPtr& message) const { publisher_.publish(message); }
+  void publish(const ::sensor_msgs::ImageConstPtr& message) const {
+    send_queued();
+    publisher_.publish(message);
+  }
   void publish(const ::sensor_msgs::Image& message) const {
-    if (!publish_by_reference<::sensor_msgs::Image>([&] { publisher_.publish(message); }))
+    if (wants_pointer())
       publish_twin(message, ByReference::yes);
+    else
+      publisher_.publish(message);
   }
   /// A tzc::sensor_msgs::Image, by reference or pointer.
   template <class M>
@@ -80,7 +96,9 @@ class Publisher : public detail::ImagePublisherBase<::image_transport::Publisher
   void publish_pointer(const boost::shared_ptr<M>& message) const {
     publish_twin(*message, ByReference::no);
   }
-  void publish_pointer(const ::sensor_msgs::ImagePtr& message) const { publisher_.publish(message); }
+  void publish_pointer(const ::sensor_msgs::ImagePtr& message) const {
+    publish(::sensor_msgs::ImageConstPtr(message));
+  }
 };
 
 /// A drop-in for image_transport::CameraPublisher. The camera info is small and travels as before.
@@ -92,11 +110,14 @@ class CameraPublisher : public detail::ImagePublisherBase<::image_transport::Cam
 
   void publish(const ::sensor_msgs::ImageConstPtr& image,
                const ::sensor_msgs::CameraInfoConstPtr& info) const {
+    send_queued();
     publisher_.publish(image, info);
   }
   void publish(const ::sensor_msgs::Image& image, const ::sensor_msgs::CameraInfo& info) const {
-    if (!publish_by_reference<::sensor_msgs::Image>([&] { publisher_.publish(image, info); }))
+    if (wants_pointer())
       publish_image(image, boost::make_shared<::sensor_msgs::CameraInfo>(info), ByReference::yes);
+    else
+      publisher_.publish(image, info);
   }
   /// Image and info by reference; either may be its tzc:: type.
   template <class Image, class Info>
@@ -132,11 +153,11 @@ class CameraPublisher : public detail::ImagePublisherBase<::image_transport::Cam
   }
   void publish_image_pointer(const ::sensor_msgs::ImagePtr& image,
                              const ::sensor_msgs::CameraInfoConstPtr& info) const {
-    publisher_.publish(image, info);
+    publish(::sensor_msgs::ImageConstPtr(image), info);
   }
   void publish_image_pointer(const ::sensor_msgs::ImageConstPtr& image,
                              const ::sensor_msgs::CameraInfoConstPtr& info) const {
-    publisher_.publish(image, info);
+    publish(image, info);
   }
   template <class Info>
   static ::sensor_msgs::CameraInfoConstPtr stock_pointer(const boost::shared_ptr<Info>& info) {

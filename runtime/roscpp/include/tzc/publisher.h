@@ -99,7 +99,8 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
     const auto publish = [&](const boost::shared_ptr<const Stock<M>>& view) {
       detail::publish_by_roscpp(publisher_, *view, [&] { publisher_.publish(view); });
     };
-    if (!shared.publish_view(*attachment_, message, how, publish)) publish_exhausted(message);
+    if (!shared.publish_view(*attachment_, message, how, detail::Others::wait, publish))
+      publish_exhausted(message);
   }
 
   template <class M>

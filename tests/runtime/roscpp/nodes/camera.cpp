@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// A camera or its viewer, both through the image_transport and message_filters wrappers.
 ///
-/// Private parameters: role (camera, viewer). Camera: count, subscribers (of each topic, waited for), stock
+/// Private parameters: role (camera, viewer, busy_camera: large stock images by reference, and on another thread
+/// something small on another topic; counts how often that began and ended while an image was published). Camera: count, subscribers (of each topic, waited for), stock
 /// (messages), pointer (publish by pointer), attached (to publishers that other code
 /// advertised). Viewer: plain (image_transport's own), transport (raw, compressed); its
 /// lines tell which of its callbacks saw an image: "camera" (CameraSubscriber), "image" (Subscriber), "both"
@@ -16,8 +17,10 @@
 #include <tzc/sensor_msgs/Image.h>
 
 #include <algorithm>
+#include <atomic>
 #include <boost/bind/bind.hpp>
 #include <string>
+#include <thread>
 
 #include "image_line.h"
 
@@ -108,6 +111,56 @@ void run_camera(ros::NodeHandle& node, const ros::NodeHandle& options) {
   camera.report();
 }
 
+/// Publishes on a topic of its own for as long as it lives.
+class Bystander {
+ public:
+  explicit Bystander(ros::NodeHandle& node)
+      : publisher_(node.advertise<sensor_msgs::CameraInfo>("other", 1)), thread_([this] { run(); }) {}
+  ~Bystander() {
+    ends_ = true;
+    thread_.join();
+  }
+  /// An image is being published, or not: odd or even.
+  void step() { ++step_; }
+  std::uint32_t published_meanwhile() const { return meanwhile_; }
+
+ private:
+  void run() {
+    while (!ends_) {
+      const std::uint32_t before = step_;
+      publisher_.publish(sensor_msgs::CameraInfo());
+      if (before % 2 == 1 && step_ == before) ++meanwhile_;
+      ros::WallDuration(0.001).sleep();
+    }
+  }
+
+  const ros::Publisher publisher_;
+  std::atomic<bool> ends_{false};
+  std::atomic<std::uint32_t> step_{0}, meanwhile_{0};
+  std::thread thread_;
+};
+
+void run_busy_camera(ros::NodeHandle& node, const ros::NodeHandle& options) {
+  image_transport::ImageTransport transport(node);
+  const auto camera = tzc::image_transport::advertiseCamera(transport, "image", 100);
+  const auto wanted = static_cast<std::uint32_t>(options.param("subscribers", 1));
+  while (ros::ok() && camera.getNumSubscribers() < wanted) ros::WallDuration(0.01).sleep();
+  ros::WallDuration(1.0).sleep();
+  sensor_msgs::Image image;
+  const std::uint32_t width = 3000, height = 2000;
+  tzc_test::fill_image(image, 0, width * height);
+  image.width = image.step = width;
+  image.height = height;
+  Bystander bystander(node);
+  for (int number = 0; ros::ok() && number < 10; ++number) {
+    bystander.step();
+    camera.publish(image, sensor_msgs::CameraInfo());
+    bystander.step();
+    ros::WallDuration(0.01).sleep();
+  }
+  std::printf("{\"meanwhile\": %u}\n", bystander.published_meanwhile());
+}
+
 void run_plain_viewer(ros::NodeHandle& node) {
   image_transport::ImageTransport transport(node);
   const image_transport::CameraSubscriber camera = transport.subscribeCamera(
@@ -146,6 +199,8 @@ int main(int argc, char** argv) {
     run_plain_viewer(node);
   else if (is_viewer)
     run_viewer(node, options);
+  else if (options.param<std::string>("role", "camera") == "busy_camera")
+    run_busy_camera(node, options);
   else if (options.param("stock", false))
     run_camera<sensor_msgs::Image>(node, options);
   else

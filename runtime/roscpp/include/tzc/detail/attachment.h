@@ -18,6 +18,10 @@ namespace detail {
 
 class PublicationEndpoint;
 
+/// What other threads of the process may publish while a message is published: nothing, as with roscpp, or (on any topic) what
+/// they like. Then two threads that publish on one topic at once may number what callbacks of this process get alike.
+enum class Others { wait, publish };
+
 /// The shared memory of a topic, beside roscpp's own publisher. While it lives, subscribers that can use
 /// shared memory are upgraded. Thread-safe.
 class Attachment {
@@ -55,7 +59,7 @@ class Attachment {
   void send_queued();
   /// After send_queued(), calls `publish`, which publishes a view of an encoded message by pointer, in place of the program's publish by
   /// reference: roscpp's next number stands in the message before, as in what subscribers would get from roscpp.
-  void publish_numbered(const std::type_info& type, message::Encoded& encoded,
+  void publish_numbered(const std::type_info& type, message::Encoded& encoded, Others others,
                         const std::function<void()>& publish);
   /// Hot path: sends an encoded message to its subscribers past roscpp, if all of them take shared memory and
   /// the topic is not latched. False: it did nothing, publish through roscpp.

@@ -33,14 +33,15 @@ struct SharedMessage {
   /// to it; call encode first. False: it did nothing, since no view is possible, which does not happen for a valid
   /// message.
   template <class Publish>
-  bool publish_view(Attachment& attachment, const M& message, ByReference how, const Publish& publish) {
+  bool publish_view(Attachment& attachment, const M& message, ByReference how, Others others,
+                    const Publish& publish) {
     const auto publish_it = [&] {
       if (!make_local_view(attachment, message)) return;
       const EncodedScope scope(view.get(), encoded);
       publish(view);
     };
     if (how == ByReference::yes) {
-      attachment.publish_numbered(typeid(Stock), encoded, publish_it);
+      attachment.publish_numbered(typeid(Stock), encoded, others, publish_it);
     } else {
       attachment.send_queued();
       publish_it();
@@ -59,15 +60,15 @@ struct SharedMessage {
   }
 };
 
-/// Publishes a message through a publisher that takes only stock pointers: over shared memory if there is
-/// any, otherwise as a stock message on the heap.
+/// Publishes a message through a publisher that takes only stock pointers, and may take long (image_transport's plugins
+/// compress meanwhile): over shared memory if there is any, otherwise as a stock message on the heap.
 /// @param publish called once with the pointer, or not at all when the message was dropped
 template <class M, class Publish>
 void publish_as_stock(Attachment* attachment, const M& message, ByReference how, Publish publish) {
   typedef typename message::StockOf<M>::type Stock;
   SharedMessage<M> shared;
   if (attachment && shared.encode(message, attachment->memory()) &&
-      shared.publish_view(*attachment, message, how, publish)) {
+      shared.publish_view(*attachment, message, how, Others::publish, publish)) {
     return;
   } else if (!attachment || attachment->delivers_exhausted()) {
     publish(boost::shared_ptr<const Stock>(boost::make_shared<Stock>(message::to_stock(message))));
