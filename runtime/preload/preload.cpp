@@ -50,8 +50,11 @@ Publisher NodeHandle::advertise(AdvertiseOptions& options) {
   using Advertise = Publisher (*)(NodeHandle*, AdvertiseOptions&);
   static const auto advertise = tzc::next<Advertise>("_ZN3ros10NodeHandle9advertiseERNS_16AdvertiseOptionsE");
   const tzc::detail::MessageCodec* codec = tzc::codec_for(options.datatype, options.md5sum);
-  if (codec) tzc::detail::hook_advertisement(resolveName(options.topic), *codec, options);
-  return advertise(this, options);
+  AdvertiseOptions hooked = options;  // the program may advertise with them again
+  if (codec) tzc::detail::hook_advertisement(resolveName(options.topic), *codec, hooked);
+  const Publisher publisher = advertise(this, hooked);
+  options.topic = hooked.topic;  // roscpp's own function resolves it, too
+  return publisher;
 }
 
 }  // namespace ros

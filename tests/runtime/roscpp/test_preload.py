@@ -3,7 +3,7 @@
 import json
 import os
 
-from topic_case import TZC_RUN, TopicCase, main
+from topic_case import TZC_RUN, Listener, TopicCase, main
 
 
 class Preload(TopicCase):
@@ -25,6 +25,11 @@ class Preload(TopicCase):
             mine = [line for line in map(json.loads, lines) if line["topic"] == self.name("image")]
         self.assertEqual(len(mine), 1)
         self.assertTrue(50 * 100000 <= mine[0]["copied_bytes"] < 50 * 100200, mine)
+
+    def test_options_that_advertise_a_second_topic(self):
+        twice = self.node("twice", "twice", {}, runner=TZC_RUN)
+        self.assertEqual(twice.wait(30), 0, twice.tail())
+        self.assertEqual(Listener(twice).lines(), [{"event": "a callback is in them", "happened": False}])
 
     def test_both_unported(self):
         listener = self.listen("plain", runner=TZC_RUN)
