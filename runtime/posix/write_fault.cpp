@@ -43,10 +43,11 @@ bool resolve(const Fault& fault) {
   const std::size_t end = watched_end.load(std::memory_order_acquire);
   for (std::size_t i = 0; i < end; ++i) {
     const std::uintptr_t begin = watched[i].begin.load(std::memory_order_acquire);
-    if (begin == 0 || at < begin || at >= watched[i].end.load(std::memory_order_relaxed)) continue;
-    return watched[i]
-        .area.load(std::memory_order_relaxed)
-        ->make_writable(WriteFault{reinterpret_cast<std::uint8_t*>(at), instruction_of(fault)});
+    if (begin == 0 || at < begin || at >= watched[i].end.load(std::memory_order_acquire)) continue;
+    WriteFaultArea* const area = watched[i].area.load(std::memory_order_acquire);
+    // The area that is written to lives, so what changes here meanwhile is the place of another one.
+    if (watched[i].begin.load(std::memory_order_acquire) != begin) continue;
+    return area->make_writable(WriteFault{reinterpret_cast<std::uint8_t*>(at), instruction_of(fault)});
   }
   return false;
 }
@@ -58,8 +59,8 @@ bool watch_write_faults(const std::uint8_t* begin, std::size_t size, WriteFaultA
   const std::lock_guard<std::mutex> lock(watched_mutex);
   for (std::size_t i = 0; i < most_areas; ++i) {
     if (watched[i].begin.load(std::memory_order_relaxed) != 0) continue;
-    watched[i].end.store(reinterpret_cast<std::uintptr_t>(begin) + size, std::memory_order_relaxed);
-    watched[i].area.store(&area, std::memory_order_relaxed);
+    watched[i].end.store(reinterpret_cast<std::uintptr_t>(begin) + size, std::memory_order_release);
+    watched[i].area.store(&area, std::memory_order_release);
     watched[i].begin.store(reinterpret_cast<std::uintptr_t>(begin), std::memory_order_release);
     if (i >= watched_end.load()) watched_end.store(i + 1, std::memory_order_release);
     return true;
