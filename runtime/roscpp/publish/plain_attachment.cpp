@@ -49,8 +49,8 @@ void hook_advertisement(const std::string& resolved_topic, const MessageCodec& c
   // A node without connect callbacks of its own may not spin the queue that they would use.
   if (!options.connect_cb && !options.disconnect_cb) options.callback_queue = &runtime().queue;
   const auto attachment = std::make_shared<PlainAttachment>(resolved_topic, codec);
-  options.connect_cb = [attachment,
-                        users = options.connect_cb](const ros::SingleSubscriberPublisher& subscriber) {
+  options.connect_cb = [attachment, users = on_current_link(options.connect_cb)](
+                           const ros::SingleSubscriberPublisher& subscriber) {
     const ros::SubscriberLinkPtr link =
         roscpp_access::link_(const_cast<ros::SingleSubscriberPublisher&>(subscriber));
     runtime().clerk.post([attachment, link] { attachment->on_connect(link); });

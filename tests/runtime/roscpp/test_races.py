@@ -41,6 +41,11 @@ class Races(TopicCase):
         self.assertEqual(self.race("local_writer"), {"written before it was copied": False, "written": True})
         self.assert_got(listener, range(1), shared=True)
 
+    def test_a_connect_callback_that_runs_after_the_move_is_not_overtaken(self):
+        listener = self.listen()
+        self.assertEqual(self.race("late_greeting"), {"live": True})
+        self.assert_got(listener, range(10))
+
     def test_an_offer_that_comes_before_the_tcpros_header(self):
         listener = self.listen()
         self.assertEqual(self.race("late_header"), {"connecting": True, "parked": True})

@@ -82,7 +82,9 @@ template <class M>
 Publisher advertise(ros::NodeHandle& node, ros::AdvertiseOptions& options,
                     const PublisherOptions& publisher_options) {
   const ros::AdvertiseOptions as_written = options;  // roscpp resolves the name in place, and remaps it once
+  options.connect_cb = detail::on_current_link(options.connect_cb);
   const ros::Publisher publisher = node.advertise(options);
+  options.connect_cb = as_written.connect_cb;  // the program may advertise with them again
   if (!publisher) return Publisher(publisher, nullptr);
   return Publisher(publisher, detail::Attach<M>::create(node, as_written, publisher_options));
 }

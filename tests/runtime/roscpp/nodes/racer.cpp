@@ -13,6 +13,7 @@
 ///   long_move     a publisher with a queue of one: while a subscriber moves over, TCPROS cannot send for a while, and the node
 ///                 publishes on; it ends when the move does
 ///   local_writer  a publisher with a subscriber of its own that writes to what it is passed
+///   late_greeting a publisher whose connect callback greets the subscriber after it has moved
 ///   silent        a publisher: the subscriber (pid) is stopped when it is called with the offer, and goes on
 ///                 when the call is given up
 ///   two_at_once   a direct subscriber: a message of another publisher arrives while the callback for the first
@@ -24,6 +25,7 @@
 ///   unsubscribe   a subscriber with two threads of tzc::AsyncSpinner: it unsubscribes while its callback runs past the queue
 ///   no_memory     a subscriber with tzc::spin: there is no memory for its first shared message
 ///   planted       a subscriber with a data race of its own, for ThreadSanitizer to find
+#include <ros/callback_queue.h>
 #include <ros/callback_queue_interface.h>
 #include <ros/poll_manager.h>
 #include <ros/ros.h>
@@ -229,6 +231,28 @@ void local_writer(ros::NodeHandle& node) {
   ros::WallDuration(0.5).sleep();
 }
 
+// The callback's queue is spun only when the subscriber has moved, and TCPROS sends nothing for a while.
+void late_greeting(ros::NodeHandle& node) {
+  tzc::sync_point_hook = [](const char* step) {
+    if (std::string(step) == "move: live") gate().tell("live");
+  };
+  ros::CallbackQueue queue;
+  ros::NodeHandle own(node);
+  own.setCallbackQueue(&queue);
+  const ros::SubscriberStatusCallback greet = [](const ros::SingleSubscriberPublisher& subscriber) {
+    sensor_msgs::Image greeting;
+    tzc_test::fill_image(greeting, 0, 20000);
+    subscriber.publish(greeting);
+  };
+  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(own, "image", 100, greet);
+  print_event("live", gate().wait_for({"live"}));
+  hold_poll_thread_now();
+  queue.callAvailable();
+  publish(publisher, 1, 10);
+  ros::WallDuration(0.5).sleep();
+  let_go_and_end();
+}
+
 pid_t other_pid = 0;
 
 void silent(ros::NodeHandle& node) {
@@ -405,6 +429,7 @@ int main(int argc, char** argv) {
   if (race == "by_reference") by_reference(node, options.param("queue", 100));
   if (race == "long_move") long_move(node);
   if (race == "local_writer") local_writer(node);
+  if (race == "late_greeting") late_greeting(node);
   if (race == "late_header") late_header(node);
   other_pid = options.param("pid", 0);
   if (race == "silent") silent(node);

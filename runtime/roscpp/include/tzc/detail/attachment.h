@@ -79,6 +79,10 @@ class Attachment {
   ros::Publisher observer_;  ///< has TZC's connect callback; ends with this object
 };
 
+/// The connect callback, whose SingleSubscriberPublisher reaches the subscriber also after it has moved to shared memory, in order
+/// with what is published to all. An empty callback stays empty.
+ros::SubscriberStatusCallback on_current_link(const ros::SubscriberStatusCallback& callback);
+
 /// While it lives, this thread's publish of `message` sends `encoded` instead of encoding it once more.
 class EncodedScope {
  public:

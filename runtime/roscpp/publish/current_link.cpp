@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/publish/current_link.h"
+
+#include <ros/publication.h>
+#include <ros/topic_manager.h>
+#include <tzc/detail/attachment.h>
+
+#include "roscpp/publish/publication_lock.h"
+#include "roscpp/publish/shared_link.h"
+#include "roscpp/roscpp_access.h"
+
+namespace tzc {
+namespace detail {
+namespace {
+
+/// Itself, or the SharedLink that stands in its place. The caller holds a PublicationLock.
+ros::SubscriberLinkPtr standing_for(const ros::SubscriberLinkPtr& tcpros, ros::Publication& publication) {
+  for (const ros::SubscriberLinkPtr& link : roscpp_access::subscriber_links_(publication)) {
+    const SharedLinkPtr shared = boost::dynamic_pointer_cast<SharedLink>(link);
+    if (shared && shared->parked() == tcpros) return link;
+  }
+  return tcpros;
+}
+
+}  // namespace
+
+CurrentLink::CurrentLink(const ros::SubscriberLinkPtr& tcpros) : tcpros_(tcpros) {
+  topic_ = tcpros->getTopic();
+  destination_caller_id_ = tcpros->getDestinationCallerID();
+  connection_id_ = static_cast<unsigned int>(tcpros->getConnectionID());
+}
+
+void CurrentLink::enqueueMessage(const ros::SerializedMessage& message, bool ser, bool nocopy) {
+  const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic_);
+  if (!publication) return tcpros_->enqueueMessage(message, ser, nocopy);
+  const PublicationLock lock(*publication);
+  standing_for(tcpros_, *publication)->enqueueMessage(message, ser, nocopy);
+}
+
+ros::SubscriberStatusCallback on_current_link(const ros::SubscriberStatusCallback& callback) {
+  if (!callback) return callback;
+  return [callback](const ros::SingleSubscriberPublisher& subscriber) {
+    const ros::SubscriberLinkPtr link =
+        roscpp_access::link_(const_cast<ros::SingleSubscriberPublisher&>(subscriber));
+    if (link->isIntraprocess()) return callback(subscriber);  // it stays what it is
+    callback(ros::SingleSubscriberPublisher(boost::make_shared<CurrentLink>(link)));
+  };
+}
+
+}  // namespace detail
+}  // namespace tzc
