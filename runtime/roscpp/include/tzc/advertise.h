@@ -82,9 +82,11 @@ template <class M>
 Publisher advertise(ros::NodeHandle& node, ros::AdvertiseOptions& options,
                     const PublisherOptions& publisher_options) {
   const ros::AdvertiseOptions as_written = options;  // roscpp resolves the name in place, and remaps it once
-  options.connect_cb = detail::on_current_link(options.connect_cb);
-  const ros::Publisher publisher = node.advertise(options);
-  options.connect_cb = as_written.connect_cb;  // the program may advertise with them again
+  ros::AdvertiseOptions moving = options;            // the program may advertise with its own ones again
+  moving.connect_cb = detail::on_current_link(options.connect_cb);
+  const ros::Publisher publisher = node.advertise(moving);
+  options.topic = moving.topic;
+  options.callback_queue = moving.callback_queue;
   if (!publisher) return Publisher(publisher, nullptr);
   return Publisher(publisher, detail::Attach<M>::create(node, as_written, publisher_options));
 }
