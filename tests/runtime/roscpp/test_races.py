@@ -4,9 +4,9 @@ from topic_case import Listener, TopicCase, main
 
 
 class Races(TopicCase):
-    def race(self, race, **parameters):
-        """A publisher that holds its threads (nodes/racer.cpp) and comes to its end; what it says happened."""
-        racer = self.node("racer", "racer", dict(parameters, race=race))
+    def race(self, race, program="racer", **parameters):
+        """A publisher that holds its threads (nodes/racer.cpp, mover.cpp) and comes to its end; what it says happened."""
+        racer = self.node(program, program, dict(parameters, race=race))
         self.assertEqual(racer.wait(60), 0, racer.tail())
         return self.events(Listener(racer))
 
@@ -31,19 +31,19 @@ class Races(TopicCase):
 
     def test_a_move_that_took_long_ends_while_the_publisher_publishes_on(self):
         listener = self.listen()
-        self.assertEqual(self.race("long_move"), {"live": True})
+        self.assertEqual(self.race("long_move", "mover"), {"live": True})
         numbers = listener.numbers()
         self.assertGreater(len(numbers), 20)
         self.assertEqual(numbers, list(range(len(numbers))))
 
     def test_a_message_by_pointer_is_copied_before_a_callback_of_its_process_writes_to_it(self):
         listener = self.listen()
-        self.assertEqual(self.race("local_writer"), {"written before it was copied": False, "written": True})
+        self.assertEqual(self.race("local_writer", "mover"), {"written before it was copied": False, "written": True})
         self.assert_got(listener, range(1), shared=True)
 
     def test_a_connect_callback_that_runs_after_the_move_is_not_overtaken(self):
         listener = self.listen()
-        self.assertEqual(self.race("late_greeting"), {"live": True})
+        self.assertEqual(self.race("late_greeting", "mover"), {"live": True})
         self.assert_got(listener, range(10))
 
     def test_an_offer_that_comes_before_the_tcpros_header(self):

@@ -10,10 +10,6 @@
 ///                 one arrives
 ///   busy_queue    a publisher: a subscriber goes back to TCPROS while roscpp's queue is full of what it has
 ///                 already
-///   long_move     a publisher with a queue of one: while a subscriber moves over, TCPROS cannot send for a while, and the node
-///                 publishes on; it ends when the move does
-///   local_writer  a publisher with a subscriber of its own that writes to what it is passed
-///   late_greeting a publisher whose connect callback greets the subscriber after it has moved
 ///   silent        a publisher: the subscriber (pid) is stopped when it is called with the offer, and goes on
 ///                 when the call is given up
 ///   two_at_once   a direct subscriber: a message of another publisher arrives while the callback for the first
@@ -25,7 +21,6 @@
 ///   unsubscribe   a subscriber with two threads of tzc::AsyncSpinner: it unsubscribes while its callback runs past the queue
 ///   no_memory     a subscriber with tzc::spin: there is no memory for its first shared message
 ///   planted       a subscriber with a data race of its own, for ThreadSanitizer to find
-#include <ros/callback_queue.h>
 #include <ros/callback_queue_interface.h>
 #include <ros/poll_manager.h>
 #include <ros/ros.h>
@@ -41,62 +36,21 @@
 #include <thread>
 #include <vector>
 
-#include "gate.h"
 #include "image_line.h"
+#include "race.h"
 #include "slow_queue.h"
 #include "stop.h"
 #include "sync_point/sync_point.h"
 
 namespace {
 
-using tzc_test::Gate;
-
-Gate& gate() {
-  static auto* const instance = new Gate;
-  return *instance;
-}
-
-void print_event(const std::string& event, bool happened) {
-  std::printf("{\"event\": \"%s\", \"happened\": %s}\n", event.c_str(), happened ? "true" : "false");
-  std::fflush(stdout);
-}
-
-/// Keeps roscpp's poll thread from everything between "hold" and "let go".
-void hold_poll_thread() {
-  if (!gate().happened("hold") || gate().happened("let go")) return;
-  gate().tell("held");
-  gate().wait_for({"let go"});
-}
-
-tzc::sensor_msgs::Image make_image(const tzc::Publisher& publisher, std::uint32_t number) {
-  tzc::sensor_msgs::Image image;
-  publisher.allocate(image);
-  tzc_test::fill_image(image, number, 20000);
-  return image;
-}
-
-void publish(const tzc::Publisher& publisher, std::uint32_t from, std::uint32_t to) {
-  for (std::uint32_t number = from; number < to; ++number) publisher.publish(make_image(publisher, number));
-}
-
-/// Releases the poll thread, if it is held, so that it sends what was published; then the node may end.
-void let_go_and_end() {
-  gate().tell("let go");
-  ros::WallDuration(1.0).sleep();
-}
-
-template <class Condition>
-bool eventually(Condition holds) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(120);
-  while (ros::ok() && !holds() && ros::WallTime::now() < end) ros::WallDuration(0.001).sleep();
-  return holds();
-}
-
-void hold_poll_thread_now() {
-  gate().tell("hold");
-  ros::PollManager::instance()->getPollSet().signal();
-  gate().wait_for({"held"});
-}
+using tzc_test::eventually;
+using tzc_test::gate;
+using tzc_test::hold_poll_thread;
+using tzc_test::hold_poll_thread_now;
+using tzc_test::let_go_and_end;
+using tzc_test::print_event;
+using tzc_test::publish;
 
 // The service thread comes to the move while the main thread has decided for TCPROS and not published yet. It
 // must not get through in between: the message would wait in roscpp's queue for a link that has moved, and be
@@ -171,85 +125,6 @@ void busy_queue(ros::NodeHandle& node, std::uint32_t queue_size) {
   }
   print_event("returned", gate().wait_for({"returned"}, std::chrono::seconds(30)));
   publish(publisher, 310, 330);
-  let_go_and_end();
-}
-
-/// Publishes at 200 Hz until it has happened, at most 2000 messages: a subscriber keeps up with that. True when it has.
-bool publish_until(const tzc::Publisher& publisher, const std::string& event, std::uint32_t from) {
-  ros::WallRate rate(200);
-  for (std::uint32_t number = from; number < 2000 && !gate().happened(event); ++number) {
-    publish(publisher, number, number + 1);
-    rate.sleep();
-  }
-  return gate().happened(event);
-}
-
-void long_move(ros::NodeHandle& node) {
-  tzc::sync_point_hook = [](const char* step) {
-    const std::string name = step;
-    if (name == "move: begins") {
-      gate().tell("moving");
-      gate().wait_for({"chosen"});
-    }
-    if (name == "publish: by reference" && gate().happened("moving")) gate().tell("chosen");
-    if (name == "move: parked") gate().tell("parked");
-    if (name == "move: live") gate().tell("live");
-  };
-  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 1);
-  gate().wait_for({"moving"});
-  hold_poll_thread_now();
-  publish(publisher, 0, 1);
-  gate().wait_for({"parked"});
-  ros::WallDuration(0.5).sleep();  // by now the worker looks seldom
-  publish(publisher, 1, 20);
-  gate().tell("let go");
-  print_event("live", publish_until(publisher, "live", 20));
-}
-
-// The callback gets the published object itself, as with plain roscpp, and another process gets it, too.
-void local_writer(ros::NodeHandle& node) {
-  const boost::function<void(const sensor_msgs::ImagePtr&)> draw = [](const sensor_msgs::ImagePtr& image) {
-    tzc_test::fill_pattern(image->data.data(), image->data.size(), 1000);
-    gate().tell("written");
-  };
-  const ros::Subscriber writer = node.subscribe<sensor_msgs::Image>("image", 1, draw);
-  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 100);
-  eventually([&] { return publisher.statistics().shared_subscribers == 1; });
-  ros::WallDuration(0.5).sleep();  // the move's end
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  tzc::sync_point_hook = [](const char* step) {
-    if (std::string(step) == "allocate: begin")
-      print_event("written before it was copied",
-                  gate().wait_for({"written"}, std::chrono::milliseconds(500)));
-  };
-  const auto image = boost::make_shared<sensor_msgs::Image>();
-  tzc_test::fill_image(*image, 0, 20000);
-  publisher.publish(image);
-  print_event("written", gate().wait_for({"written"}));
-  tzc::sync_point_hook = nullptr;
-  ros::WallDuration(0.5).sleep();
-}
-
-// The callback's queue is spun only when the subscriber has moved, and TCPROS sends nothing for a while.
-void late_greeting(ros::NodeHandle& node) {
-  tzc::sync_point_hook = [](const char* step) {
-    if (std::string(step) == "move: live") gate().tell("live");
-  };
-  ros::CallbackQueue queue;
-  ros::NodeHandle own(node);
-  own.setCallbackQueue(&queue);
-  const ros::SubscriberStatusCallback greet = [](const ros::SingleSubscriberPublisher& subscriber) {
-    sensor_msgs::Image greeting;
-    tzc_test::fill_image(greeting, 0, 20000);
-    subscriber.publish(greeting);
-  };
-  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(own, "image", 100, greet);
-  print_event("live", gate().wait_for({"live"}));
-  hold_poll_thread_now();
-  queue.callAvailable();
-  publish(publisher, 1, 10);
-  ros::WallDuration(0.5).sleep();
   let_go_and_end();
 }
 
@@ -427,9 +302,6 @@ int main(int argc, char** argv) {
   ros::PollManager::instance()->addPollThreadListener(hold_poll_thread);
   const std::string race = options.param<std::string>("race", "");
   if (race == "by_reference") by_reference(node, options.param("queue", 100));
-  if (race == "long_move") long_move(node);
-  if (race == "local_writer") local_writer(node);
-  if (race == "late_greeting") late_greeting(node);
   if (race == "late_header") late_header(node);
   other_pid = options.param("pid", 0);
   if (race == "silent") silent(node);
