@@ -45,7 +45,7 @@ function(_tzc_header_command result package file include_flags output_directory 
     set(program tzc-msggen)
   endif()
   add_custom_command(OUTPUT ${headers}
-    COMMAND ${program} generate -p ${package} ${include_flags} -o ${output_directory} ${file}
+    COMMAND ${program} generate --keep-going -p ${package} ${include_flags} -o ${output_directory} ${file}
     DEPENDS ${program} ${file} ${dependencies}
     WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
     COMMENT "Generating TZC headers from ${package}/${name}${extension}"

@@ -17,6 +17,9 @@ struct Header {
 /// the stock type.
 Header emit_message(const Message& message, Analysis& analysis);
 
+/// The header of a message that has faults: whoever includes it is told why there is no twin of it.
+Header emit_refusal(const std::string& full_name, const std::string& why);
+
 /// The header of a service: another name for the stock type, whose messages roscpp alone carries.
 Header emit_service(const std::string& package, const std::string& name);
 

@@ -47,6 +47,17 @@ std::string tzc_traits(const std::string& twin, const Message& message, Analysis
       fmt::arg("visits", visits(message, analysis)));
 }
 
+// A message package that is upgraded, or hidden by an overlay, keeps the twin that was generated from its old definition.
+std::string same_definition(const std::string& stock, const Message& message, Analysis& analysis) {
+  const std::string& md5 = analysis.facts(message).md5;
+  return fmt::format(
+      "static_assert(ros::message_traits::MD5Sum<{0}>::static_value1 == 0x{1}ULL &&\n"
+      "                  ros::message_traits::MD5Sum<{0}>::static_value2 == 0x{2}ULL,\n"
+      "              \"tzc/{3}.h was generated from another definition than {3}.h: generate it again\");\n"
+      "\n",
+      stock, md5.substr(0, 16), md5.substr(16), message.full_name());
+}
+
 std::string boolean_traits(const std::string& twin, const std::string& stock) {
   std::string text;
   for (const char* trait : {"IsMessage", "IsFixedSize", "HasHeader"}) {
@@ -117,7 +128,7 @@ std::string printer(const std::string& twin, const std::string& stock) {
 
 std::string twin_traits(const Message& message, Analysis& analysis) {
   const std::string twin = twin_type(message, analysis), stock = stock_type(message);
-  return tzc_traits(twin, message, analysis) +
+  return same_definition(stock, message, analysis) + tzc_traits(twin, message, analysis) +
          fmt::format(
              "\n// To ROS it is the stock type: same traits, same wire format, same text when printed.\n"
              "namespace ros {{\n"

@@ -49,10 +49,11 @@ std::string excerpt(const Diagnostic& d) {
 
 }  // namespace
 
-std::string render(const Diagnostic& d) {
+std::string render(const Diagnostic& d, Severity severity) {
   std::string where = d.file.empty() ? "tzc-msggen" : d.file;
   if (d.at.line) where += fmt::format(":{}:{}", d.at.line, d.at.column);
-  std::string text = fmt::format("{}: error: {}\n{}", where, d.message, excerpt(d));
+  const char* const word = severity == Severity::error ? "error" : "warning";
+  std::string text = fmt::format("{}: {}: {}\n{}", where, word, d.message, excerpt(d));
   if (!d.hint.empty()) text += fmt::format("  hint: {}\n", d.hint);
   return text;
 }

@@ -23,8 +23,10 @@ struct Diagnostic {
   std::string hint;  ///< what to do about it, may be empty
 };
 
+enum class Severity { error, warning };
+
 /// The compiler-like form: `file:line:column: error: ...`, the line, a caret under the fault, the hint.
-std::string render(const Diagnostic& diagnostic);
+std::string render(const Diagnostic& diagnostic, Severity severity = Severity::error);
 
 /// All faults of a run, in the order of their files and lines. The same fault of the same place counts once.
 class Diagnostics {
@@ -32,6 +34,8 @@ class Diagnostics {
   void report(Diagnostic diagnostic);
   bool empty() const { return all_.empty(); }
   std::size_t size() const { return all_.size(); }
+  /// In the order in which they were reported.
+  const Diagnostic& operator[](std::size_t i) const { return all_[i]; }
   std::vector<Diagnostic> sorted() const;
 
  private:

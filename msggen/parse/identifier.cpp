@@ -29,6 +29,13 @@ constexpr std::string_view keywords[] = {
 
 }  // namespace
 
+std::string constant_name_fault(std::string_view name) {
+  const std::size_t underscores = std::min(name.find_first_not_of('_'), name.size());
+  if (underscores == 0) return identifier_fault(name);
+  const std::string rest = "x" + std::string(name.substr(underscores));
+  return identifier_fault(rest);
+}
+
 std::string identifier_fault(std::string_view name) {
   if (name.empty()) return "is empty";
   if (!is_letter(name.front())) return "does not begin with a letter";

@@ -6,8 +6,11 @@
 
 namespace tzc::msggen {
 
-/// Why the text cannot name a field, constant, message or package, as the end of a sentence that begins with
+/// Why the text cannot name a field, message or package, as the end of a sentence that begins with
 /// the name ("is a C++ keyword"); empty when it can.
 std::string identifier_fault(std::string_view name);
+
+/// The same for a constant, which genmsg lets begin with underscores.
+std::string constant_name_fault(std::string_view name);
 
 }  // namespace tzc::msggen

@@ -121,7 +121,7 @@ std::vector<std::string> Library::folders_of(const std::string& package) {
   if (given != options_.path.end()) return given->second;
   if (!options_.use_installed) return {};
   const Package* found = installed().find(package);
-  return found ? std::vector<std::string>{found->message_directory()} : std::vector<std::string>{};
+  return found ? found->message_directories() : std::vector<std::string>{};
 }
 
 const PackageIndex& Library::installed() {

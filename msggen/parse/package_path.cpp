@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int deepest = 16;
+
 std::vector<fs::path> entries(const fs::path& folder) {
   std::error_code ignored;
   std::vector<fs::path> result;
@@ -63,6 +65,14 @@ void add_files(const fs::path& folder, const char* extension, std::vector<std::s
   }
 }
 
+void add_folders(const fs::path& folder, int depth, std::vector<std::string>& folders) {
+  folders.push_back(folder.string());
+  if (depth == deepest) return;
+  for (const fs::path& inner : entries(folder)) {
+    if (is_folder(inner) && !fs::is_symlink(inner)) add_folders(inner, depth + 1, folders);
+  }
+}
+
 std::string cleaned(const std::string& folder) {
   std::string path = fs::path(folder).lexically_normal().string();
   while (path.size() > 1 && path.back() == '/') path.pop_back();
@@ -71,9 +81,15 @@ std::string cleaned(const std::string& folder) {
 
 }  // namespace
 
+std::vector<std::string> Package::message_directories() const {
+  std::vector<std::string> folders;
+  add_folders(message_directory(), 0, folders);
+  return folders;
+}
+
 std::vector<std::string> Package::definition_files() const {
   std::vector<std::string> files, actions;
-  add_files(fs::path(directory) / "msg", ".msg", files);
+  for (const std::string& folder : message_directories()) add_files(folder, ".msg", files);
   std::set<std::string> messages;
   for (const std::string& file : files) messages.insert(fs::path(file).stem().string());
   add_files(fs::path(directory) / "srv", ".srv", files);
@@ -111,7 +127,6 @@ void PackageIndex::add_install_space(const std::string& share) {
 
 // Like rospack: does not enter packages, hidden folders, and folders with CATKIN_IGNORE.
 void PackageIndex::add_tree(const std::string& folder, int depth) {
-  constexpr int deepest = 16;
   if (depth > deepest || is_file(fs::path(folder) / "CATKIN_IGNORE")) return;
   if (add_package(folder, false)) return;
   for (const fs::path& inner : entries(folder)) {
@@ -124,8 +139,8 @@ void PackageIndex::add_tree(const std::string& folder, int depth) {
 bool PackageIndex::add_package(const std::string& folder, bool installed) {
   std::optional<Package> package = package_in(folder);
   if (!package) return false;
-  package->installed = installed;
-  packages_.emplace(package->name, *package);
+  Package& first = packages_.emplace(package->name, *package).first->second;
+  first.installed |= installed;
   return true;
 }
 

@@ -15,9 +15,12 @@ using SearchPath = std::map<std::string, std::vector<std::string>>;
 struct Package {
   std::string name;
   std::string directory;
-  bool installed = false;  ///< lies in PREFIX/share, its C++ headers therefore in PREFIX/include
+  /// It, or one of its name that it hides, lies in PREFIX/share, its C++ headers therefore in PREFIX/include.
+  bool installed = false;
 
   std::string message_directory() const { return directory + "/msg"; }
+  /// That folder and those below it: add_message_files(DIRECTORY msg/sub) puts messages there. Their names do not tell.
+  std::vector<std::string> message_directories() const;
   /// All .msg, .srv and .action files, sorted, without an action's messages that are also installed as .msg.
   std::vector<std::string> definition_files() const;
 };

@@ -45,8 +45,8 @@ class LineParser {
   }
 
   // Fields and constants share one scope, as they do in C++.
-  bool declare(std::string_view name, const char* kind) {
-    if (std::string fault = identifier_fault(name); !fault.empty()) {
+  bool declare(std::string_view name, const char* kind, const std::string& fault) {
+    if (!fault.empty()) {
       const bool shifted = name.substr(0, 7) == "string ";
       report(name, fmt::format("the {}'s name '{}' {}", kind, name, fault),
              shifted
@@ -64,7 +64,7 @@ class LineParser {
     const auto tokens = words(clean_);
     if (tokens.size() != 2) return report_field_shape(tokens);
     Field field;
-    if (!parse_type(tokens[0], field) || !declare(tokens[1], "field")) return;
+    if (!parse_type(tokens[0], field) || !declare(tokens[1], "field", identifier_fault(tokens[1]))) return;
     field.name = std::string(tokens[1]);
     field.at = {line_.number, column_of(line_.text, tokens[0])};
     field.type_width = character_count(tokens[0]);
@@ -179,7 +179,7 @@ class LineParser {
     name = strip(name);
     text = strip(text);
     if (name.empty()) return report(clean_, "the constant has no name");
-    if (!declare(name, "constant")) return;
+    if (!declare(name, "constant", constant_name_fault(name))) return;
     if (text.empty() && type.kind != BuiltinKind::string) return report(clean_, "the constant has no value");
     Value value = convert_value(type, text);
     if (!value.error.empty()) return report(text, value.error, value.hint);

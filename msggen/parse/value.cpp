@@ -73,15 +73,6 @@ Value convert_integer(const Builtin& type, std::string_view text) {
   return {(sign.negative && magnitude != "0" ? "-" : "") + magnitude, "", ""};
 }
 
-Value convert_boolean(std::string_view text) {
-  const Sign sign = take_sign(text);
-  const auto digits = plain_digits(sign.rest);
-  if (text == "True") return {"1", "", ""};
-  if (text == "False") return {"0", "", ""};
-  if (digits && (digits->size() == 1 || digits->front() != '0')) return {*digits == "0" ? "0" : "1", "", ""};
-  return {"", fmt::format("'{}' is not a value for bool", text), "write True or False"};
-}
-
 // [digits][.digits][e[sign]digits], with at least one digit before the exponent.
 bool is_decimal_number(std::string_view text) {
   std::size_t i = 0, before = 0;
@@ -113,6 +104,49 @@ std::string without_digit_separators(std::string_view text) {
     result += static_cast<char>(std::tolower(static_cast<unsigned char>(text[i])));
   }
   return result;
+}
+
+// What the digits of a Python literal with this prefix may be; empty: it is no prefix.
+std::string_view digits_after(std::string_view prefix) {
+  if (prefix == "0x" || prefix == "0X") return "0123456789abcdefABCDEF";
+  if (prefix == "0o" || prefix == "0O") return "01234567";
+  if (prefix == "0b" || prefix == "0B") return "01";
+  return {};
+}
+
+// Digits with single underscores between them (and after a prefix, before the first); without the underscores.
+std::string without_underscores(std::string_view text, bool after_prefix) {
+  std::string digits;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool has_digit_before = i > 0 ? text[i - 1] != '_' : after_prefix;
+    const bool separates = text[i] == '_' && has_digit_before && i + 1 < text.size();
+    if (!separates) digits += text[i];
+  }
+  return digits;
+}
+
+// The digits of a Python integer without a sign. A decimal one does not begin with a zero, unless all of it is zero.
+std::optional<std::string> python_digits(std::string_view text) {
+  const std::string_view allowed = digits_after(text.substr(0, 2));
+  const bool is_decimal = allowed.empty();
+  const std::string digits = without_underscores(is_decimal ? text : text.substr(2), !is_decimal);
+  if (digits.empty() || digits.find_first_not_of(is_decimal ? "0123456789" : allowed) != std::string::npos)
+    return std::nullopt;
+  if (is_decimal && digits.front() == '0' && without_leading_zeros(digits) != "0") return std::nullopt;
+  return digits;
+}
+
+// genmsg evaluates the text as Python. Of all that Python takes, literals are taken here: True, False and numbers.
+Value convert_boolean(std::string_view text) {
+  if (text == "True") return {"1", "", ""};
+  if (text == "False") return {"0", "", ""};
+  const std::string_view magnitude = take_sign(text).rest;
+  if (const auto digits = python_digits(magnitude))
+    return {without_leading_zeros(*digits) == "0" ? "0" : "1", "", ""};
+  const std::string number = without_digit_separators(magnitude);
+  if (is_decimal_number(number) && number.find_first_of(".e") != std::string::npos)
+    return {std::strtod(number.c_str(), nullptr) == 0 ? "0" : "1", "", ""};
+  return {"", fmt::format("'{}' is not a value for bool", text), "write True or False"};
 }
 
 std::string literal(double value) {

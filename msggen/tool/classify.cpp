@@ -76,7 +76,7 @@ class Census {
     const std::size_t before = inputs_.size();
     for (const auto& [name, package] : index.all()) {
       for (const std::string& file : package.definition_files()) inputs_.push_back({file, name});
-      path[name].push_back(package.message_directory());
+      for (const std::string& folder : package.message_directories()) path[name].push_back(folder);
     }
     if (inputs_.size() == before) collect_loose_files(folder, path);
   }

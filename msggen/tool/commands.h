@@ -20,7 +20,9 @@ struct GenerateOptions {
   std::vector<std::string> includes;  ///< "PKG:DIR"
   std::string output;
   std::vector<std::string> files;
-  bool installed = false;  ///< instead of files: every message package of the machine
+  bool installed = false;  ///< instead of files: every message package of the machine; keeps going
+  /// A definition with faults costs the others nothing: whoever includes its header is told.
+  bool keep_going = false;
   bool if_changed = false;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <ostream>
 #include <set>
 
@@ -39,6 +40,23 @@ void add_own_folders(const GenerateOptions& options, SearchPath& path) {
   }
 }
 
+// What a file would hold that could not be read, or whose parts are not as they should be.
+std::vector<std::string> names_expected_of(const std::string& file, const std::string& package) {
+  const std::filesystem::path path = file;
+  std::vector<std::string> suffixes = {""};
+  if (path.extension() == ".srv") suffixes = {"Request", "Response"};
+  if (path.extension() == ".action")
+    suffixes = {"Action", "ActionGoal", "ActionResult", "ActionFeedback", "Goal", "Result", "Feedback"};
+  std::vector<std::string> names;
+  for (const std::string& suffix : suffixes) names.push_back(package + "/" + path.stem().string() + suffix);
+  return names;
+}
+
+std::string reason(const Diagnostic& d) {
+  const std::string file = std::filesystem::path(d.file).filename().string();
+  return d.at.line ? fmt::format("{}:{}: {}", file, d.at.line, d.message) : d.message;
+}
+
 class Generator {
  public:
   explicit Generator(const GenerateOptions& options)
@@ -52,11 +70,16 @@ class Generator {
     }
     read();
     emit();
-    if (diagnostics_.empty()) write(console);
-    return finish(diagnostics_, console);
+    if (!keeps_going() && !diagnostics_.empty()) return finish(diagnostics_, console);
+    for (const Diagnostic& d : diagnostics_.sorted()) console.err << render(d, Severity::warning);
+    Diagnostics failures;
+    write(console, failures);
+    return finish(failures, console);
   }
 
  private:
+  bool keeps_going() const { return options_.keep_going || options_.installed; }
+
   LibraryOptions library_options() {
     SearchPath path = parse_includes(options_.includes, diagnostics_);
     if (!options_.installed) add_own_folders(options_, path);
@@ -64,33 +87,53 @@ class Generator {
   }
 
   void read() {
-    for (const std::string& file : options_.files) add(library_.add_file(file, options_.package));
+    for (const std::string& file : options_.files) add_file(file, options_.package);
     if (!options_.installed) return;
     const PackageIndex index = installed_packages();
     for (const auto& [name, package] : index.all()) {
       if (!package.installed) continue;  // a workspace's own packages generate their headers themselves
-      for (const std::string& file : package.definition_files()) add(library_.add_file(file, name));
+      for (const std::string& file : package.definition_files()) add_file(file, name);
     }
   }
 
-  void add(const std::vector<std::string>& names) { names_.insert(names_.end(), names.begin(), names.end()); }
+  void add_file(const std::string& file, const std::string& package) {
+    const std::size_t faults_before = diagnostics_.size();
+    std::vector<std::string> names = library_.add_file(file, package);
+    const bool has_faults = diagnostics_.size() > faults_before;
+    if (names.empty() && has_faults) refuse(names_expected_of(file, package), diagnostics_[faults_before]);
+    for (std::string& name : names) {
+      if (has_faults) refusals_.emplace(name, reason(diagnostics_[faults_before]));
+      names_.push_back(std::move(name));
+    }
+  }
+
+  void refuse(const std::vector<std::string>& names, const Diagnostic& why) {
+    for (const std::string& name : names) headers_.push_back(emit_refusal(name, reason(why)));
+  }
 
   void emit() {
     std::set<std::string> done;
     for (const std::string& name : names_) {
-      if (!done.insert(name).second) continue;
-      if (const Message* message = library_.find(name)) {
-        headers_.push_back(emit_message(*message, library_.analysis()));
-      }
+      if (done.insert(name).second) emit(name);
     }
     for (const auto& service : library_.services())
       headers_.push_back(emit_service(service.package, service.name));
   }
 
-  void write(Console console) {
-    const std::size_t replaced =
-        write_headers(headers_, {options_.output, options_.if_changed}, diagnostics_);
-    if (options_.installed && diagnostics_.empty() && replaced > 0) {
+  void emit(const std::string& name) {
+    const std::size_t faults_before = diagnostics_.size();
+    if (const Message* message = library_.find(name)) {
+      headers_.push_back(emit_message(*message, library_.analysis()));
+      return;
+    }
+    std::string why = "a message in it has faults";
+    if (diagnostics_.size() > faults_before) why = reason(diagnostics_[faults_before]);
+    headers_.push_back(emit_refusal(name, refusals_.emplace(name, why).first->second));
+  }
+
+  void write(Console console, Diagnostics& failures) {
+    const std::size_t replaced = write_headers(headers_, {options_.output, options_.if_changed}, failures);
+    if (options_.installed && failures.empty() && replaced > 0) {
       console.out << fmt::format("tzc-msggen: {} of {} headers written to {}\n", replaced, headers_.size(),
                                  options_.output);
     }
@@ -100,6 +143,7 @@ class Generator {
   Diagnostics diagnostics_;
   Library library_;
   std::vector<std::string> names_;
+  std::map<std::string, std::string> refusals_;  // why a name has no twin
   std::vector<Header> headers_;
 };
 

@@ -23,6 +23,10 @@ CLI::App* add_generate(CLI::App& app, GenerateOptions& options) {
       ->required();
   command->add_flag("--installed", options.installed,
                     "All message packages of this machine's ROS, instead of files");
+  command->add_flag(
+      "--keep-going", options.keep_going,
+      "Warn of definitions with faults, and generate the others; a header that is included for one "
+      "of them stops the compiler with the reason. --installed does so");
   command->add_flag("--if-changed", options.if_changed, "Leave files alone that would not change");
   command->add_option("files", options.files, "Definition files: .msg, .srv, .action")->type_name("FILE");
   return command;

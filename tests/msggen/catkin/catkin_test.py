@@ -61,6 +61,8 @@ def test_workspace(workspace, prefix):
     first = generated(build(workspace, variables))
     check({'probe_msgs/Probe.msg', 'probe_msgs/Ask.srv', 'plain_msgs/Samples.msg', 'lone_msgs/Scan.msg'} <= set(first),
           f'the first build generates headers from {len(first)} definitions')
+    with open(f'{workspace}/devel/include/tzc/probe_msgs/PythonOnly.h', encoding='utf-8') as file:
+        check('#error' in file.read(), 'a message that C++ cannot have costs the build nothing, and its header says why')
     check('all as expected' in run([node], env=variables), 'the node that uses them runs')
     check(generated(build(workspace, variables)) == [], 'a second build generates nothing')
     with open(f'{workspace}/src/probe_msgs/msg/Joint.msg', 'a', encoding='utf-8') as file:

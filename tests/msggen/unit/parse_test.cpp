@@ -61,6 +61,30 @@ TEST(Constants, numbers_as_python_reads_them) {
   EXPECT_EQ(constant("bool A=0").value, "0");
 }
 
+TEST(Constants, booleans_are_literals_of_python) {
+  for (const char* text :
+       {"1", "0x1", "0X_f", "0b10", "0o7", "1.0", ".5", "1e3", "-1", "+2", "1_000", "01.5"})
+    EXPECT_EQ(constant(std::string("bool A=") + text).value, "1") << text;
+  for (const char* text : {"0", "00", "0x0", "0_0", "0.0", "-0", "0e9", "1e-400"})
+    EXPECT_EQ(constant(std::string("bool A=") + text).value, "0") << text;
+  for (const char* text :
+       {"01", "0x", "0xg", "1__0", "_1", "1_", "0_x1", "true", "1.0.0", "--1", "0b2", "1e", ""}) {
+    LibraryCase c;
+    c.file("A.msg", std::string("bool A=") + text);
+    EXPECT_FALSE(c.library.find("demo/A")) << text;
+  }
+}
+
+TEST(Constants, may_begin_with_underscores_and_fields_may_not) {
+  EXPECT_EQ(constant("uint8 _RESERVED=3").name, "_RESERVED");
+  EXPECT_EQ(constant("string __s=x").name, "__s");
+  for (const char* text : {"uint8 _field", "uint8 _a-b=1", "uint8 1A=1"}) {
+    LibraryCase c;
+    c.file("A.msg", text);
+    EXPECT_FALSE(c.library.find("demo/A")) << text;
+  }
+}
+
 TEST(Services, text_after_a_second_separator_belongs_to_the_response) {
   LibraryCase c;
   c.file("Ask.srv", "uint8 a\n--- comment\nuint8 b\n---\nuint8 c\n");

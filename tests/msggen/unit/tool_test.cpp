@@ -68,6 +68,69 @@ TEST_F(Tool, writes_nothing_when_one_file_of_many_is_bad) {
   EXPECT_THAT(err_.str(), HasSubstr("B.msg:1:6: error:"));
 }
 
+TEST_F(Tool, keeps_going_past_definitions_with_faults) {
+  GenerateOptions options;
+  options.package = "demo";
+  options.output = path("out");
+  options.keep_going = true;
+  options.files = {write("msg/Bad.msg", "uint8 class\n"), write("msg/Uses.msg", "Bad bad\n"),
+                   write("msg/Good.msg", "uint8[] x\n"), write("action/Two.action", "uint8 a\n---\n"),
+                   write("srv/Ask.srv", "uint8 new\n---\nuint8 a\n")};
+  EXPECT_EQ(generate(options, console_), exit_good);
+  EXPECT_THAT(err_.str(), HasSubstr("Bad.msg:1:7: warning: the field's name 'class' is a C++ keyword"));
+  EXPECT_THAT(err_.str(), Not(HasSubstr("error:")));
+  EXPECT_THAT(read("out/tzc/demo/Bad.h"),
+              HasSubstr("#error \"there is no TZC header of demo/Bad: Bad.msg:1: the field's name 'class'"));
+  EXPECT_THAT(read("out/tzc/demo/Uses.h"), HasSubstr("#error"));
+  EXPECT_THAT(read("out/tzc/demo/TwoActionGoal.h"), HasSubstr("#error"));
+  EXPECT_THAT(read("out/tzc/demo/AskRequest.h"), HasSubstr("#error"));
+  for (const char* name : {"Good", "Ask"})
+    EXPECT_THAT(read(std::string("out/tzc/demo/") + name + ".h"), Not(HasSubstr("#error"))) << name;
+}
+
+/// An install space beside the machine's own.
+class Installed : public Tool {
+ protected:
+  void SetUp() override { ::setenv("ROS_PACKAGE_PATH", (path("src") + ":" + path("share")).c_str(), 1); }
+  void TearDown() override { ::unsetenv("ROS_PACKAGE_PATH"); }
+  void install(const std::string& package, const std::string& file, const std::string& text) {
+    write("share/" + package + "/package.xml", "<package><name>" + package + "</name></package>");
+    write("share/" + package + "/" + file, text);
+  }
+  std::string header(const std::string& name) {
+    GenerateOptions options;
+    options.output = path("out");
+    options.installed = true;
+    EXPECT_EQ(generate(options, console_), exit_good) << err_.str();
+    return fs::exists(path("out/tzc/" + name)) ? read("out/tzc/" + name) : "";
+  }
+};
+
+TEST_F(Installed, one_odd_package_costs_the_others_nothing) {
+  install("python_only", "msg/Odd.msg", "string class\n");
+  install("good_msgs", "msg/A.msg", "uint8[] x\n");
+  EXPECT_THAT(header("good_msgs/A.h"), HasSubstr("struct A {"));
+  EXPECT_THAT(read("out/tzc/python_only/Odd.h"), HasSubstr("#error"));
+  EXPECT_THAT(err_.str(), HasSubstr("warning:"));
+}
+
+TEST_F(Installed, messages_in_folders_below_msg) {
+  install("deep_msgs", "msg/inner/A.msg", "uint8[] x\n");
+  install("deep_msgs", "msg/B.msg", "A[] a\n");
+  EXPECT_THAT(header("deep_msgs/B.h"), HasSubstr("tzc/deep_msgs/A.h"));
+  EXPECT_THAT(read("out/tzc/deep_msgs/A.h"), HasSubstr("struct A {"));
+  EXPECT_EQ(err_.str(), "");
+}
+
+TEST_F(Installed, a_checkout_that_hides_an_installed_package_stands_for_it) {
+  install("some_msgs", "msg/A.msg", "uint8[] x\n");
+  write("src/some_msgs/package.xml", "<package><name>some_msgs</name></package>");
+  write("src/some_msgs/msg/A.msg", "uint16[] newer\n");
+  write("src/own_msgs/msg/A.msg", "uint16[] x\n");
+  EXPECT_THAT(header("some_msgs/A.h"), HasSubstr("newer"));
+  EXPECT_FALSE(fs::exists(path("out/tzc/own_msgs"))) << "it generates its headers itself";
+}
+
 TEST_F(Tool, what_was_there_survives_a_bad_run) {
   generate_files({write("msg/A.msg", "uint8[] x\n")});
   const std::string before = read("out/tzc/demo/A.h");

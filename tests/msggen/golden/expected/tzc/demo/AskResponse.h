@@ -58,6 +58,10 @@ inline bool operator!=(const AskResponse& lhs, const AskResponse& rhs) { return 
 }  // namespace demo
 }  // namespace tzc
 
+static_assert(ros::message_traits::MD5Sum<::demo::AskResponse>::static_value1 == 0x8aad25103a946f77ULL &&
+                  ros::message_traits::MD5Sum<::demo::AskResponse>::static_value2 == 0x051b366c9f75a8a0ULL,
+              "tzc/demo/AskResponse.h was generated from another definition than demo/AskResponse.h: generate it again");
+
 namespace tzc {
 namespace message {
 

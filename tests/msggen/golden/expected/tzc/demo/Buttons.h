@@ -63,6 +63,10 @@ inline bool operator!=(const Buttons& lhs, const Buttons& rhs) { return !(lhs ==
 }  // namespace demo
 }  // namespace tzc
 
+static_assert(ros::message_traits::MD5Sum<::demo::Buttons>::static_value1 == 0xa9e7fd519d50c4a8ULL &&
+                  ros::message_traits::MD5Sum<::demo::Buttons>::static_value2 == 0xcb12c8fc084a60c4ULL,
+              "tzc/demo/Buttons.h was generated from another definition than demo/Buttons.h: generate it again");
+
 namespace tzc {
 namespace message {
 

@@ -57,6 +57,10 @@ inline bool operator!=(const Channel& lhs, const Channel& rhs) { return !(lhs ==
 }  // namespace demo
 }  // namespace tzc
 
+static_assert(ros::message_traits::MD5Sum<::demo::Channel>::static_value1 == 0x3d40139cdd33dfedULL &&
+                  ros::message_traits::MD5Sum<::demo::Channel>::static_value2 == 0xcb71ffeeeb42ae7fULL,
+              "tzc/demo/Channel.h was generated from another definition than demo/Channel.h: generate it again");
+
 namespace tzc {
 namespace message {
 

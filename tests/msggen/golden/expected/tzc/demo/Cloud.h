@@ -76,6 +76,10 @@ inline bool operator!=(const Cloud& lhs, const Cloud& rhs) { return !(lhs == rhs
 }  // namespace demo
 }  // namespace tzc
 
+static_assert(ros::message_traits::MD5Sum<::demo::Cloud>::static_value1 == 0xbb2456d852912e78ULL &&
+                  ros::message_traits::MD5Sum<::demo::Cloud>::static_value2 == 0x097bb7d4b8fde1acULL,
+              "tzc/demo/Cloud.h was generated from another definition than demo/Cloud.h: generate it again");
+
 namespace tzc {
 namespace message {
 

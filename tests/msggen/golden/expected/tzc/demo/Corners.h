@@ -117,6 +117,10 @@ inline ::std::ostream& operator<<(::std::ostream& stream, const Corners_& messag
 }  // namespace demo
 }  // namespace tzc
 
+static_assert(ros::message_traits::MD5Sum<::demo::Corners>::static_value1 == 0x8a6188471ae39e28ULL &&
+                  ros::message_traits::MD5Sum<::demo::Corners>::static_value2 == 0xb9c541118bb1e452ULL,
+              "tzc/demo/Corners.h was generated from another definition than demo/Corners.h: generate it again");
+
 namespace tzc {
 namespace message {
 

@@ -75,6 +75,10 @@ inline bool operator!=(const Picture& lhs, const Picture& rhs) { return !(lhs ==
 }  // namespace demo
 }  // namespace tzc
 
+static_assert(ros::message_traits::MD5Sum<::demo::Picture>::static_value1 == 0x624672559115c0deULL &&
+                  ros::message_traits::MD5Sum<::demo::Picture>::static_value2 == 0xef13a9033e0c1248ULL,
+              "tzc/demo/Picture.h was generated from another definition than demo/Picture.h: generate it again");
+
 namespace tzc {
 namespace message {
 
