@@ -24,12 +24,12 @@ namespace test {
 
 // Flat and nested, with and without header, arrays of padded and of simple elements, none at all.
 using MessageTypes =
-    ::testing::Types<geometry_msgs::PoseStamped, nav_msgs::OccupancyGrid, nav_msgs::Path,
-                     sensor_msgs::CameraInfo, sensor_msgs::Image, sensor_msgs::JoyFeedbackArray,
-                     sensor_msgs::LaserScan, sensor_msgs::MultiEchoLaserScan, sensor_msgs::PointCloud,
-                     sensor_msgs::PointCloud2, std_msgs::Float64MultiArray, std_msgs::String,
-                     stereo_msgs::DisparityImage, trajectory_msgs::JointTrajectory,
-                     visualization_msgs::InteractiveMarker, visualization_msgs::MarkerArray>;
+    ::testing::Types<::geometry_msgs::PoseStamped, ::nav_msgs::OccupancyGrid, ::nav_msgs::Path,
+                     ::sensor_msgs::CameraInfo, ::sensor_msgs::Image, ::sensor_msgs::JoyFeedbackArray,
+                     ::sensor_msgs::LaserScan, ::sensor_msgs::MultiEchoLaserScan, ::sensor_msgs::PointCloud,
+                     ::sensor_msgs::PointCloud2, ::std_msgs::Float64MultiArray, ::std_msgs::String,
+                     ::stereo_msgs::DisparityImage, ::trajectory_msgs::JointTrajectory,
+                     ::visualization_msgs::InteractiveMarker, ::visualization_msgs::MarkerArray>;
 
 }  // namespace test
 }  // namespace tzc

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tzc/detail/array_storage.h>
+#include <tzc/detail/element_copy.h>
 #include <tzc/detail/vector_words.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ constexpr uninitialized_t uninitialized{0};
 ///
 /// *Differences from std::vector<T>*: publishing invalidates pointers, references and iterators; T must be
 /// trivially copyable; conversion to a vector is explicit; swap() keeps each object's binding; no allocator
-/// but std::allocator.
+/// but std::allocator; std::erase and std::erase_if (C++20) are std::vector's alone.
 ///
 /// *Thread-safety* as std::vector's: concurrent const access is safe, publishing and copying count as const;
 /// so is concurrent access to different elements, also the first one after publishing: one thread copies, the
@@ -54,6 +55,10 @@ class Array {
   using IfIterator =
       typename std::enable_if<std::is_convertible<typename std::iterator_traits<It>::iterator_category,
                                                   std::input_iterator_tag>::value>::type;
+  /// What std::vector<T>'s assignment takes but for lists in braces, which have no type: `= {first, last}` is an Array.
+  template <class V>
+  using IfVector = typename std::enable_if<std::is_convertible<V, std::vector<T> >::value>::type;
+  using Element = detail::ElementCopy<T>;
 
  public:
   using value_type = T;
@@ -103,19 +108,11 @@ class Array {
     assign(values);
     return *this;
   }
-  Array& operator=(const std::vector<T>& values) {
-    assign(values.begin(), values.end());
-    return *this;
-  }
-  /// Takes over the vector's memory, or copies into this array's own segment memory if that is large enough. The
-  /// vector is empty afterwards.
-  Array& operator=(std::vector<T>&& values) {
-    if (bound_buffer_has_room(values.size())) {
-      *this = static_cast<const std::vector<T>&>(values);
-      values.clear();
-    } else {
-      take(values);
-    }
+  /// A vector that is moved from gives its memory away, or is copied into this array's own segment memory if that is large
+  /// enough. It is empty afterwards.
+  template <class V, class = IfVector<V> >
+  Array& operator=(V&& values) {
+    assign_vector(std::forward<V>(values));
     return *this;
   }
 
@@ -132,8 +129,8 @@ class Array {
   }
 
   void assign(size_type n, const T& value) {
-    const T copy = value;
-    std::fill_n(replace(n), n, copy);
+    const Element copy(value);
+    std::fill_n(replace(n), n, *copy);
   }
   template <class It, class = IfIterator<It> >
   void assign(It first, It last) {
@@ -169,13 +166,8 @@ class Array {
     if (storage_.on_heap()) return size() == 0 ? storage_.reset() : storage_.remake(size(), size());
     storage_.set_capacity(size());
   }
-  void resize(size_type n) { resize(n, T()); }
-  void resize(size_type n, const T& value) {
-    if (n <= size()) return storage_.set_size(n);
-    const T copy = value;
-    T* added = grow_by(n - size());
-    std::fill(added, data() + n, copy);
-  }
+  void resize(size_type n) { resize_with(n); }
+  void resize(size_type n, const T& value) { resize_with(n, value); }
   /// Copies nothing and fills nothing: the value of every element is unspecified, so the caller must write
   /// all of them. Unwritten elements may show earlier bytes of this publisher, never another's.
   void resize(size_type n, uninitialized_t) {
@@ -195,28 +187,22 @@ class Array {
   T* data() { return storage_.writable(); }
   const T* data() const noexcept { return storage_.begin(); }
 
-  void push_back(const T& value) {
-    const T copy = value;
-    *grow_by(1) = copy;
-  }
+  void push_back(const T& value) { emplace_back(value); }
   template <class... Args>
   T& emplace_back(Args&&... args) {
-    push_back(T(std::forward<Args>(args)...));
-    return back();
+    const Element made(std::forward<Args>(args)...);
+    return *grow_by(1) = *made;
   }
   void pop_back() noexcept { storage_.set_size(expected(size() - 1)); }
   void clear() noexcept { storage_.drop_elements(); }
 
   template <class... Args>
   iterator emplace(const_iterator position, Args&&... args) {
-    return insert(position, T(std::forward<Args>(args)...));
+    return insert_copies(position, 1, Element(std::forward<Args>(args)...));
   }
   iterator insert(const_iterator position, const T& value) { return insert(position, size_type(1), value); }
   iterator insert(const_iterator position, size_type n, const T& value) {
-    const T copy = value;
-    iterator gap = make_gap(position, n);
-    std::fill_n(gap, n, copy);
-    return gap;
+    return insert_copies(position, n, Element(value));
   }
   template <class It, class = IfIterator<It> >
   iterator insert(const_iterator position, It first, It last) {
@@ -257,6 +243,8 @@ class Array {
 
  private:
   void copy_from(const Array& other);
+  void assign_vector(const std::vector<T>& values) { assign(values.begin(), values.end()); }
+  void assign_vector(std::vector<T>&& values);
   void take(std::vector<T>& values);
   std::vector<T> release_to_vector();
   bool bound_buffer_has_room(size_type n) const noexcept;
@@ -265,6 +253,9 @@ class Array {
   T* grow_by(size_type n);
   T* make_room(size_type n) __attribute__((noinline));
   iterator make_gap(const_iterator position, size_type n);
+  template <class... Args>
+  void resize_with(size_type n, Args&&... args);
+  iterator insert_copies(const_iterator position, size_type n, const Element& element);
 
   template <class It>
   void assign_range(It first, It last, std::input_iterator_tag);

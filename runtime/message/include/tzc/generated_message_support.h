@@ -88,7 +88,7 @@ struct Serializer<tzc::Array<T> > {
  private:
   /// Elements have a fixed length, so a default one tells it.
   static std::uint32_t element_length() {
-    static const std::uint32_t length = serializationLength(T());
+    static const std::uint32_t length = serializationLength(*tzc::detail::ElementCopy<T>());
     return length;
   }
 
@@ -109,7 +109,7 @@ struct Serializer<tzc::Array<T> > {
   }
   template <class Stream>
   static void read_elements(Stream& stream, tzc::Array<T>& array, message_traits::FalseType) {
-    std::uninitialized_fill(array.begin(), array.end(), T());
+    std::uninitialized_fill(array.begin(), array.end(), *tzc::detail::ElementCopy<T>());
     for (T& element : array) stream.next(element);
   }
 };

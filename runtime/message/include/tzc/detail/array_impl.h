@@ -18,6 +18,13 @@ void Array<T>::copy_from(const Array& other) {
 }
 
 template <class T>
+void Array<T>::assign_vector(std::vector<T>&& values) {
+  if (!bound_buffer_has_room(values.size())) return take(values);
+  assign(values.begin(), values.end());
+  values.clear();
+}
+
+template <class T>
 void Array<T>::take(std::vector<T>& values) {
   if (detail::can_use_vector_words<std::vector<T> >()) {
     storage_.adopt(values.data(), values.size(), values.capacity());
@@ -85,6 +92,24 @@ typename Array<T>::iterator Array<T>::make_gap(const_iterator position, size_typ
   if (n != 0) grow_by(n);
   const iterator gap = begin() + at;
   if (n != 0 && behind != 0) std::memmove(static_cast<void*>(gap + n), gap, behind * sizeof(T));
+  return gap;
+}
+
+/// Elements that are added are T(args...). Those may be one of this array's.
+template <class T>
+template <class... Args>
+void Array<T>::resize_with(size_type n, Args&&... args) {
+  if (n <= size()) return storage_.set_size(n);
+  const Element added(std::forward<Args>(args)...);
+  T* const first = grow_by(n - size());
+  std::fill(first, data() + n, *added);
+}
+
+template <class T>
+typename Array<T>::iterator Array<T>::insert_copies(const_iterator position, size_type n,
+                                                    const Element& element) {
+  const iterator gap = make_gap(position, n);
+  std::fill_n(gap, n, *element);
   return gap;
 }
 

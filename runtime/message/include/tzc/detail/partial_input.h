@@ -57,7 +57,7 @@ class ControlReader {
 /// empty. An empty array takes as much in the control part as on the wire.
 template <class T>
 std::size_t least_control_size() {
-  static const std::size_t size = ros::serialization::serializationLength(T());
+  static const std::size_t size = ros::serialization::serializationLength(*tzc::detail::ElementCopy<T>());
   return size;
 }
 
