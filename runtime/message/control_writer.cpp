@@ -32,18 +32,18 @@ std::uint8_t* ControlWriter::advance(std::uint32_t size) {
   return encoded_.control.data() + at;
 }
 
-void ControlWriter::reference(const void* data, std::size_t count, std::size_t element_size,
-                              const BufferPtr& buffer) {
+void ControlWriter::reference(const BufferPtr& buffer, std::size_t offset, std::size_t count,
+                              std::size_t element_size) {
   if (!begin_entry(count, element_size)) return;
   referenced_bytes_ += count * element_size;
-  end_entry(index_of(buffer), static_cast<const std::uint8_t*>(data) - buffer->data());
+  end_entry(index_of(buffer), offset);
 }
 
 void ControlWriter::array(const void* data, std::size_t count, std::size_t element_size, CopiedArray owner) {
   const std::size_t bytes = count * element_size;
   if (bytes != 0) {
-    if (const BufferPtr buffer = find_buffer(data, bytes))
-      return reference(data, count, element_size, buffer);
+    const FoundBuffer found = find_in_buffer(data, bytes);
+    if (found.buffer) return reference(found.buffer, found.offset, count, element_size);
   }
   if (!begin_entry(count, element_size)) return;
   copies_.push_back(Copy{data, bytes, encoded_.control.size(), owner});

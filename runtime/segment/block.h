@@ -29,6 +29,8 @@ struct Block : Buffer {
   bool has_handles() const { return references_.load(std::memory_order_acquire) != 0; }
   /// The count of handles, for handle_count.h.
   std::atomic<std::uint32_t>& handles() { return references_; }
+  /// One that was counted already.
+  BufferPtr handle() { return BufferPtr(this, BufferPtr::Adopt{}); }
   /// A new block with one handle lives in the slot.
   void open(std::uint32_t new_generation, std::uint8_t* data, std::size_t size) {
     generation_ = new_generation;

@@ -53,11 +53,14 @@ bool PrivateViews::begin(std::uint64_t offset, std::uint64_t bytes) {
 }
 
 bool PrivateViews::end(std::uint64_t offset, std::uint64_t bytes) {
-  Run& run = runs_[offset / page_];
-  const bool was_written = (run.load(std::memory_order_acquire) & written) != 0;
+  const bool was_written = is_written(offset);
   if (was_written) restore(mapping_.data() + offset, pages_of(bytes, page_) * page_);
-  run.store(0, std::memory_order_release);
+  runs_[offset / page_].store(0, std::memory_order_release);
   return was_written;
+}
+
+bool PrivateViews::is_written(std::uint64_t offset) const {
+  return (runs_[offset / page_].load(std::memory_order_acquire) & written) != 0;
 }
 
 // Locked pages (mlockall) are not dropped: they are unlocked for that.

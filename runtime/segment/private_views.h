@@ -24,7 +24,7 @@ class WriteListener {
   ~WriteListener() = default;
 };
 
-/// The mapping of a received segment in which views of payloads lie: read-only and private. When code of this process
+/// A mapping of a segment in which views of payloads lie: read-only and private. When code of this process
 /// writes to a view nevertheless, the pages of that payload become writable, and the kernel copies them: no other
 /// process sees a byte of it, and nothing crashes. Before the payload is acknowledged its pages are protected again and
 /// the copies dropped. A payload that is not written to costs one store at its begin and one at its end. Who shows a view to
@@ -43,6 +43,8 @@ class PrivateViews final : public posix::WriteFaultArea {
   bool begin(std::uint64_t offset, std::uint64_t bytes);
   /// The view is gone. True: it was written to; the memory is the publisher's again.
   bool end(std::uint64_t offset, std::uint64_t bytes);
+  /// Whether the view that begins there was written to until now.
+  bool is_written(std::uint64_t offset) const;
 
   bool make_writable(const posix::WriteFault& fault) noexcept override;
 

@@ -43,10 +43,10 @@ bool Registry::contains(const std::uint8_t* address) const {
 }
 
 // The lock keeps the segment mapped meanwhile: it leaves this list before it goes.
-BufferPtr Registry::find(const std::uint8_t* address, std::size_t bytes) const {
+FoundBuffer Registry::find(const std::uint8_t* address, std::size_t bytes) const {
   const std::shared_lock<std::shared_mutex> lock(mutex_);
   const MappedRange* range = range_of(address);
-  return range != nullptr && range->own != nullptr ? range->own->find(address, bytes) : BufferPtr();
+  return range != nullptr && range->own != nullptr ? range->own->find(address, bytes) : FoundBuffer();
 }
 
 const MappedRange* Registry::range_of(const std::uint8_t* address) const {
@@ -74,8 +74,12 @@ Registry& registry() {
 
 }  // namespace segment
 
-BufferPtr find_buffer(const void* address, std::size_t bytes) {
+FoundBuffer find_in_buffer(const void* address, std::size_t bytes) {
   return segment::registry().find(static_cast<const std::uint8_t*>(address), bytes);
+}
+
+BufferPtr find_buffer(const void* address, std::size_t bytes) {
+  return find_in_buffer(address, bytes).buffer;
 }
 
 bool in_segment(const void* address) {

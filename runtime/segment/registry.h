@@ -13,8 +13,8 @@ namespace segment {
 /// One of this process's own segments. Thread-safe.
 class OwnSegment {
  public:
-  /// The live block that contains the bytes; null when there is none, or it has no handle.
-  virtual BufferPtr find(const std::uint8_t* address, std::size_t bytes) const = 0;
+  /// The live block that has the bytes; null when there is none, or it has no handle.
+  virtual FoundBuffer find(const std::uint8_t* address, std::size_t bytes) const = 0;
   /// In a forked child: the memory is its own from now on.
   virtual void make_private() const noexcept = 0;
 
@@ -35,7 +35,7 @@ class Registry {
   void add(const MappedRange& range);
   void remove(const std::uint8_t* begin);
   bool contains(const std::uint8_t* address) const;
-  BufferPtr find(const std::uint8_t* address, std::size_t bytes) const;
+  FoundBuffer find(const std::uint8_t* address, std::size_t bytes) const;
 
   /// Around a fork: locked before, unlocked by the parent, renewed in the child, which gets memory of its own.
   void lock() { mutex_.lock(); }

@@ -34,7 +34,8 @@ Segment::Segment(SegmentFile file, const std::string& name)
       epoch_(posix::fork_epoch()),
       releases_(file_.slots()),
       extents_(file_.payloads_begin(), file_.size()),
-      live_(*this, file_.slots()) {
+      live_(*this, file_.slots()),
+      own_views_(file_, *this) {
   auto* header =
       new (file_.data()) SegmentHeader{segment_magic, layout_version, file_.slots(), id_, file_.size(), {}};
   name.copy(header->name, sizeof header->name - 1);
@@ -106,10 +107,15 @@ Block* Segment::next_released() {
   }
 }
 
-BufferPtr Segment::find(const std::uint8_t* address, std::size_t bytes) const {
-  if (posix::forked_since(epoch_)) return nullptr;  // the parent may reuse the block at any time
-  Block* block = live_.find(static_cast<std::uint64_t>(address - file_.data()), bytes);
-  return block != nullptr ? wrap(*block) : BufferPtr();
+FoundBuffer Segment::find(const std::uint8_t* address, std::size_t bytes) const {
+  if (posix::forked_since(epoch_)) return {};  // the parent may reuse the block at any time
+  auto position = static_cast<std::uint64_t>(address - file_.data());
+  const bool in_view = position >= file_.size();
+  if (in_view && !own_views_.offset_of(address, position)) return {};
+  Block* block = live_.find(position, bytes);
+  if (block == nullptr) return {};
+  const FoundBuffer found{block->handle(), static_cast<std::size_t>(position - block->offset)};
+  return in_view && own_views_.is_written(block->offset) ? FoundBuffer() : found;
 }
 
 BufferPtr Segment::revive(std::uint64_t data_offset, const BlockName& name) const {
@@ -118,7 +124,7 @@ BufferPtr Segment::revive(std::uint64_t data_offset, const BlockName& name) cons
   Block* block = live_.revive(data_offset, name, first);
   if (block == nullptr) return nullptr;
   if (first) of(*block).add_user();
-  return wrap(*block);
+  return block->handle();
 }
 
 BlockName Segment::name_of(const Buffer& buffer) {

@@ -11,6 +11,7 @@
 #include "segment/holders.h"
 #include "segment/live_blocks.h"
 #include "segment/own_releases.h"
+#include "segment/own_views.h"
 #include "segment/registry.h"
 #include "segment/segment_file.h"
 #include "segment/segment_guard.h"
@@ -30,15 +31,12 @@ class Segment final : public OwnSegment {
   static Expected<SegmentPtr> create(std::size_t size, const MemoryOptions& options);
 
   enum class Where { touched_memory, anywhere };
-  /// A block of exactly `bytes` with one handle, or null. Errors other than "no room" go to `failure`.
+  /// A block of exactly `bytes` whose handle() is counted, or null. Errors other than "no room" go to `failure`.
   Block* allocate_block(std::size_t bytes, Where where, Error& failure);
   /// Frees the block, unless a handle of this process or a subscriber may still read it.
   bool free_if_unused(Block& block);
   /// Null unless guard mode is on.
   SegmentGuard* guard() const { return guard_.get(); }
-  /// The handle that allocate_block counted.
-  static BufferPtr wrap(Block& block) { return BufferPtr(&block, BufferPtr::Adopt{}); }
-
   Holders& holders() { return holders_; }
   /// The next block of which something was released since this was last asked; null: there is no more now. Nothing
   /// else can have become free. For the allocator alone.
@@ -46,7 +44,8 @@ class Segment final : public OwnSegment {
   /// A handle, a mark or a subscriber of the block in that slot is gone.
   void note_release(std::uint32_t slot) noexcept { releases_.add(slot); }
 
-  BufferPtr find(const std::uint8_t* address, std::size_t bytes) const override;
+  FoundBuffer find(const std::uint8_t* address, std::size_t bytes) const override;
+  OwnViews& own_views() { return own_views_; }
   void make_private() const noexcept override { file_.pages().make_private(); }
   /// A new handle of the block, although it may have none left. Only for a caller that has the block in flight:
   /// that keeps it from being reclaimed. Null: not that block any more.
@@ -79,6 +78,7 @@ class Segment final : public OwnSegment {
   OwnReleases releases_;
   Extents extents_;
   LiveBlocks live_;
+  OwnViews own_views_;
   Holders holders_;
 };
 

@@ -230,7 +230,7 @@ BufferPtr SegmentMemoryImpl::admit(Block& block) {
   stats_.used_bytes += block.size();
   ++stats_.used_blocks;
   ++stats_.allocated;
-  return Segment::wrap(block);
+  return block.handle();
 }
 
 BufferPtr SegmentMemoryImpl::refuse(std::size_t bytes, std::size_t occupied) {

@@ -105,8 +105,8 @@ void Attachment::publish_numbered(const std::type_info& type, message::Encoded& 
 bool Attachment::publish_directly(const std::type_info& type, message::Encoded& encoded) {
   return endpoint_->publish_directly(type, encoded);
 }
-bool Attachment::has_local_writers(const std::type_info& type) const {
-  return endpoint_->has_local_writers(type);
+LocalView Attachment::local_view(const std::type_info& type) const {
+  return endpoint_->local_view(type);
 }
 bool Attachment::delivers_exhausted() const {
   return endpoint_->on_exhausted() == OnExhausted::deliver;

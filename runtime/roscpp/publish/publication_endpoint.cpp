@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "roscpp/descriptor_budget.h"
-#include "roscpp/publish/local_writers.h"
+#include "roscpp/publish/local_callbacks.h"
 #include "roscpp/publish/publication_lock.h"
 #include "roscpp/publish/socket_buffers.h"
 #include "roscpp/publish/statistics_file.h"
@@ -231,10 +231,10 @@ bool PublicationEndpoint::wants_pointer(const std::type_info& type) const {
   return by_pointer;
 }
 
-bool PublicationEndpoint::has_local_writers(const std::type_info& type) const {
+LocalView PublicationEndpoint::local_view(const std::type_info& type) const {
   const ros::PublicationPtr publication = publication_.lock();
   const MessageCodec* const codec = stream_.records().codecs().find(type);
-  return publication && codec && detail::has_local_writers(*publication, *codec);
+  return publication && codec ? prepare_local_callbacks(*publication, *codec) : LocalView::unseen;
 }
 
 void PublicationEndpoint::send_queued() {

@@ -46,7 +46,7 @@ class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpo
   /// What the statistics page shows. Does not wait for a thread that publishes.
   EndpointStatistics look() const;
   bool wants_pointer(const std::type_info& type) const;
-  bool has_local_writers(const std::type_info& type) const;
+  LocalView local_view(const std::type_info& type) const;
 
   /// Sends an encoded message of a known type to all subscribers, past roscpp's own publish, without building
   /// a view. Does nothing and returns false unless every link of the publication is a SharedLink and nothing

@@ -28,6 +28,7 @@ TYPED_TEST(StockMessage, view_and_copy_equal_the_original) {
     ASSERT_TRUE(view && copy);
     EXPECT_EQ(original, *view);
     EXPECT_EQ(original, *copy);
+    EXPECT_EQ(original, *callback_view(original, encoded));
   }
 }
 

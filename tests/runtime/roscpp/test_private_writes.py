@@ -75,6 +75,26 @@ class PrivateWrites(TopicCase):
         self.assert_got(drawer, [0, 0])
         self.assertEqual([message["shared"] for message in drawer.messages()], [True, False])
 
+    def assert_draws_beside_the_publisher(self, shared=True, **how):
+        """Each message comes whole to a node that looks on, and to the drawing callback, and stays whole in the publisher."""
+        looks_on = self.listen(name="looks_on")
+        echo = self.listen("plain", name="echo", topic="drawn", remaps=["image:=drawn"])
+        drawer = Listener(self.node("drawer", "drawer", how))
+        drawer.process.wait(60)
+        self.assert_got(looks_on, range(30), shared=shared)
+        self.assert_got(echo, range(1000, 1030))
+        self.assert_got(drawer, range(30))
+        self.assertEqual([line for line in drawer.lines() if "event" in line], [{"event": "kept", "happened": True}])
+
+    def test_in_the_publishers_own_process(self):
+        self.assert_draws_beside_the_publisher()
+
+    def test_in_the_publishers_own_process_to_payloads_below_a_page(self):
+        self.assert_draws_beside_the_publisher(shared=False, bytes=1000)  # a subscriber copies them
+
+    def test_in_the_publishers_own_process_to_what_is_latched(self):
+        self.assert_draws_beside_the_publisher(latch=True)
+
     def assert_turned_off(self, **how):
         drawer = self.draw(**how)
         self.start_talker(count=20)

@@ -166,7 +166,7 @@ TEST_F(Pool, a_forked_child_gives_no_pages_of_its_parent_back) {
   Error failure;
   segment::Block* const block = segment->allocate_block(8192, segment::Segment::Where::anywhere, failure);
   ASSERT_NE(block, nullptr);
-  BufferPtr buffer = segment::Segment::wrap(*block);
+  BufferPtr buffer = block->handle();
   std::memset(buffer->data(), 7, 8192);
   const pid_t child = ::fork();
   if (child == 0) {

@@ -88,11 +88,15 @@ template <class S>
 boost::shared_ptr<S> make_copy(const std::uint8_t* control, std::size_t size,
                                const std::vector<ConstBlock>& blocks);
 
-/// What subscribers of this process see of a message after encode(message, ..., encoded): a stock message
-/// that borrows the encoded buffers and keeps them. Seals them. Null only when `encoded` is not the result of
+/// A stock message after encode(message, ..., encoded) that borrows the encoded buffers and keeps them. Seals them. Null only when `encoded` is not the result of
 /// encoding an M.
 template <class M>
 boost::shared_ptr<const typename StockOf<M>::type> stock_view(const M& message, Encoded& encoded);
+
+/// The same for callbacks of this process, which may write to it in spite of the const (tzc::view_for_callbacks): neither
+/// `message` nor another process sees that.
+template <class M>
+boost::shared_ptr<const typename StockOf<M>::type> callback_view(const M& message, Encoded& encoded);
 
 /// The same as a private message that its owner may write to: one copy of all arrays.
 template <class M>

@@ -88,7 +88,7 @@ class BufferPtr {
   friend bool operator!=(const BufferPtr& a, const BufferPtr& b) noexcept { return a.buffer_ != b.buffer_; }
 
  private:
-  friend class segment::Segment;
+  friend struct segment::Block;
   struct Adopt {};
   BufferPtr(Buffer* buffer, Adopt) noexcept : buffer_(buffer) {}  // adopts a counted reference
   void acquire() const noexcept {
@@ -213,9 +213,30 @@ struct ConstBlock {
   std::size_t size;
 };
 
-/// The live block of one of THIS process's segments that contains [address, address + bytes); null otherwise.
-/// Thread-safe and cheap. The caller must hold another reference to the block during the call.
+/// Bytes of a live block: where they begin in its payload.
+struct FoundBuffer {
+  BufferPtr buffer;
+  std::size_t offset = 0;
+};
+
+/// The live block of one of THIS process's segments whose payload has these bytes at [address, address + bytes), in the segment or
+/// in a view (view_for_callbacks) that nobody has written to; null otherwise.
+/// Thread-safe and cheap. The caller must hold another reference to the block, or the view, during the call.
+FoundBuffer find_in_buffer(const void* address, std::size_t bytes);
+/// Its buffer alone.
 BufferPtr find_buffer(const void* address, std::size_t bytes);
+
+/// What code of the publisher's own process, which may write to it in spite of the const, is shown of published buffers. A write
+/// changes bytes of this process alone: those of all views of that buffer that live at the time.
+struct BufferViews {
+  std::vector<ConstBlock> blocks;    ///< in the buffers' order
+  std::shared_ptr<const void> hold;  ///< keeps them, and the buffers
+};
+
+/// Seals the buffers. Payloads below a page, and all where the system refuses such views, are copied. In guard mode, which keeps
+/// late writes to itself and reports them, the blocks are the buffers' own bytes. Any thread. A thread that writes must not block
+/// SIGSEGV.
+BufferViews view_for_callbacks(const BufferSpan& buffers);
 
 /// True when the address lies in a mapping of any segment, own or received. Thread-safe.
 bool in_segment(const void* address);

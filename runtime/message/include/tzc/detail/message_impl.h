@@ -32,8 +32,7 @@ bool read(PartialInput& input, S& message) {
   }
 }
 
-/// Seals the blocks of `encoded`; returns them as this process's subscribers see them, and what keeps them
-/// alive.
+/// Seals the blocks of `encoded`; returns their bytes, and what keeps them alive.
 std::vector<ConstBlock> seal_blocks(Encoded& encoded);
 std::shared_ptr<const void> hold_buffers(const Encoded& encoded);
 
@@ -69,6 +68,13 @@ boost::shared_ptr<const typename StockOf<M>::type> stock_view(const M&, Encoded&
   const std::vector<ConstBlock> blocks = detail::seal_blocks(encoded);
   return make_view<typename StockOf<M>::type>(encoded.control.data(), encoded.control.size(), blocks,
                                               detail::hold_buffers(encoded));
+}
+
+template <class M>
+boost::shared_ptr<const typename StockOf<M>::type> callback_view(const M&, Encoded& encoded) {
+  const BufferViews views = view_for_callbacks(encoded.buffers);
+  return make_view<typename StockOf<M>::type>(encoded.control.data(), encoded.control.size(), views.blocks,
+                                              views.hold);
 }
 
 template <class M>

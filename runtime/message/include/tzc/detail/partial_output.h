@@ -35,8 +35,8 @@ class ControlWriter {
 
   /// Memory for `size` control bytes, valid until the next call.
   std::uint8_t* advance(std::uint32_t size);
-  /// An entry for an array that lies in `buffer`.
-  void reference(const void* data, std::size_t count, std::size_t element_size, const BufferPtr& buffer);
+  /// An entry for an array that begins at that offset of `buffer`.
+  void reference(const BufferPtr& buffer, std::size_t offset, std::size_t count, std::size_t element_size);
   /// An entry for an array that may lie anywhere.
   /// @param owner is told where its elements were copied to, if they are
   void array(const void* data, std::size_t count, std::size_t element_size,
@@ -83,7 +83,7 @@ class PartialOutput : public ControlWriter {
     if (array.empty() && __builtin_expect(!guard::active, 1)) return this->array(nullptr, 0, sizeof(T));
     const auto elements = array.storage().share();
     if (elements.buffer && !array.empty())
-      reference(elements.begin, array.size(), sizeof(T), elements.buffer);
+      reference(elements.buffer, offset_in(*elements.buffer, elements.begin), array.size(), sizeof(T));
     else
       this->array(elements.begin, array.size(), sizeof(T),
                   CopiedArray{&array.storage(), &note_sent<tzc::detail::ArrayStorage<T> >});
@@ -98,6 +98,9 @@ class PartialOutput : public ControlWriter {
   }
 
  private:
+  static std::size_t offset_in(const Buffer& buffer, const void* data) {
+    return static_cast<std::size_t>(static_cast<const std::uint8_t*>(data) - buffer.data());
+  }
   template <class Storage>
   static void note_sent(const void* storage, const std::shared_ptr<MemorySource>& memory,
                         const BufferPtr& buffer, std::uint8_t* at) {

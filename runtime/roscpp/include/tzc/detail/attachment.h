@@ -18,6 +18,13 @@ namespace detail {
 
 class PublicationEndpoint;
 
+/// What callbacks of the publisher's process get of a message that they get by pointer.
+enum class LocalView {
+  unseen,   ///< nothing, because there are none; or a view that must not be written to (~tzc/private_writes is off)
+  guarded,  ///< a view in which a write changes bytes of this process alone (message::callback_view)
+  copy,     ///< a copy: one of them may write to it by its signature, or comes later
+};
+
 /// What other threads of the process may publish while a message is published: nothing, as with roscpp, or (on any topic) what
 /// they like. Then two threads that publish on one topic at once may number what callbacks of this process get alike.
 enum class Others { wait, publish };
@@ -64,9 +71,9 @@ class Attachment {
   /// Hot path: sends an encoded message to its subscribers past roscpp, if all of them take shared memory and
   /// the topic is not latched. False: it did nothing, publish through roscpp.
   bool publish_directly(const std::type_info& type, message::Encoded& encoded);
-  /// True when a callback of this process may write to a message of this known type that it gets by pointer.
-  /// Such a callback must not get a view, which borrows what other processes read.
-  bool has_local_writers(const std::type_info& type) const;
+  /// What to make for callbacks of this process of a message of this known type. Call it before each message that roscpp publishes by
+  /// pointer.
+  LocalView local_view(const std::type_info& type) const;
   bool delivers_exhausted() const;
   /// Counts a message of so many bytes that found no memory and is dropped.
   void count_dropped(std::size_t bytes);

@@ -29,8 +29,7 @@ struct SharedMessage {
     view = message::stock_view(message, encoded);
     return view != nullptr;
   }
-  /// Calls `publish` with the view for roscpp and the subscribers of this process, a private copy when one of them may write
-  /// to it; call encode first. False: it did nothing, since no view is possible, which does not happen for a valid
+  /// Calls `publish` with what roscpp and the callbacks of this process are to see (LocalView); call encode first. False: it did nothing, since no view is possible, which does not happen for a valid
   /// message.
   template <class Publish>
   bool publish_view(Attachment& attachment, const M& message, ByReference how, Others others,
@@ -54,8 +53,16 @@ struct SharedMessage {
 
  private:
   bool make_local_view(const Attachment& attachment, const M& message) {
-    if (!attachment.has_local_writers(typeid(Stock))) return make_view(message);
-    view = message::stock_copy(message, encoded);
+    switch (attachment.local_view(typeid(Stock))) {
+      case LocalView::unseen:
+        return make_view(message);
+      case LocalView::guarded:
+        view = message::callback_view(message, encoded);
+        break;
+      case LocalView::copy:
+        view = message::stock_copy(message, encoded);
+        break;
+    }
     return view != nullptr;
   }
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "roscpp/publish/local_writers.h"
+#include "roscpp/publish/local_callbacks.h"
 
 #include <algorithm>
 
+#include "roscpp/configuration.h"
 #include "roscpp/roscpp_access.h"
+#include "roscpp/subscribe/fault_ready_queue.h"
 #include "roscpp/traces/traced_callback.h"
 
 namespace tzc {
@@ -22,6 +24,7 @@ ros::SubscriptionPtr local_subscription(const ros::SubscriberLinkPtr& link) {
   return access::parent_(*other_end).lock();
 }
 
+// roscpp copies for such a callback only when the subscription has others besides.
 bool has_writers(ros::Subscription& subscription, const MessageCodec& codec) {
   const boost::mutex::scoped_lock lock(access::callbacks_mutex_(subscription));
   const auto& callbacks = access::callbacks_(subscription);
@@ -32,13 +35,19 @@ bool has_writers(ros::Subscription& subscription, const MessageCodec& codec) {
 
 }  // namespace
 
-bool has_local_writers(ros::Publication& publication, const MessageCodec& codec) {
+LocalView prepare_local_callbacks(ros::Publication& publication, const MessageCodec& codec) {
+  LocalView view = LocalView::unseen;
   const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(publication));
-  const ros::V_SubscriberLink& links = access::subscriber_links_(publication);
-  return std::any_of(links.begin(), links.end(), [&](const ros::SubscriberLinkPtr& link) {
+  for (const ros::SubscriberLinkPtr& link : access::subscriber_links_(publication)) {
     const ros::SubscriptionPtr subscription = local_subscription(link);
-    return subscription && has_writers(*subscription, codec);
-  });
+    if (!subscription) continue;
+    // roscpp keeps what is latched for callbacks that come later, which are not ready for faults.
+    if (publication.isLatching() || has_writers(*subscription, codec)) return LocalView::copy;
+    if (!private_writes()) continue;
+    make_ready_for_faults(*subscription);
+    view = LocalView::guarded;
+  }
+  return view;
 }
 
 }  // namespace detail

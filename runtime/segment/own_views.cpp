@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment/own_views.h"
+
+#include <utility>
+
+#include "segment/size_class.h"
+
+namespace tzc {
+namespace segment {
+
+OwnViews::~OwnViews() {
+  if (views_) registry().remove(views_->data());
+}
+
+const std::uint8_t* OwnViews::begin(const Block& block) {
+  if (!has_own_pages(block.size(), posix::page_size())) return nullptr;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!open()) return nullptr;
+  posix::keep_watching_write_faults();
+  std::uint32_t& count = counts_[block.slot()];
+  if (count == 0 && !views_->begin(block.offset, block.size())) {
+    counts_.erase(block.slot());
+    return nullptr;
+  }
+  ++count;
+  return views_->data() + block.offset;
+}
+
+void OwnViews::end(const Block& block) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = counts_.find(block.slot());
+  if (--found->second != 0) return;
+  counts_.erase(found);
+  views_->end(block.offset, block.size());
+}
+
+bool OwnViews::offset_of(const std::uint8_t* address, std::uint64_t& offset) const {
+  const std::uint8_t* const base = base_.load(std::memory_order_acquire);
+  if (base == nullptr || address < base || address >= base + file_.size()) return false;
+  offset = static_cast<std::uint64_t>(address - base);
+  return true;
+}
+
+bool OwnViews::is_written(std::uint64_t offset) const {
+  return views_->is_written(offset);
+}
+
+bool OwnViews::open() {
+  if (views_) return true;
+  if (!can_make_private_pages()) return false;
+  const SegmentPages& pages = file_.pages();
+  auto mapping = posix::Mapping::map(pages.fd(), file_.size(), posix::Access::read_private, pages.offset());
+  if (!mapping) return false;
+  auto views = PrivateViews::create(std::move(*mapping), nullptr);
+  if (!views) return false;
+  views_ = std::move(*views);
+  base_.store(views_->data(), std::memory_order_release);
+  registry().add(MappedRange{views_->data(), views_->data() + file_.size(), &owner_});
+  return true;
+}
+
+}  // namespace segment
+}  // namespace tzc
