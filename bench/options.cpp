@@ -32,7 +32,7 @@ void add_choices(CLI::App& app, Options& options) {
       ->check(CLI::Range(std::size_t{1}, most_subscribers))
       ->capture_default_str();
   app.add_option("--rate", options.rate, "messages per second")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(0.001, 1e6))
       ->capture_default_str();
   app.add_option("--count", options.count, "messages of each contender, over all rounds")
       ->check(CLI::Range(std::size_t{1}, most_messages))

@@ -113,15 +113,15 @@ bool all_well(const std::vector<SoakProcess>& processes, bool judged) {
 
 void add_options(CLI::App& app, SoakPlan& plan, std::string& json) {
   app.footer(examples);
-  app.add_option("--minutes", plan.minutes, "how long")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--minutes", plan.minutes, "how long")->check(CLI::Range(0.001, 1e5))->capture_default_str();
   app.add_option("--look-every", plan.look_every_s, "seconds between two looks at all processes")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(0.001, 1e5))
       ->capture_default_str();
   app.add_option("--kill-every", plan.kill_every_s, "seconds that a process lives that is to be killed")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(0.001, 1e5))
       ->capture_default_str();
   app.add_option("--stop-for", plan.stop_for_s, "seconds that the stopped process stands, and goes on")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(0.001, 1e5))
       ->capture_default_str();
   app.add_option("--json", json, "write counts and looks to this file");
 }

@@ -26,6 +26,8 @@ const char* const footer =
 // subscribes.
 const char* const transports = ".*/(compressed|compressedDepth|theora)(/.*)?";
 
+const CLI::Range seconds(0.001, 1e6);  // not CLI::PositiveNumber, whose error names the largest double
+
 std::string check_expression(const std::string& text) {
   try {
     (void)std::regex(text);
@@ -55,18 +57,18 @@ void add_input(CLI::App& app, Options& options) {
                "nodes use the bag's time (/use_sim_time, rosbag play --clock)");
   app.add_option("--duration", input.duration_s,
                  "seconds that a run without a bag lasts, if it does not end earlier")
-      ->check(CLI::PositiveNumber)
+      ->check(seconds)
       ->capture_default_str();
   app.add_option("--settle", input.settle_s,
                  "seconds without a change of the graph after which all nodes are there")
-      ->check(CLI::PositiveNumber)
+      ->check(seconds)
       ->capture_default_str();
   app.add_option("--quiet-time", input.quiet_s,
                  "seconds without a message after which nothing more comes after the bag")
-      ->check(CLI::PositiveNumber)
+      ->check(seconds)
       ->capture_default_str();
   app.add_option("--start-timeout", input.start_timeout_s, "seconds that the nodes may take to start")
-      ->check(CLI::PositiveNumber)
+      ->check(seconds)
       ->capture_default_str();
 }
 
