@@ -84,7 +84,8 @@ class Speller {
  private:
   void change_name(clang::SourceRange tokens, const Spelling& spelling);
   void respell_template(clang::TemplateSpecializationTypeLoc type, clang::SourceLocation begin);
-  void respell_name(clang::TypeLoc type, clang::SourceRange tokens);
+  void respell_name(clang::TypeLoc type, clang::SourceRange tokens, clang::NestedNameSpecifierLoc qualifier);
+  bool respell_qualifier(clang::NestedNameSpecifierLoc qualifier);
   void obstruct(const char* code, const std::string& reason, clang::SourceLocation where) {
     result_.obstacles.push_back({code, reason, unit_.location(where)});
   }
@@ -110,7 +111,8 @@ void Speller::respell_template(clang::TemplateSpecializationTypeLoc type, clang:
       respell(argument->getTypeLoc());
 }
 
-void Speller::respell_name(clang::TypeLoc type, clang::SourceRange tokens) {
+void Speller::respell_name(clang::TypeLoc type, clang::SourceRange tokens,
+                           clang::NestedNameSpecifierLoc qualifier) {
   if (const auto parameter = type.getAs<clang::SubstTemplateTypeParmTypeLoc>()) {
     // What a function template is called with decides; the arguments of a class template are written somewhere else.
     if (!llvm::isa<clang::FunctionDecl, clang::FunctionTemplateDecl>(
@@ -125,9 +127,28 @@ void Speller::respell_name(clang::TypeLoc type, clang::SourceRange tokens) {
     spelling->text += hidden_arguments(type.getType(), unit_.ast().getPrintingPolicy());
     return change_name(tokens, *spelling);
   }
-  if (carried_by(type.getType(), unit_.rules))
+  if (carried_by(type.getType(), unit_.rules) && !respell_qualifier(qualifier))
     obstruct(codes::TZC1005, "its type hides behind the name '" + unit_.source.text(tokens) + "'",
              tokens.getBegin());
+}
+
+/// std::vector<Marker>::iterator, MarkerArray::_markers_type::iterator: a member of a type whose name is ported; the twin has it,
+/// too. False: there is no such name in front of it.
+bool Speller::respell_qualifier(clang::NestedNameSpecifierLoc qualifier) {
+  for (; qualifier; qualifier = qualifier.getPrefix()) {
+    const clang::TypeLoc type = qualifier.getTypeLoc();
+    if (type.isNull()) continue;
+    if (const auto message = message_of(type.getType())) {
+      change_name({qualifier.getBeginLoc(), type.getEndLoc()},
+                  {twin_name(message->name), "message-type", {twin_header(message->name)}});
+      return true;
+    }
+    const auto made = type.getAs<clang::TemplateSpecializationTypeLoc>();
+    if (!made || !carried_by(type.getType(), unit_.rules)) continue;
+    respell_template(made, qualifier.getBeginLoc());
+    return true;
+  }
+  return false;
 }
 
 void Speller::respell(clang::TypeLoc type) {
@@ -144,7 +165,7 @@ void Speller::respell(clang::TypeLoc type) {
   const clang::TypeLoc named = elaborated ? elaborated.getNamedTypeLoc() : type;
   if (const auto templated = named.getAs<clang::TemplateSpecializationTypeLoc>())
     return respell_template(templated, tokens.getBegin());
-  respell_name(named, tokens);
+  respell_name(named, tokens, elaborated ? elaborated.getQualifierLoc() : clang::NestedNameSpecifierLoc());
 }
 
 }  // namespace

@@ -73,6 +73,8 @@ struct Flow {
   EntityId from, to;
   Location where;
   std::string what;
+  std::vector<Change> as_stock =
+      {};  ///< with which `to` is given a stock copy of a ported `from`; none: it cannot
 };
 
 /// `Image a, b;`: where the declaration is cut when only one of two neighbours is ported.
@@ -135,6 +137,7 @@ struct AllocationSite {
   std::variant<InsertedAllocation, AdapterAllocation, FactoryAllocation> how;
   std::vector<PublisherName> publishers;  ///< that publish it in this function and are available here
   std::vector<LaterName> later;
+  bool is_apart = false;  ///< nothing but its own name leads to the message (stock_copies.h)
   bool is_early = false;  ///< it stands before the body of its function, and members may not be there yet
   std::string record;     ///< USR of the class whose `this` is available here
   EntityId function;      ///< result of the function around it

@@ -14,7 +14,8 @@ template <class A>
 struct PointCloud_ {
   std_msgs::Header header;
   std::vector<geometry_msgs::Point> points;
-  std::vector<ChannelFloat32> channels;
+  typedef std::vector<ChannelFloat32> _channels_type;
+  _channels_type channels;
   FAKE_MEMBERS(PointCloud_)
 };
 }  // namespace sensor_msgs

@@ -5,7 +5,8 @@
 namespace visualization_msgs {
 template <class A>
 struct MarkerArray_ {
-  std::vector<visualization_msgs::Marker> markers;
+  typedef std::vector<visualization_msgs::Marker> _markers_type;
+  _markers_type markers;
   FAKE_MEMBERS(MarkerArray_)
 };
 }  // namespace visualization_msgs

@@ -20,7 +20,8 @@ struct PointCloud {
   explicit operator Stock() const { return Stock(); }
   ::std_msgs::Header header;
   ::tzc::Array<::geometry_msgs::Point> points;
-  std::vector<ChannelFloat32> channels;
+  typedef std::vector<ChannelFloat32> _channels_type;
+  _channels_type channels;
 };
 typedef boost::shared_ptr<PointCloud> PointCloudPtr;
 typedef boost::shared_ptr<PointCloud const> PointCloudConstPtr;

@@ -12,7 +12,8 @@ struct MarkerArray {
   MarkerArray() = default;
   explicit MarkerArray(const Stock&) {}
   explicit operator Stock() const { return Stock(); }
-  std::vector< ::tzc::visualization_msgs::Marker> markers;
+  typedef std::vector< ::tzc::visualization_msgs::Marker> _markers_type;
+  _markers_type markers;
 };
 typedef boost::shared_ptr<MarkerArray> MarkerArrayPtr;
 typedef boost::shared_ptr<MarkerArray const> MarkerArrayConstPtr;

@@ -58,7 +58,7 @@ class Node {
 // advertise src/node.cpp:13 sensor_msgs/Image one_copy 'other'
 // advertise src/node.cpp:14 sensor_msgs/LaserScan one_copy 'scan'
 // advertise src/node.cpp:15 sensor_msgs/PointCloud2 zero_copy 'plain'
-// publish src/node.cpp:26 sensor_msgs/Image one_copy 'image' TZC1005 its type hides behind the name 'std::vector<sensor_msgs::Image>::iterator'
+// publish src/node.cpp:26 sensor_msgs/Image one_copy 'image' TZC1022 line 27 of node.cpp uses a sensor_msgs/Image, and nothing shows which: it may be this one, and be written to after this publish
 // publish src/node.cpp:32 sensor_msgs/Image one_copy 'other' TZC1022 line 27 of node.cpp uses a sensor_msgs/Image, and nothing shows which: it may be this one, and be written to after this publish
 // publish src/node.cpp:39 sensor_msgs/LaserScan one_copy 'scan' TZC1022 line 39 of node.cpp uses a sensor_msgs/LaserScan, and nothing shows which: it may be this one, and be written to after this publish
 // publish src/node.cpp:44 sensor_msgs/PointCloud2 zero_copy 'plain'
@@ -72,17 +72,21 @@ class Node {
 // -    other_pub_ = nh_.advertise<sensor_msgs::Image>("other", 1);
 // -    scan_pub_ = nh_.advertise<sensor_msgs::LaserScan>("scan", 1);
 // -    plain_pub_ = nh_.advertise<sensor_msgs::PointCloud2>("plain", 1);
-// +    image_pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "image", 1);
+// +    image_pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1);
 // +    other_pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "other", 1);
 // +    scan_pub_ = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh_, "scan", 1);
 // +    plain_pub_ = tzc::advertise<tzc::sensor_msgs::PointCloud2>(nh_, "plain", 1);
+// -  std::vector<sensor_msgs::Image>::iterator oldest() {
+// +  std::vector<tzc::sensor_msgs::Image>::iterator oldest() {
 // -    const auto choose = [this]() -> sensor_msgs::LaserScan& {
 // +    const auto choose = [this]() -> tzc::sensor_msgs::LaserScan& {
 // -  ros::Publisher image_pub_, other_pub_, scan_pub_, plain_pub_;
-// +  tzc::Publisher image_pub_, other_pub_, scan_pub_, plain_pub_;
+// -  std::vector<sensor_msgs::Image> frames_;
 // -  std::vector<sensor_msgs::LaserScan> scans_;
 // -  sensor_msgs::Image last_;
 // -  sensor_msgs::PointCloud2 cloud_;
+// +  tzc::Publisher image_pub_, other_pub_, scan_pub_, plain_pub_;
+// +  std::vector<tzc::sensor_msgs::Image> frames_;
 // +  std::vector<tzc::sensor_msgs::LaserScan> scans_;
 // +  tzc::sensor_msgs::Image last_;
 // +  tzc::sensor_msgs::PointCloud2 cloud_;

@@ -1,0 +1,35 @@
+// A copy for a function that takes stock messages would be as dear as the copy that the port saves.
+#include <other/library.h>
+
+void fill(unsigned size, sensor_msgs::Image& image) { image.data.resize(size); }
+bool is_empty(const sensor_msgs::Image& image) { return image.data.empty(); }
+void look() {
+  const sensor_msgs::Image seen = other::grab();
+  is_empty(seen);
+}
+
+void publish(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 1);
+  sensor_msgs::Image image;
+  fill(10000, image);
+  pub.publish(image);
+}
+
+void check(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("checked", 1);
+  sensor_msgs::Image image;
+  fill(5000, image);
+  if (!is_empty(image)) pub.publish(image);
+}
+//--- expected
+// advertise src/node.cpp:12 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:15 sensor_msgs/Image one_copy 'image' TZC1013 it starts as 'other::grab()', which code outside the package builds
+// advertise src/node.cpp:19 sensor_msgs/Image one_copy 'checked'
+// publish src/node.cpp:22 sensor_msgs/Image one_copy 'checked' TZC1013 it starts as 'other::grab()', which code outside the package builds
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 1);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "image", 1);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("checked", 1);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "checked", 1);
