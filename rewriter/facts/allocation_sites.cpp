@@ -7,7 +7,6 @@
 #include "facts/call_place.h"
 #include "facts/calls.h"
 #include "facts/containing_object.h"
-#include "facts/stock_copies.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -174,7 +173,6 @@ std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::
   if (id.empty() || !statement) return {};
   AllocationDraft draft = draft_at(unit_, entities_, id, *statement);
   draft.site.where = unit_.location(variable->getLocation());
-  draft.site.is_apart = is_apart(unit_, variable);
   InsertedAllocation how;
   how.object = variable->getNameAsString();
   if (const clang::Expr* value = variable->getInit()) {

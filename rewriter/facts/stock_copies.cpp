@@ -153,10 +153,6 @@ Mentions mentions_of(const Unit& unit, const clang::VarDecl* variable) {
 
 }  // namespace
 
-bool is_apart(const Unit& unit, const clang::VarDecl* message) {
-  return local_message(message) && mentions_of(unit, message).are_followable();
-}
-
 std::vector<Change> changes_for_stock_copy(const Unit& unit, const clang::CallExpr* call, unsigned argument) {
   const clang::FunctionDecl* function = call->getDirectCallee();
   if (!function || llvm::isa<clang::CXXOperatorCallExpr>(call) || argument >= function->getNumParams() ||

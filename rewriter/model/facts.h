@@ -137,7 +137,6 @@ struct AllocationSite {
   std::variant<InsertedAllocation, AdapterAllocation, FactoryAllocation> how;
   std::vector<PublisherName> publishers;  ///< that publish it in this function and are available here
   std::vector<LaterName> later;
-  bool is_apart = false;  ///< nothing but its own name leads to the message (stock_copies.h)
   bool is_early = false;  ///< it stands before the body of its function, and members may not be there yet
   std::string record;     ///< USR of the class whose `this` is available here
   EntityId function;      ///< result of the function around it
