@@ -61,6 +61,27 @@ void EncodeStock(benchmark::State& state) {
 }
 BENCHMARK(EncodeStock)->Arg(4096)->Arg(four_megabytes);
 
+/// What a publish makes for callbacks of its own process, read as they read it.
+template <class View>
+void show_and_read(benchmark::State& state, View view) {
+  const auto image = allocated_image(static_cast<std::size_t>(state.range(0)));
+  message::Encoded encoded;
+  message::encode(image, memory(), encoded);
+  for (auto _ : state) {
+    const auto seen = view(image, encoded);
+    for (std::size_t i = 0; i < seen->data.size(); i += 64) benchmark::DoNotOptimize(seen->data[i]);
+  }
+}
+void ShowStockView(benchmark::State& state) {
+  show_and_read(state, [](const auto& image, auto& encoded) { return message::stock_view(image, encoded); });
+}
+BENCHMARK(ShowStockView)->Arg(1000)->Arg(4096)->Arg(four_megabytes);
+void ShowCallbackView(benchmark::State& state) {
+  show_and_read(state,
+                [](const auto& image, auto& encoded) { return message::callback_view(image, encoded); });
+}
+BENCHMARK(ShowCallbackView)->Arg(1000)->Arg(4096)->Arg(four_megabytes);
+
 void MakeView(benchmark::State& state) {
   const auto image = allocated_image(four_megabytes);
   message::Encoded encoded;
