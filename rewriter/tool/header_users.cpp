@@ -75,12 +75,12 @@ class NamedPackages {
     for (const auto& item : folders_) names_.insert(item.second);
   }
   bool has_name(const std::string& name) const { return names_.count(name) != 0; }
-  /// The packages below a folder that it hides.
-  std::vector<std::string> hidden_in(const std::string& folder) const {
-    std::vector<std::string> hidden;
+  /// The packages below a folder that it hides; and TZC itself, which takes headers of other packages as they are and ported.
+  std::vector<std::string> no_users_in(const std::string& folder) const {
+    std::vector<std::string> others;
     for (const auto& [place, name] : packages_at({folder}))
-      if (has_name(name) && folders_.count(place) == 0) hidden.push_back(place);
-    return hidden;
+      if (name == "tzc" || (has_name(name) && folders_.count(place) == 0)) others.push_back(place);
+    return others;
   }
 
  private:
@@ -173,7 +173,7 @@ SearchedFolders folders_of_users(const std::set<std::string>& packages, const st
     const fs::path prefix = fs::path(share) / "..";
     for (const std::string& space : source_spaces(prefix)) {
       searched.roots.push_back(space);
-      for (const std::string& folder : hiding.hidden_in(space)) searched.left_out.push_back(folder);
+      for (const std::string& folder : hiding.no_users_in(space)) searched.left_out.push_back(folder);
     }
     std::error_code failed;
     for (const auto& entry : fs::directory_iterator(share, failed)) {

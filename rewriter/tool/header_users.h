@@ -41,7 +41,7 @@ Note note_on_users(const std::string& package_dir, const std::map<std::string, s
 
 /// Where code lies that may include a header of one of these packages (names): the workspace, what the command line names, the
 /// workspaces below this one, and the headers of installed packages that depend on one of them. Left out are packages of
-/// the latter two of which the command line names other sources, which hide them.
+/// the latter two of which the command line names other sources, which hide them, and TZC.
 /// `shares`: folders of installed packages' files, such as /usr/share.
 SearchedFolders folders_of_users(const std::set<std::string>& packages, const std::string& workspace,
                                  const std::vector<std::string>& named, const std::set<std::string>& shares);

@@ -220,6 +220,15 @@ TEST_F(HeaderUsers, workspaces_below_are_searched) {
             "detail.h ");
 }
 
+TEST_F(HeaderUsers, tzc_in_a_workspace_below_is_not) {
+  folder.write("under/devel/.catkin", folder / "under/src");
+  folder.write("under/src/tzc/package.xml", "<package><name>tzc</name></package>");
+  folder.write("under/src/tzc/tests/pcl.cpp", "#include <lib/detail.h>\n");
+  folder.write("under/src/node/main.cpp", "#include <lib/api.h>\n");
+  fs::create_directories(folder / "under/devel/share");
+  EXPECT_EQ(in_use(folders_of_users({"lib"}, folder / "ws", {}, {folder / "under/devel/share"})), "api.h ");
+}
+
 TEST_F(HeaderUsers, a_package_of_a_workspace_below_is_not_if_other_sources_of_it_are_named) {
   for (const char* place : {"ws/src/lib", "under/src/lib"})
     folder.write(std::string(place) + "/package.xml", "<package><name>lib</name></package>");
