@@ -5,7 +5,6 @@
 #include "facts/bound_calls.h"
 #include "facts/call_place.h"
 #include "facts/calls.h"
-#include "facts/stock_copies.h"
 #include "facts/type_blind.h"
 #include "model/codes.h"
 
@@ -127,8 +126,7 @@ CallEffect CallEffects::into_package(const EntityId& id, const Passed& passed) {
     entities_.add_obstacle(id, codes::TZC1001, "'" + name + "' asks for its type", passed.where);
   const EntityId received = entities_.declare(parameter);
   if (!received.empty())
-    entities_.add_flow(
-        {id, received, unit_.location(passed.where), "passed to '" + name + "'", passed.as_stock});
+    entities_.add_flow(id, received, passed.where, "passed to '" + name + "'");
   else if (!parameter->getType()->isScalarType())
     entities_.add_obstacle(id, codes::TZC1001, "it is converted when passed to '" + name + "'", passed.where);
   return CallEffect::done;
@@ -182,11 +180,7 @@ CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr*
     use_rule(id, call, *rule);
     return CallEffect::done;
   }
-  if (unit_.declares(passed.function)) {
-    Passed known = passed;
-    if (entities_.is_message(id)) known.as_stock = changes_for_stock_copy(unit_, call, passed.argument);
-    return into_package(id, known);
-  }
+  if (unit_.declares(passed.function)) return into_package(id, passed);
   if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) return into_method(id, method);
   if (passed.function->isInStdNamespace() && carried_by(call->getType(), unit_.rules))
     return CallEffect::result;

@@ -31,7 +31,6 @@ class CallEffects {
     const clang::FunctionDecl* function;
     unsigned argument;
     clang::SourceLocation where;
-    std::vector<Change> as_stock = {};  // stock_copies.h
   };
   CallEffect into_function(const EntityId& id, const clang::CallExpr* call, const Passed& passed);
   CallEffect into_package(const EntityId& id, const Passed& passed);

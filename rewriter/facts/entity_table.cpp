@@ -84,16 +84,9 @@ Entity& EntityTable::entity_at(const EntityId& id, const Carried& carried, Descr
   return entity;
 }
 
+/// Signatures that other code relies on: overrides of foreign virtual functions, and declarations in exported
+/// headers.
 namespace {
-
-/// A twin exists for every message that stands alone and whose package has TZC headers; parts of services
-/// have none.
-void check_type(const Unit& unit, Entity& entity, const Carried& carried) {
-  if (carried.message && !carried.message->service && !unit.has_twin(carried.message->name))
-    add(entity, {codes::TZC4004, "'" + carried.message->name + "' has no TZC header", entity.where});
-  if (carried.message && carried.message->service)
-    add(entity, {codes::TZC1002, "it is part of a service", entity.where});
-}
 
 /// Closures have theirs where they stand.
 bool needs_body(const clang::FunctionDecl* function) {
@@ -103,8 +96,6 @@ bool needs_body(const clang::FunctionDecl* function) {
 
 }  // namespace
 
-/// Signatures that other code relies on: overrides of foreign virtual functions, and declarations in exported
-/// headers.
 void EntityTable::check_signature(Entity& entity, const clang::FunctionDecl* function) {
   const Location where = unit_.location(function->getLocation());
   const std::string name = "'" + function->getNameAsString() + "'";
@@ -118,6 +109,15 @@ void EntityTable::check_signature(Entity& entity, const clang::FunctionDecl* fun
     note_friends(facts_, entity.id, friends_of(unit_, first));
   if (unit_.exports(function))
     add(entity, {codes::TZC1005, name + " is declared in a header that other packages may include", where});
+}
+
+/// A twin exists for every message that stands alone and whose package has TZC headers; parts of services
+/// have none.
+void EntityTable::check_type(Entity& entity, const Carried& carried) const {
+  if (carried.message && !carried.message->service && !unit_.has_twin(carried.message->name))
+    add(entity, {codes::TZC4004, "'" + carried.message->name + "' has no TZC header", entity.where});
+  if (carried.message && carried.message->service)
+    add(entity, {codes::TZC1002, "it is part of a service", entity.where});
 }
 
 void EntityTable::connect_overrides(const EntityId& id, const clang::FunctionDecl* function, int parameter) {
@@ -191,7 +191,7 @@ EntityId EntityTable::declare(const clang::ValueDecl* decl) {
     fresh.name = decl->getNameAsString();
     fresh.where = unit_.location(decl->getLocation());
   });
-  check_type(unit_, entity, *carried);
+  check_type(entity, *carried);
   const clang::CXXRecordDecl* record = decl->getType().getNonReferenceType()->getAsCXXRecordDecl();
   if (record && unit_.rules.find_class_or_ported(qualified_name_of(record)))
     entity.form = Form::itself;
@@ -231,7 +231,7 @@ EntityId EntityTable::declare_result(const clang::FunctionDecl* function) {
     fresh.name = function->getNameAsString();
     fresh.where = unit_.location(function->getLocation());
   });
-  check_type(unit_, entity, *carried);
+  check_type(entity, *carried);
   for (const clang::FunctionDecl* redeclaration : function->redecls())
     if (redeclaration->getTypeSourceInfo())
       if (const auto type = redeclaration->getFunctionTypeLoc()) respell(entity, type.getReturnLoc());
@@ -253,7 +253,7 @@ EntityId EntityTable::declare_temporary(const clang::Expr* expr) {
   if (llvm::isa<clang::CXXNewExpr>(expr) || (call && makes_object(call)) ||
       (expr->isPRValue() && message_of(expr->getType())))
     facts_.objects.insert(id);
-  check_type(unit_, entity, *carried);
+  check_type(entity, *carried);
   return id;
 }
 
@@ -264,11 +264,8 @@ void EntityTable::retype(const EntityId& id, clang::TypeLoc written) {
 
 void EntityTable::add_flow(const EntityId& from, const EntityId& to, clang::SourceLocation where,
                            const std::string& what) {
-  add_flow(Flow{from, to, unit_.location(where), what});
-}
-
-void EntityTable::add_flow(Flow flow) {
-  if (!flow.from.empty() && !flow.to.empty() && flow.from != flow.to) facts_.flows.push_back(std::move(flow));
+  if (from.empty() || to.empty() || from == to) return;
+  facts_.flows.push_back({from, to, unit_.location(where), what});
 }
 
 void EntityTable::add_obstacle(const EntityId& id, const Obstacle& obstacle) {

@@ -35,7 +35,6 @@ class EntityTable {
   void retype(const EntityId& id, clang::TypeLoc written);
   void add_flow(const EntityId& from, const EntityId& to, clang::SourceLocation where,
                 const std::string& what);
-  void add_flow(Flow flow);
   void add_obstacle(const EntityId& id, const Obstacle& obstacle);
   void add_obstacle(const EntityId& id, const char* code, const std::string& reason,
                     clang::SourceLocation where);
@@ -53,6 +52,7 @@ class EntityTable {
   using Description = llvm::function_ref<void(Entity&)>;
 
   Entity& entity_at(const EntityId& id, const Carried& carried, Description describe);
+  void check_type(Entity& entity, const Carried& carried) const;
   void check_signature(Entity& entity, const clang::FunctionDecl* function);
   void check_exported(Entity& entity, const clang::ValueDecl* decl);
   void connect_overrides(const EntityId& id, const clang::FunctionDecl* function, int parameter);

@@ -139,6 +139,7 @@ bool Speller::respell_qualifier(clang::NestedNameSpecifierLoc qualifier) {
     const clang::TypeLoc type = qualifier.getTypeLoc();
     if (type.isNull()) continue;
     if (const auto message = message_of(type.getType())) {
+      if (!unit_.has_twin(message->name)) return false;
       change_name({qualifier.getBeginLoc(), type.getEndLoc()},
                   {twin_name(message->name), "message-type", {twin_header(message->name)}});
       return true;

@@ -73,8 +73,6 @@ struct Flow {
   EntityId from, to;
   Location where;
   std::string what;
-  std::vector<Change> as_stock =
-      {};  ///< with which `to` is given a stock copy of a ported `from`; none: it cannot
 };
 
 /// `Image a, b;`: where the declaration is cut when only one of two neighbours is ported.

@@ -5,9 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "model/codes.h"
-#include "solve/unpublished.h"
-
 namespace tzc::rewriter {
 namespace {
 
@@ -34,82 +31,13 @@ bool same_role(const Facts& facts, const EntityId& a, const EntityId& b) {
   return facts.entities.at(a).role == facts.entities.at(b).role;
 }
 
-/// Calls `see` with each flow whose ends must have the same type.
-template <class See>
-void for_each_flow(const Facts& facts, const Numbers& numbers, See see) {
-  for (const Flow& flow : facts.flows)
-    if (numbers.count(flow.from) != 0 && numbers.count(flow.to) != 0 && same_role(facts, flow.from, flow.to))
-      see(flow);
-}
-
 void unite_flows(const Facts& facts, const Numbers& numbers, UnionFind& sets) {
-  for_each_flow(facts, numbers, [&](const Flow& flow) {
-    if (flow.as_stock.empty()) sets.unite(numbers.at(flow.from), numbers.at(flow.to));
-  });
+  for (const Flow& flow : facts.flows) {
+    const auto from = numbers.find(flow.from), to = numbers.find(flow.to);
+    if (from != numbers.end() && to != numbers.end() && same_role(facts, flow.from, flow.to))
+      sets.unite(from->second, to->second);
+  }
 }
-
-/// Which sets of entities stay as they are, and where a function of one can be given a stock copy of a message of another. Not of a
-/// message whose content is published: a copy of it would be as dear as what the port saves. And not where const is cast away: the
-/// function may write to what it is given.
-class StockCopies {
- public:
-  StockCopies(const Facts& facts, const Numbers& numbers, UnionFind& sets)
-      : facts_(facts), numbers_(numbers), sets_(sets), unpublished_(facts) {
-    for (const ConstCast& cast : facts.const_casts) cast_.insert(cast.type);
-    for_each_flow(facts, numbers, [this](const Flow& flow) {
-      if (!flow.as_stock.empty()) open_.push_back(&flow);
-    });
-  }
-
-  /// Unites what no copy can part.
-  std::vector<const Flow*> run() {
-    do {
-      look_who_stays();
-    } while (unite_if([this](const Flow& flow) { return has_to_unite(flow); }));
-    unite_if([this](const Flow& flow) { return !stays(flow.to); });
-    return std::move(open_);
-  }
-
- private:
-  std::size_t set_of(const EntityId& id) const { return sets_.find(numbers_.at(id)); }
-  bool stays(const EntityId& id) const { return stay_.count(set_of(id)) != 0; }
-
-  void look_who_stays() {
-    for (const auto& [id, entity] : facts_.entities) {
-      if (entity.ported || entity.obstacles.empty()) continue;
-      stay_.insert(set_of(id));
-      for (const Obstacle& why : entity.obstacles)
-        if (why.code == codes::TZC2002) written_.insert(set_of(id));
-    }
-  }
-
-  bool has_to_unite(const Flow& flow) const {
-    if (stays(flow.from)) return true;
-    const bool can_be_copied = written_.count(set_of(flow.to)) == 0 &&
-                               cast_.count(facts_.entities.at(flow.from).type) == 0 &&
-                               unpublished_.has(flow.from);
-    return stays(flow.to) && !can_be_copied;
-  }
-
-  template <class Condition>
-  bool unite_if(Condition condition) {
-    const auto united = std::stable_partition(open_.begin(), open_.end(),
-                                              [&](const Flow* flow) { return !condition(*flow); });
-    const bool some = united != open_.end();
-    std::for_each(united, open_.end(),
-                  [this](const Flow* flow) { sets_.unite(numbers_.at(flow->from), numbers_.at(flow->to)); });
-    open_.erase(united, open_.end());
-    return some;
-  }
-
-  const Facts& facts_;
-  const Numbers& numbers_;
-  UnionFind& sets_;
-  const Unpublished unpublished_;
-  std::set<std::string> cast_;  // types
-  std::vector<const Flow*> open_;
-  std::set<std::size_t> stay_, written_;
-};
 
 /// `Image a, b;` has one type for two variables, unless it can be cut.
 void unite_spellings(const Facts& facts, const Numbers& numbers, UnionFind& sets) {
@@ -192,11 +120,8 @@ Component& Components::add(ComponentKind kind) {
 void Components::add_entities(const Facts& facts, bool all_or_nothing) {
   const Numbers numbers = number(facts);
   UnionFind sets(numbers.size());
+  if (all_or_nothing) unite_flows(facts, numbers, sets);
   unite_spellings(facts, numbers, sets);
-  if (all_or_nothing) {
-    unite_flows(facts, numbers, sets);
-    stock_copies_ = StockCopies(facts, numbers, sets).run();
-  }
   std::map<std::size_t, std::size_t> component_of_root;
   for (const auto& [id, entity] : facts.entities) {
     const auto [known, is_new] = component_of_root.emplace(sets.find(numbers.at(id)), components_.size());

@@ -38,15 +38,12 @@ class Components {
   const Component* of(const SiteId& subscription) const;
   const Component& operator[](ComponentId id) const { return components_.at(static_cast<std::size_t>(id)); }
   const std::vector<Component>& all() const { return components_; }
-  /// Flows between components: at each a function that stays as it is gets a stock copy (Flow::as_stock).
-  const std::vector<const Flow*>& stock_copies() const { return stock_copies_; }
 
  private:
   Component& add(ComponentKind kind);
   void add_entities(const Facts& facts, bool all_or_nothing);
 
   std::vector<Component> components_;
-  std::vector<const Flow*> stock_copies_;
   std::map<EntityId, ComponentId> of_entity_;
   std::map<SiteId, ComponentId> of_subscription_;
 };

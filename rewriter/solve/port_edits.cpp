@@ -47,9 +47,6 @@ class PortEditor {
     for (const Use& use : facts_.uses)
       if (const Component* component = components_.of(use.entity))
         if (is_ported(*component)) add(use.change, component->id);
-    for (const Flow* flow : components_.stock_copies())
-      if (const Component* component = ported(flow->from))
-        for (const Change& change : flow->as_stock) add(change, component->id);
     for (const BoundAllocation& allocation : solution_.allocations) add_allocation(allocation);
     for (const GivenPublisher& given : solution_.factories) add_parameter(given);
     for (const auto& item : facts_.advertises) add_advertise(item.second);

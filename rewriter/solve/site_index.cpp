@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "solve/unpublished.h"
-
 namespace tzc::rewriter {
 
 SiteIndex::SiteIndex(const Facts& facts, const Components& components) {
@@ -21,11 +19,8 @@ SiteIndex::SiteIndex(const Facts& facts, const Components& components) {
   for (const auto& item : facts.advertises)
     if (const Component* publisher = components.of(item.second.publisher))
       advertised_[publisher->id].push_back(&item.second);
-  const Unpublished unpublished(facts);
-  for (const AllocationSite& site : facts.allocations) {
-    const Component* message = components.of(site.entity);
-    if (message && !unpublished.has(site.entity)) allocations_[message->id].push_back(&site);
-  }
+  for (const AllocationSite& site : facts.allocations)
+    if (const Component* message = components.of(site.entity)) allocations_[message->id].push_back(&site);
 }
 
 template <class Fact>

@@ -3,12 +3,6 @@
 #include <initializer_list>
 #include <vector>
 namespace tzc {
-namespace message {
-template <class M>
-typename M::Stock to_stock(const M& message) {
-  return static_cast<typename M::Stock>(message);
-}
-}  // namespace message
 struct uninitialized_t {};
 constexpr uninitialized_t uninitialized{};
 template <class T>
