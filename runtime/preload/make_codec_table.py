@@ -42,9 +42,11 @@ def main():
     packages = sorted({package for package, _ in with_data_part})
     for index in range(shards):
         mine = [(package, name) for package, name in with_data_part if packages.index(package) % shards == index]
-        includes = "\n".join(f"#include <{package}/{name}.h>" for package, name in mine)
-        entries = "\n".join(f'  table.emplace("{package}/{name}", detail::make_codec<::{package}::{name}>());'
-                            for package, name in mine)
+        # A package may install definitions that it makes no headers of.
+        has = "#if __has_include(<{0}/{1}.h>)\n{2}\n#endif"
+        includes = "\n".join(has.format(*one, f"#include <{one[0]}/{one[1]}.h>") for one in mine)
+        entries = "\n".join(has.format(*one, f'  table.emplace("{one[0]}/{one[1]}", detail::make_codec<::{one[0]}::{one[1]}>());')
+                            for one in mine)
         write_if_changed(os.path.join(sys.argv[2], f"shard_{index}.cpp"),
                          SHARD.format(includes=includes, index=index, entries=entries))
 

@@ -16,6 +16,10 @@ std::size_t aligned(std::size_t bytes) {
 // Views of some buffers, and copies of those that cannot have one.
 class Views {
  public:
+  explicit Views(std::size_t buffers) {  // what show() has begun must be kept without memory for it
+    viewed_.reserve(buffers);
+    unwatched_.reserve(buffers);
+  }
   ~Views() {
     for (const BufferPtr& buffer : viewed_)
       views_of(*buffer).end(static_cast<const segment::Block&>(*buffer));
@@ -59,7 +63,7 @@ class Views {
 }  // namespace
 
 BufferViews view_for_callbacks(const BufferSpan& buffers) {
-  const auto views = std::make_shared<Views>();
+  const auto views = std::make_shared<Views>(buffers.size());
   BufferViews shown;
   for (const BufferPtr& buffer : buffers) shown.blocks.push_back(views->show(buffer));
   shown.hold = views;

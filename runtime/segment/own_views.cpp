@@ -13,24 +13,12 @@ OwnViews::~OwnViews() {
 }
 
 const std::uint8_t* OwnViews::begin(const Block& block) {
-  if (!has_own_pages(block.size(), posix::page_size())) return nullptr;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!open()) return nullptr;
+  if (!has_own_pages(block.size(), posix::page_size()) || !open()) return nullptr;
   posix::keep_watching_write_faults();
-  std::uint32_t& count = counts_[block.slot()];
-  if (count == 0 && !views_->begin(block.offset, block.size())) {
-    counts_.erase(block.slot());
-    return nullptr;
-  }
-  ++count;
-  return views_->data() + block.offset;
+  return views_->begin(block.offset, block.size()) ? views_->data() + block.offset : nullptr;
 }
 
 void OwnViews::end(const Block& block) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = counts_.find(block.slot());
-  if (--found->second != 0) return;
-  counts_.erase(found);
   views_->end(block.offset, block.size());
 }
 
@@ -46,6 +34,7 @@ bool OwnViews::is_written(std::uint64_t offset) const {
 }
 
 bool OwnViews::open() {
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (views_) return true;
   if (!can_make_private_pages()) return false;
   const SegmentPages& pages = file_.pages();

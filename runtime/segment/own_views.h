@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <mutex>
 
@@ -17,8 +16,7 @@ namespace segment {
 
 /// The blocks of one segment as callbacks of the publisher's own process see them: in a mapping of their own, so that a write
 /// changes bytes of this process alone (private_views.h). Neither a subscriber nor the publisher's own message sees it. The
-/// mapping is made for the first view. All views of one block that live at the same time are the same one, as they would be a
-/// pointer without TZC. Thread-safe.
+/// mapping is made for the first view. A block has one view at a time: who had it may have written to it. Thread-safe.
 class OwnViews {
  public:
   /// Both outlive this.
@@ -27,9 +25,9 @@ class OwnViews {
   OwnViews& operator=(const OwnViews&) = delete;
   ~OwnViews();
 
-  /// The payload in a view. Null: it has no pages of its own (small), or the system refuses such views.
+  /// The payload in a view. Null: it has no pages of its own (small), has a view already, or the system refuses such views.
   const std::uint8_t* begin(const Block& block);
-  /// One of the views that begin() returned is gone.
+  /// The view that begin() returned is gone.
   void end(const Block& block);
   /// Where the view's bytes at this address lie in the segment. False: no view lies there.
   bool offset_of(const std::uint8_t* address, std::uint64_t& offset) const;
@@ -46,7 +44,6 @@ class OwnViews {
   std::unique_ptr<PrivateViews> views_;
   std::atomic<const std::uint8_t*> base_{
       nullptr};  // views_->data(); offset_of() runs under the registry's lock, so takes none
-  std::map<std::uint32_t, std::uint32_t> counts_;  // by slot: how many views of its block live
 };
 
 }  // namespace segment

@@ -396,6 +396,10 @@ TEST(ArrayAssignment, takes_all_that_a_vector_takes) {
   array = {4, 5};
   vector = {4, 5};
   EXPECT_EQ(array, vector);
+  array = {vector};
+  EXPECT_EQ(array, vector);
+  array = {Vector(2, 3)};
+  EXPECT_EQ(array, Vector(2, 3));
   array = Convertible();
   vector = Convertible();
   EXPECT_EQ(array, vector);

@@ -2,6 +2,7 @@
 // What callbacks of the publisher's process see, and what becomes of their writes.
 #include <tzc/message.h>
 #include <tzc/sensor_msgs/Image.h>
+#include <tzc/sensor_msgs/LaserScan.h>
 
 #include <algorithm>
 #include <thread>
@@ -58,11 +59,29 @@ TEST_F(CallbackView, a_write_reaches_neither_the_message_nor_other_processes) {
   }
 }
 
-TEST_F(CallbackView, callbacks_at_one_time_share_what_one_of_them_wrote) {
+TEST_F(CallbackView, what_is_published_again_shows_nothing_of_a_write_to_the_first) {
   const Image message = image(100000);
-  const auto first = view_of(message), second = view_of(message);
+  const auto first = view_of(message);
   write(*first);
-  EXPECT_TRUE(is_all(*second, 9)) << "as with roscpp, which passes one pointer to all";
+  const auto second = view_of(message);
+  EXPECT_TRUE(is_all(*second, 1));
+  const auto third = view_of(message);
+  write(*second);
+  EXPECT_TRUE(is_all(*third, 1));
+}
+
+TEST_F(CallbackView, an_array_beside_one_that_was_written_to_is_shown_as_it_is) {
+  sensor_msgs::LaserScan scan;
+  scan.ranges.resize(2000, 1);
+  scan.intensities.reserve(2000);
+  ASSERT_TRUE(allocate(scan, memory_));
+  Encoded encoded;
+  ASSERT_TRUE(encode(scan, memory_, encoded));
+  const auto first = callback_view(scan, encoded);
+  const_cast<stock::LaserScan&>(*first).ranges[0] = 9;
+  scan.intensities.resize(2000, 5);
+  ASSERT_TRUE(encode(scan, memory_, encoded));
+  EXPECT_EQ(std::vector<float>(2000, 5), callback_view(scan, encoded)->intensities);
 }
 
 TEST_F(CallbackView, a_later_view_shows_what_was_published) {
@@ -115,7 +134,6 @@ TEST_F(CallbackView, views_come_and_go_on_all_threads) {
       const auto view = view_of(message);
       Encoded again;
       EXPECT_TRUE(encode(*view, memory_, again));
-      EXPECT_EQ(0u, again.copied_bytes);
       EXPECT_TRUE(is_all(*view, 1));
     }
   };

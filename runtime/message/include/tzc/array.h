@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -55,9 +56,8 @@ class Array {
   using IfIterator =
       typename std::enable_if<std::is_convertible<typename std::iterator_traits<It>::iterator_category,
                                                   std::input_iterator_tag>::value>::type;
-  /// What std::vector<T>'s assignment takes but for lists in braces, which have no type: `= {first, last}` is an Array.
-  template <class V>
-  using IfVector = typename std::enable_if<std::is_convertible<V, std::vector<T> >::value>::type;
+  template <class It>
+  using IfRange = typename std::enable_if<!std::is_convertible<It, T>::value, IfIterator<It> >::type;
   using Element = detail::ElementCopy<T>;
 
  public:
@@ -108,11 +108,26 @@ class Array {
     assign(values);
     return *this;
   }
-  /// A vector that is moved from gives its memory away, or is copied into this array's own segment memory if that is large
-  /// enough. It is empty afterwards.
-  template <class V, class = IfVector<V> >
-  Array& operator=(V&& values) {
-    assign_vector(std::forward<V>(values));
+  /// array = {first, last}, of one type: as std::vector's constructor. Throws std::length_error for another number of iterators.
+  template <class It, class = IfRange<It> >
+  Array& operator=(std::initializer_list<It> ends) {
+    if (ends.size() != 2) throw std::length_error("tzc::Array: a range has two ends");
+    assign(*ends.begin(), *(ends.begin() + 1));
+    return *this;
+  }
+  Array& operator=(const std::vector<T>& values) {
+    assign(values.begin(), values.end());
+    return *this;
+  }
+  /// Takes over the vector's memory, or copies into this array's own segment memory if that is large enough. The
+  /// vector is empty afterwards.
+  Array& operator=(std::vector<T>&& values) {
+    if (!bound_buffer_has_room(values.size())) {
+      take(values);
+      return *this;
+    }
+    assign(values.begin(), values.end());
+    values.clear();
     return *this;
   }
 
@@ -243,8 +258,6 @@ class Array {
 
  private:
   void copy_from(const Array& other);
-  void assign_vector(const std::vector<T>& values) { assign(values.begin(), values.end()); }
-  void assign_vector(std::vector<T>&& values);
   void take(std::vector<T>& values);
   std::vector<T> release_to_vector();
   bool bound_buffer_has_room(size_type n) const noexcept;

@@ -94,7 +94,7 @@ template <class M>
 boost::shared_ptr<const typename StockOf<M>::type> stock_view(const M& message, Encoded& encoded);
 
 /// The same for callbacks of this process, which may write to it in spite of the const (tzc::view_for_callbacks): neither
-/// `message` nor another process sees that.
+/// `message` nor another view of it, nor another process sees that. Null also when there is no memory.
 template <class M>
 boost::shared_ptr<const typename StockOf<M>::type> callback_view(const M& message, Encoded& encoded);
 

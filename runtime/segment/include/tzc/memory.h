@@ -227,13 +227,13 @@ FoundBuffer find_in_buffer(const void* address, std::size_t bytes);
 BufferPtr find_buffer(const void* address, std::size_t bytes);
 
 /// What code of the publisher's own process, which may write to it in spite of the const, is shown of published buffers. A write
-/// changes bytes of this process alone: those of all views of that buffer that live at the time.
+/// changes these bytes alone.
 struct BufferViews {
   std::vector<ConstBlock> blocks;    ///< in the buffers' order
   std::shared_ptr<const void> hold;  ///< keeps them, and the buffers
 };
 
-/// Seals the buffers. Payloads below a page, and all where the system refuses such views, are copied. In guard mode, which keeps
+/// Seals the buffers. Payloads below a page, those of which other such views live, and all where the system refuses them, are copied. In guard mode, which keeps
 /// late writes to itself and reports them, the blocks are the buffers' own bytes. Any thread. A thread that writes must not block
 /// SIGSEGV.
 BufferViews view_for_callbacks(const BufferSpan& buffers);

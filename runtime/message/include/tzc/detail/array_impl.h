@@ -18,13 +18,6 @@ void Array<T>::copy_from(const Array& other) {
 }
 
 template <class T>
-void Array<T>::assign_vector(std::vector<T>&& values) {
-  if (!bound_buffer_has_room(values.size())) return take(values);
-  assign(values.begin(), values.end());
-  values.clear();
-}
-
-template <class T>
 void Array<T>::take(std::vector<T>& values) {
   if (detail::can_use_vector_words<std::vector<T> >()) {
     storage_.adopt(values.data(), values.size(), values.capacity());

@@ -26,7 +26,7 @@ template <class T>
 class ElementCopy<T, false> {
  public:
   template <class... Args>
-  explicit ElementCopy(Args&&... args) : element_(std::forward<Args>(args)...) {}
+  explicit ElementCopy(Args&&... args) : element_(T(std::forward<Args>(args)...)) {}
   const T& operator*() const noexcept { return element_; }
 
  private:

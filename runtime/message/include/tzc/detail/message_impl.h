@@ -71,10 +71,12 @@ boost::shared_ptr<const typename StockOf<M>::type> stock_view(const M&, Encoded&
 }
 
 template <class M>
-boost::shared_ptr<const typename StockOf<M>::type> callback_view(const M&, Encoded& encoded) {
+boost::shared_ptr<const typename StockOf<M>::type> callback_view(const M&, Encoded& encoded) try {
   const BufferViews views = view_for_callbacks(encoded.buffers);
   return make_view<typename StockOf<M>::type>(encoded.control.data(), encoded.control.size(), views.blocks,
                                               views.hold);
+} catch (const std::bad_alloc&) {
+  return nullptr;
 }
 
 template <class M>

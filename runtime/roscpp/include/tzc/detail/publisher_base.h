@@ -57,7 +57,8 @@ class PublisherBase {
     return attachment_ ? attachment_->memory() : std::shared_ptr<MemorySource>();
   }
   /// A read-only stock message over the bytes of a tzc:: message, for code that takes stock messages. Arrays
-  /// outside of this publisher's shared memory are copied there, the others are not copied. Costs as much as
+  /// outside of this publisher's shared memory are copied there, the others are not copied unless they take less than a page or
+  /// another view of them lives. What is written to it in spite of the const stays in it. Costs as much as
   /// publishing the message and has the same effect on it: the next write to an array gets fresh memory. Any
   /// publisher of this process can publish the result without a copy. Never null: without shared memory it is
   /// a copy. To convert back, `M(stock)` makes a deep copy.
@@ -65,8 +66,8 @@ class PublisherBase {
   boost::shared_ptr<const typename message::StockOf<M>::type> stock_view(const M& message) const {
     typedef typename message::StockOf<M>::type View;
     SharedMessage<M> shared;
-    if (attachment_ && shared.encode(message, attachment_->memory()) && shared.make_view(message))
-      return shared.view;
+    if (attachment_ && shared.encode(message, attachment_->memory()))
+      if (const auto view = message::callback_view(message, shared.encoded)) return view;
     return boost::make_shared<View>(message::to_stock(message));
   }
 
