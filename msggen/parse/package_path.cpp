@@ -69,7 +69,8 @@ void add_folders(const fs::path& folder, int depth, std::vector<std::string>& fo
   folders.push_back(folder.string());
   if (depth == deepest) return;
   for (const fs::path& inner : entries(folder)) {
-    if (is_folder(inner) && !fs::is_symlink(inner)) add_folders(inner, depth + 1, folders);
+    const bool is_hidden = inner.filename().string().front() == '.';
+    if (is_folder(inner) && !fs::is_symlink(inner) && !is_hidden) add_folders(inner, depth + 1, folders);
   }
 }
 

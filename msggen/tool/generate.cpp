@@ -9,6 +9,7 @@
 
 #include "emit/header.h"
 #include "parse/identifier.h"
+#include "parse/source.h"
 #include "tool/commands.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
@@ -44,12 +45,18 @@ void add_own_folders(const GenerateOptions& options, SearchPath& path) {
 std::vector<std::string> names_expected_of(const std::string& file, const std::string& package) {
   const std::filesystem::path path = file;
   std::vector<std::string> suffixes = {""};
-  if (path.extension() == ".srv") suffixes = {"Request", "Response"};
+  if (path.extension() == ".srv") suffixes = {"", "Request", "Response"};
   if (path.extension() == ".action")
     suffixes = {"Action", "ActionGoal", "ActionResult", "ActionFeedback", "Goal", "Result", "Feedback"};
   std::vector<std::string> names;
   for (const std::string& suffix : suffixes) names.push_back(package + "/" + path.stem().string() + suffix);
   return names;
+}
+
+// One that does not exist, or holds something else, is no definition with faults.
+bool is_definition(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension();
+  return is_file(file) && (extension == ".msg" || extension == ".srv" || extension == ".action");
 }
 
 std::string reason(const Diagnostic& d) {
@@ -70,7 +77,8 @@ class Generator {
     }
     read();
     emit();
-    if (!keeps_going() && !diagnostics_.empty()) return finish(diagnostics_, console);
+    const bool goes_on = keeps_going() && !has_strange_files_;
+    if (!goes_on && !diagnostics_.empty()) return finish(diagnostics_, console);
     for (const Diagnostic& d : diagnostics_.sorted()) console.err << render(d, Severity::warning);
     Diagnostics failures;
     write(console, failures);
@@ -100,6 +108,7 @@ class Generator {
     const std::size_t faults_before = diagnostics_.size();
     std::vector<std::string> names = library_.add_file(file, package);
     const bool has_faults = diagnostics_.size() > faults_before;
+    if (!is_definition(file)) has_strange_files_ = true;
     if (names.empty() && has_faults) refuse(names_expected_of(file, package), diagnostics_[faults_before]);
     for (std::string& name : names) {
       if (has_faults) refusals_.emplace(name, reason(diagnostics_[faults_before]));
@@ -108,7 +117,12 @@ class Generator {
   }
 
   void refuse(const std::vector<std::string>& names, const Diagnostic& why) {
-    for (const std::string& name : names) headers_.push_back(emit_refusal(name, reason(why)));
+    for (const std::string& name : names) refused_.push_back(emit_refusal(name, reason(why)));
+  }
+
+  // The first header of a name counts: a package that only Python uses may have a message and a service of one name.
+  void add(Header header) {
+    if (paths_.insert(header.path).second) headers_.push_back(std::move(header));
   }
 
   void emit() {
@@ -116,19 +130,19 @@ class Generator {
     for (const std::string& name : names_) {
       if (done.insert(name).second) emit(name);
     }
-    for (const auto& service : library_.services())
-      headers_.push_back(emit_service(service.package, service.name));
+    for (const auto& service : library_.services()) add(emit_service(service.package, service.name));
+    for (Header& header : refused_) add(std::move(header));
   }
 
   void emit(const std::string& name) {
     const std::size_t faults_before = diagnostics_.size();
     if (const Message* message = library_.find(name)) {
-      headers_.push_back(emit_message(*message, library_.analysis()));
+      add(emit_message(*message, library_.analysis()));
       return;
     }
     std::string why = "a message in it has faults";
     if (diagnostics_.size() > faults_before) why = reason(diagnostics_[faults_before]);
-    headers_.push_back(emit_refusal(name, refusals_.emplace(name, why).first->second));
+    add(emit_refusal(name, refusals_.emplace(name, why).first->second));
   }
 
   void write(Console console, Diagnostics& failures) {
@@ -144,7 +158,9 @@ class Generator {
   Library library_;
   std::vector<std::string> names_;
   std::map<std::string, std::string> refusals_;  // why a name has no twin
-  std::vector<Header> headers_;
+  std::vector<Header> headers_, refused_;
+  std::set<std::string> paths_;  // of headers_
+  bool has_strange_files_ = false;
 };
 
 }  // namespace

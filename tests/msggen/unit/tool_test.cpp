@@ -88,6 +88,18 @@ TEST_F(Tool, keeps_going_past_definitions_with_faults) {
     EXPECT_THAT(read(std::string("out/tzc/demo/") + name + ".h"), Not(HasSubstr("#error"))) << name;
 }
 
+TEST_F(Tool, does_not_keep_going_past_files_that_are_no_definitions) {
+  GenerateOptions options;
+  options.package = "demo";
+  options.output = path("out");
+  options.keep_going = true;
+  for (const std::string& file : {path("msg/Nowhere.msg"), write("README.txt", "uint8 a\n")}) {
+    options.files = {write("msg/Good.msg", "uint8[] x\n"), file};
+    EXPECT_EQ(generate(options, console_), exit_bad_input) << file;
+    EXPECT_FALSE(fs::exists(path("out"))) << file;
+  }
+}
+
 /// An install space beside the machine's own.
 class Installed : public Tool {
  protected:
@@ -114,8 +126,19 @@ TEST_F(Installed, one_odd_package_costs_the_others_nothing) {
   EXPECT_THAT(err_.str(), HasSubstr("warning:"));
 }
 
+TEST_F(Installed, a_message_and_a_service_of_one_name) {
+  install("twice_msgs", "msg/Foo.msg", "uint8[] x\n");
+  install("twice_msgs", "srv/Foo.srv", "uint8 a\n---\nuint8 b\n");
+  install("twice_msgs", "msg/BarRequest.msg", "uint8[] x\n");
+  install("twice_msgs", "srv/Bar.srv", "uint8 a # \xE9\n---\n");
+  EXPECT_THAT(header("twice_msgs/Foo.h"), HasSubstr("struct Foo {"));
+  EXPECT_THAT(read("out/tzc/twice_msgs/BarRequest.h"), HasSubstr("struct BarRequest {"));
+  EXPECT_THAT(read("out/tzc/twice_msgs/Bar.h"), HasSubstr("#error"));
+}
+
 TEST_F(Installed, messages_in_folders_below_msg) {
   install("deep_msgs", "msg/inner/A.msg", "uint8[] x\n");
+  install("deep_msgs", "msg/.hidden/A.msg", "uint16[] y\n");
   install("deep_msgs", "msg/B.msg", "A[] a\n");
   EXPECT_THAT(header("deep_msgs/B.h"), HasSubstr("tzc/deep_msgs/A.h"));
   EXPECT_THAT(read("out/tzc/deep_msgs/A.h"), HasSubstr("struct A {"));
