@@ -20,7 +20,7 @@ class PublicationEndpoint;
 
 /// What callbacks of the publisher's process get of a message that they get by pointer.
 enum class LocalView {
-  unseen,   ///< nothing, because there are none; or a view that must not be written to (~tzc/private_writes is off)
+  unseen,  ///< nothing, because there are none; or a view that must not be written to (~tzc/private_writes is off)
   guarded,  ///< a view in which a write changes bytes of this process alone (message::callback_view)
   copy,     ///< a copy: one of them may write to it by its signature, or comes later
 };
