@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstring>
-#include <new>
 
-#include "segment/layout.h"
 #include "segment/segment.h"
 #include "tzc/memory.h"
 
 namespace tzc {
 namespace {
-
-std::size_t aligned(std::size_t bytes) {
-  return (bytes + segment::cache_line - 1) / segment::cache_line * segment::cache_line;
-}
 
 // Views of some buffers, and copies of those that cannot have one.
 class Views {
@@ -27,8 +21,8 @@ class Views {
 
   ConstBlock show(const BufferPtr& buffer) {
     buffer->seal();
-    if (guard::
-            active) {  // which watches the publisher's own mapping: a write there is reported, and seen by nobody else
+    // Guard mode watches the publisher's own mapping: a write there is reported, and seen by nobody else.
+    if (guard::active) {
       unwatched_.push_back(buffer);
       return ConstBlock{buffer->data(), buffer->size()};
     }
@@ -47,12 +41,10 @@ class Views {
   }
 
   const std::uint8_t* copy(const Buffer& buffer) {
-    copies_.emplace_back(new std::uint8_t[buffer.size() + segment::cache_line]);
-    std::uint8_t* const memory = copies_.back().get();
-    std::uint8_t* const begin = memory + (aligned(reinterpret_cast<std::uintptr_t>(memory)) -
-                                          reinterpret_cast<std::uintptr_t>(memory));
-    std::memcpy(begin, buffer.data(), buffer.size());
-    return begin;
+    copies_.push_back(
+        std::make_unique<std::uint8_t[]>(buffer.size()));  // aligned as a std::vector's elements
+    std::memcpy(copies_.back().get(), buffer.data(), buffer.size());
+    return copies_.back().get();
   }
 
   std::vector<BufferPtr> viewed_;

@@ -378,39 +378,5 @@ TEST(Array, braces_mean_what_they_mean_for_vectors) {
   EXPECT_EQ((std::vector<int>{7, 7}), std::vector<int>(Array<int>(2, 7)));
 }
 
-/// As cv::Mat_<T>, which becomes a vector of what it is asked for.
-struct Convertible {
-  template <class T>
-  operator std::vector<T>() const {
-    return std::vector<T>(3, T(7));
-  }
-};
-
-TEST(ArrayAssignment, takes_all_that_a_vector_takes) {
-  const std::uint8_t bytes[] = {1, 2, 3};
-  Bytes array;
-  Vector vector;
-  array = {bytes, bytes + 2};
-  vector = {bytes, bytes + 2};
-  EXPECT_EQ(array, vector);
-  array = {4, 5};
-  vector = {4, 5};
-  EXPECT_EQ(array, vector);
-  array = {vector};
-  EXPECT_EQ(array, vector);
-  array = {Vector(2, 3)};
-  EXPECT_EQ(array, Vector(2, 3));
-  array = Convertible();
-  vector = Convertible();
-  EXPECT_EQ(array, vector);
-  array = {};
-  EXPECT_TRUE(array.empty());
-  array = vector;
-  EXPECT_EQ(array, vector);
-  const auto* const elements = vector.data();
-  array = std::move(vector);
-  EXPECT_EQ(elements, static_cast<const Bytes&>(array).data()) << "its memory was taken over";
-}
-
 }  // namespace
 }  // namespace tzc

@@ -233,9 +233,9 @@ struct BufferViews {
   std::shared_ptr<const void> hold;  ///< keeps them, and the buffers
 };
 
-/// Seals the buffers. Payloads below a page, those of which other such views live, and all where the system refuses them, are copied. In guard mode, which keeps
-/// late writes to itself and reports them, the blocks are the buffers' own bytes. Any thread. A thread that writes must not block
-/// SIGSEGV.
+/// Seals the buffers. Payloads below a page, those of which other such views live, and all where the system refuses them, are
+/// copied. In guard mode, which keeps late writes to itself and reports them, the blocks are the buffers' own bytes. Any thread. A
+/// thread that writes must not block SIGSEGV. Throws std::bad_alloc.
 BufferViews view_for_callbacks(const BufferSpan& buffers);
 
 /// True when the address lies in a mapping of any segment, own or received. Thread-safe.

@@ -19,15 +19,8 @@
 #include "race.h"
 #include "sync_point/sync_point.h"
 
+namespace tzc_test {
 namespace {
-
-using tzc_test::eventually;
-using tzc_test::gate;
-using tzc_test::hold_poll_thread;
-using tzc_test::hold_poll_thread_now;
-using tzc_test::let_go_and_end;
-using tzc_test::print_event;
-using tzc_test::publish;
 
 /// Publishes at 200 Hz until it has happened, at most 2000 messages: a subscriber keeps up with that. True when it has.
 bool publish_until(const tzc::Publisher& publisher, const std::string& event, std::uint32_t from) {
@@ -64,7 +57,7 @@ void long_move(ros::NodeHandle& node) {
 // The callback gets the published object itself, as with plain roscpp, and another process gets it, too.
 void local_writer(ros::NodeHandle& node) {
   const boost::function<void(const sensor_msgs::ImagePtr&)> draw = [](const sensor_msgs::ImagePtr& image) {
-    tzc_test::fill_pattern(image->data.data(), image->data.size(), 1000);
+    fill_pattern(image->data.data(), image->data.size(), 1000);
     gate().tell("written");
   };
   const ros::Subscriber writer = node.subscribe<sensor_msgs::Image>("image", 1, draw);
@@ -79,7 +72,7 @@ void local_writer(ros::NodeHandle& node) {
                   gate().wait_for({"written"}, std::chrono::milliseconds(500)));
   };
   const auto image = boost::make_shared<sensor_msgs::Image>();
-  tzc_test::fill_image(*image, 0, 20000);
+  fill_image(*image, 0, 20000);
   publisher.publish(image);
   print_event("written", gate().wait_for({"written"}));
   tzc::sync_point_hook = nullptr;
@@ -96,7 +89,7 @@ void late_greeting(ros::NodeHandle& node) {
   own.setCallbackQueue(&queue);
   const ros::SubscriberStatusCallback greet = [](const ros::SingleSubscriberPublisher& subscriber) {
     sensor_msgs::Image greeting;
-    tzc_test::fill_image(greeting, 0, 20000);
+    fill_image(greeting, 0, 20000);
     subscriber.publish(greeting);
   };
   const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(own, "image", 100, greet);
@@ -108,15 +101,19 @@ void late_greeting(ros::NodeHandle& node) {
   let_go_and_end();
 }
 
+void run(ros::NodeHandle& node, const std::string& race) {
+  if (race == "long_move") long_move(node);
+  if (race == "local_writer") local_writer(node);
+  if (race == "late_greeting") late_greeting(node);
+}
+
 }  // namespace
+}  // namespace tzc_test
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "mover");
   ros::NodeHandle node;
-  ros::PollManager::instance()->addPollThreadListener(hold_poll_thread);
-  const std::string race = ros::NodeHandle("~").param<std::string>("race", "");
-  if (race == "long_move") long_move(node);
-  if (race == "local_writer") local_writer(node);
-  if (race == "late_greeting") late_greeting(node);
+  ros::PollManager::instance()->addPollThreadListener(tzc_test::hold_poll_thread);
+  tzc_test::run(node, ros::NodeHandle("~").param<std::string>("race", ""));
   tzc::sync_point_hook = nullptr;
 }
