@@ -171,7 +171,7 @@ void add_code_choices(CLI::App& app, Raw& raw) {
       ->type_name("ACTION")
       ->group(group);
   app.add_option("--mem-size", raw.mem_size,
-                 "Shared memory of each publisher (default: from queue and message size)")
+                 "Shared memory of each publisher (default: the runtime sizes it)")
       ->check(size_format)
       ->type_name("BYTES")
       ->group(group);

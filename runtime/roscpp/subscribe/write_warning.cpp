@@ -28,7 +28,7 @@ void warn_of_copies(const std::string& topic) {
     ROS_WARN_STREAM(
         "TZC: " << topic << ": this system refuses what a subscriber needs to write to received messages "
                 << "(mprotect or madvise, in a sandbox), so each message is copied when it is received. "
-                << "~tzc/private_writes:=0 avoids the copies in a node that does not write "
+                << "_tzc/private_writes:=0 avoids the copies in a node that does not write "
                 << "(share/doc/tzc/configuration.md)");
   });
 }
