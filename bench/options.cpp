@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
-#include <CLI/CLI.hpp>
-
+#include "command_line/arguments.h"
 #include "measure.h"
 
 namespace tzc {
@@ -25,14 +24,14 @@ std::size_t share_of(const Options& options, std::size_t round) {
 void add_choices(CLI::App& app, Options& options) {
   app.add_option("--sizes", options.sizes, "bytes of a message: 4k,4m,64m")
       ->delimiter(',')
-      ->transform(CLI::AsSizeValue(false))
+      ->transform(command_line::size_in_bytes())
       ->capture_default_str();
   app.add_option("--subscribers", options.subscribers, "how many of them: 1,8")
       ->delimiter(',')
       ->check(CLI::Range(std::size_t{1}, most_subscribers))
       ->capture_default_str();
   app.add_option("--rate", options.rate, "messages per second")
-      ->check(CLI::Range(0.001, 1e6))
+      ->check(command_line::number_between(0.001, 1e6))
       ->capture_default_str();
   app.add_option("--count", options.count, "messages of each contender, over all rounds")
       ->check(CLI::Range(std::size_t{1}, most_messages))
@@ -43,21 +42,12 @@ void add_choices(CLI::App& app, Options& options) {
   app.add_option("--only", options.only, "these contenders: tzc,seqpacket")->delimiter(',');
 }
 
-std::optional<int> parse(CLI::App& app, int argc, char** argv) {
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& mistake) {
-    return app.exit(mistake) == 0 ? 0 : 2;
-  }
-  return std::nullopt;
-}
-
 std::optional<int> parse_options(int argc, char** argv, const std::string& help, Options& options) {
   CLI::App app(help, std::string("tzc-bench ") + argv[0]);
   app.footer(examples);
   add_choices(app, options);
-  app.add_option("--json", options.json, "write the rows to this file");
-  return parse(app, argc, argv);
+  app.add_option("--json", options.json, "write the rows to this file")->check(command_line::file_to_write());
+  return command_line::parse(app, argc, argv);
 }
 
 }  // namespace bench

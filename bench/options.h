@@ -30,10 +30,7 @@ std::size_t share_of(const Options& options, std::size_t round);
 /// Adds the options that choose what is measured: all but --json.
 void add_choices(CLI::App& app, Options& options);
 
-/// Parses the command line. Returns an exit code when the command is over (it showed help or reported an error).
-std::optional<int> parse(CLI::App& app, int argc, char** argv);
-
-/// Sets the options that the command line names. The result is parse's.
+/// Sets the options that the command line names. The result is command_line::parse's.
 std::optional<int> parse_options(int argc, char** argv, const std::string& help, Options& options);
 
 }  // namespace bench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
-#include <CLI/CLI.hpp>
+#include "command_line/arguments.h"
 
 namespace tzc::monitor {
 namespace {
@@ -20,7 +20,8 @@ const char* const footer =
     "  tzc-monitor --join-trace trace.json.* >all.json   one trace of several processes\n"
     "\nExit status: 0 something was found, 1 nothing was found, 2 error in the command line.\n";
 
-void check(const Options& options, bool is_live) {
+void check(const Options& options) {
+  const bool is_live = !options.once && !options.json && options.why.empty() && options.traces.empty();
   if (is_live && options.interval_s < 0.1)
     throw CLI::ValidationError("--interval", "at least 0.1 seconds, unless --once is given");
 }
@@ -40,7 +41,7 @@ std::optional<Options> parse_options(int argc, char** argv, int& status) {
       app.add_option("--interval", options.interval_s,
                      "seconds between two looks, over which rates are counted; 0 with --once: no rates")
           ->type_name("SECONDS")
-          ->check(CLI::Range(0.0, 3600.0))
+          ->check(command_line::number_between(0, 3600))
           ->capture_default_str();
   app.add_option("--why", options.why, "why the connections of NODE on TOPIC are shared or not, in words")
       ->type_name("NODE TOPIC")
@@ -55,14 +56,10 @@ std::optional<Options> parse_options(int argc, char** argv, int& status) {
       ->excludes(json)
       ->excludes(topic)
       ->excludes(interval);
-  try {
-    app.parse(argc, argv);
-    check(options, !options.once && !options.json && options.why.empty() && options.traces.empty());
-  } catch (const CLI::ParseError& error) {
-    status = app.exit(error) == 0 ? 0 : 2;
-    return std::nullopt;
-  }
-  return options;
+  app.callback([&] { check(options); });
+  const std::optional<int> over = command_line::parse(app, argc, argv);
+  status = over.value_or(0);
+  return over ? std::nullopt : std::make_optional(options);
 }
 
 }  // namespace tzc::monitor

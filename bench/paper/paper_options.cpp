@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paper/paper_options.h"
 
-#include <CLI/CLI.hpp>
+#include "command_line/arguments.h"
 
 namespace tzc {
 namespace bench {
@@ -68,7 +68,7 @@ std::optional<int> parse_paper_options(int argc, char** argv, PaperOptions& opti
       ->type_name("DIR")
       ->check(CLI::ExistingDirectory);
   app.add_flag("!--no-plots", options.plots, "tables only; gnuplot is not needed");
-  const auto over = parse(app, argc, argv);
+  const auto over = command_line::parse(app, argc, argv);
   if (quick) shorten(app, options.cells);
   if (app.count("--real-time") == 0) options.real_time = options.cells.only.empty();
   return over;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What many topics cost each process: threads, descriptors, memory, and time until all share memory.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
+#include "command_line/arguments.h"
 #include "commands.h"
 #include "options.h"
 #include "report.h"
@@ -105,14 +105,16 @@ void add_options(CLI::App& app, Crowd& crowd, bool& full, std::string& json) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{100}))
       ->capture_default_str();
   app.add_option("--memory", crowd.memory_bytes, "of each publisher: 64m; 0: its default")
-      ->transform(CLI::AsSizeValue(false))
+      ->transform(command_line::size_in_bytes())
       ->capture_default_str();
   app.add_option("--descriptors", crowd.descriptors, "that a process may have; 0: as many as permitted")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 30))
       ->capture_default_str();
   app.add_option("--patience", crowd.patience_s, "seconds without progress before a run goes on")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{86'400}))
       ->capture_default_str();
   app.add_flag("--full", full, "the two large crowds in place of the options above");
-  app.add_option("--json", json, "write the rows to this file");
+  app.add_option("--json", json, "write the rows to this file")->check(command_line::file_to_write());
 }
 
 }  // namespace
@@ -124,7 +126,7 @@ int run_scale(int argc, char** argv) {
   bool full = false;
   std::string json;
   add_options(app, crowd, full, json);
-  if (const auto over = parse(app, argc, argv)) return *over;
+  if (const auto over = command_line::parse(app, argc, argv)) return *over;
   print_header();
   std::vector<CrowdRow> rows;
   for (const Crowd& one : full ? full_crowds() : std::vector<Crowd>{crowd})

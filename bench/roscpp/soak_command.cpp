@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Nodes that live for hours beside others that are killed, stopped and replaced: is each message what was published, and does
 // what the processes have stay what it was?
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "command_line/arguments.h"
 #include "commands.h"
 #include "options.h"
 #include "processes.h"
@@ -113,17 +113,19 @@ bool all_well(const std::vector<SoakProcess>& processes, bool judged) {
 
 void add_options(CLI::App& app, SoakPlan& plan, std::string& json) {
   app.footer(examples);
-  app.add_option("--minutes", plan.minutes, "how long")->check(CLI::Range(0.001, 1e5))->capture_default_str();
+  app.add_option("--minutes", plan.minutes, "how long")
+      ->check(command_line::number_between(0.001, 1e5))
+      ->capture_default_str();
   app.add_option("--look-every", plan.look_every_s, "seconds between two looks at all processes")
-      ->check(CLI::Range(0.001, 1e5))
+      ->check(command_line::number_between(0.001, 1e5))
       ->capture_default_str();
   app.add_option("--kill-every", plan.kill_every_s, "seconds that a process lives that is to be killed")
-      ->check(CLI::Range(0.001, 1e5))
+      ->check(command_line::number_between(0.001, 1e5))
       ->capture_default_str();
   app.add_option("--stop-for", plan.stop_for_s, "seconds that the stopped process stands, and goes on")
-      ->check(CLI::Range(0.001, 1e5))
+      ->check(command_line::number_between(0.001, 1e5))
       ->capture_default_str();
-  app.add_option("--json", json, "write counts and looks to this file");
+  app.add_option("--json", json, "write counts and looks to this file")->check(command_line::file_to_write());
 }
 
 }  // namespace
@@ -134,7 +136,7 @@ int run_soak(int argc, char** argv) {
   SoakPlan plan;
   std::string json;
   add_options(app, plan, json);
-  if (const auto over = parse(app, argc, argv)) return *over;
+  if (const auto over = command_line::parse(app, argc, argv)) return *over;
   const RosCore core;
   if (!core.running()) {
     std::fprintf(stderr, "rosmaster does not start: is ROS's environment set up (source setup.bash)?\n");

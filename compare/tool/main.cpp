@@ -163,19 +163,9 @@ void write_json(const Result& result, const std::string& file) {
   if (!out) throw Failure(file + " cannot be written");
 }
 
-/// What would be found wrong only after the runs.
-void check_places(const Options& options) {
-  setup_file(options.original);
-  setup_file(options.port);
-  if (options.json.empty() || options.json == "-") return;
-  const fs::path file = fs::absolute(options.json);
-  const fs::path looked_at = fs::exists(file) ? file : file.parent_path();
-  if (::access(looked_at.c_str(), W_OK) != 0)
-    throw Failure(options.json + " cannot be written", std::strerror(errno));
-}
-
 int run(const Options& options) {
-  check_places(options);
+  for (const std::string& workspace : {options.original, options.port})
+    (void)setup_file(workspace);  // or it throws
   adopt_orphans();
   watch_for_stop_requests();
   const Result result = Tool(options).run();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/options.h"
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <regex>
+
+#include "command_line/arguments.h"
 
 namespace tzc::compare {
 namespace {
@@ -26,7 +27,7 @@ const char* const footer =
 // subscribes.
 const char* const transports = ".*/(compressed|compressedDepth|theora)(/.*)?";
 
-const CLI::Range seconds(0.001, 1e6);  // not CLI::PositiveNumber, whose error names the largest double
+const CLI::Validator seconds = command_line::number_between(0.001, 1e6);
 
 std::string check_expression(const std::string& text) {
   try {
@@ -94,7 +95,7 @@ void add_comparison(CLI::App& app, Options& options) {
          "--allow-loss", [&](double percent) { options.rules.allowed_loss = percent / 100; },
          "percent of a topic's messages that may be lost or extra (0)")
       ->type_name("PERCENT")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(command_line::number_between(0, 100));
   app.add_flag("--strict", options.rules.strict,
                "fields that the original does not repeat itself count as different");
   app.add_option("--runs", options.runs, "runs of the original")
@@ -106,6 +107,7 @@ void add_comparison(CLI::App& app, Options& options) {
 
 void add_output(CLI::App& app, Options& options) {
   app.add_option("--json", options.json, "write the result as JSON, - for standard output")
+      ->check([](const std::string& text) { return text == "-" ? "" : command_line::file_to_write()(text); })
       ->type_name("FILE");
   app.add_option("--keep", options.keep, "keep the recordings (bags) and the logs in this folder")
       ->type_name("FOLDER");
@@ -130,14 +132,13 @@ std::optional<Options> parse_options(int argc, char** argv, int& status) {
   add_input(app, options);
   add_comparison(app, options);
   add_output(app, options);
-  try {
-    app.parse(argc, argv);
+  app.callback([&] {
     if (options.input.launches.empty() && options.input.commands.empty())
       throw CLI::RequiredError("--launch or --command");
-  } catch (const CLI::ParseError& error) {
-    status = app.exit(error) == 0 ? 0 : 2;
-    return std::nullopt;
-  }
+  });
+  const std::optional<int> over = command_line::parse(app, argc, argv);
+  status = over.value_or(0);
+  if (over) return std::nullopt;
   if (options.recorded.excluded.empty()) options.recorded.excluded = {transports};
   return options;
 }

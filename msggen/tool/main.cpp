@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstring>
 #include <exception>
 #include <iostream>
 
+#include "command_line/arguments.h"
 #include "tool/commands.h"
 
 namespace {
@@ -62,11 +62,7 @@ int run(int argc, char** argv) {
   const CLI::App* generating = add_generate(app, generate_options);
   const CLI::App* classifying = add_classify(app, classify_options);
   add_explain(app, explain_options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_good : exit_usage;
-  }
+  if (const auto over = tzc::command_line::parse(app, argc, argv)) return *over;
   const Console console{std::cout, std::cerr};
   if (generating->parsed()) return generate(generate_options, console);
   if (classifying->parsed()) return classify(classify_options, console);

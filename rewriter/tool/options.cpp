@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <map>
 
+#include "command_line/arguments.h"
 #include "tool/explain.h"
 #include "tool/filter.h"
 #include "tool/places.h"
@@ -244,16 +244,6 @@ std::variant<Options, Answer> checked(Raw& raw) {
   return raw.options;
 }
 
-/// --cache-dir=$DIR where DIR is empty; none: null. CLI11 would take the next argument for the value.
-const char* option_without_value(int argc, const char* const* argv) {
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--") return nullptr;
-    if (argument.rfind("--", 0) == 0 && argument.find('=') == argument.size() - 1) return argv[i];
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
@@ -269,8 +259,8 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
   add_code_choices(app, raw);
   add_outputs(app, raw);
   add_cache(app, raw);
-  if (const char* const option = option_without_value(argc, argv))
-    return mistake(std::string(option) + ": a value is missing behind the '='");
+  if (const std::string option = command_line::option_without_value(argc, argv); !option.empty())
+    return mistake(option + ": a value is missing behind the '='");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

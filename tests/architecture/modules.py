@@ -15,10 +15,12 @@ USES = {
     "runtime/adapters": ["runtime/roscpp", "runtime/message", "runtime/segment"],
     "runtime/preload": ["runtime/roscpp"],
 
+    "tools/command_line": [],
+
     "msggen/model": [],
     "msggen/parse": ["msggen/model"],
     "msggen/emit": ["msggen/model"],
-    "msggen/tool": ["msggen/model", "msggen/parse", "msggen/emit"],
+    "msggen/tool": ["msggen/model", "msggen/parse", "msggen/emit", "tools/command_line"],
 
     "rewriter/interruption": [],
     "rewriter/model": [],
@@ -37,15 +39,15 @@ USES = {
                         "rewriter/parse", "rewriter/facts", "rewriter/solve", "rewriter/verify"],
     "rewriter/format": ["rewriter/edits"],
     "rewriter/tool": ["rewriter/interruption", "rewriter/model", "rewriter/edits", "rewriter/transaction", "rewriter/report", "rewriter/cache",
-                      "rewriter/buildfiles", "rewriter/proof", "rewriter/engine", "rewriter/format"],
+                      "rewriter/buildfiles", "rewriter/proof", "rewriter/engine", "rewriter/format", "tools/command_line"],
 
     # The benchmark measures the runtime, so it alone uses another product.
-    "bench": [],
+    "bench": ["tools/command_line"],
     "bench/core": ["bench", "runtime/channel"],
-    "bench/roscpp": ["bench", "bench/core", "runtime/roscpp"],
-    "bench/paper": ["bench", "bench/core", "bench/roscpp", "runtime/posix"],
+    "bench/roscpp": ["bench", "bench/core", "runtime/roscpp", "tools/command_line"],
+    "bench/paper": ["bench", "bench/core", "bench/roscpp", "runtime/posix", "tools/command_line"],
     # tzc-monitor knows the layout of a statistics page and what owns a descriptor, and nothing else of the runtime.
-    "monitor": ["runtime/posix", "runtime/statistics"],
+    "monitor": ["runtime/posix", "runtime/statistics", "tools/command_line"],
     "monitor/diagnostics": ["monitor"],
     # tzc-compare needs no ROS to compare; its recorder is a ROS node.
     "compare/wire": [],
@@ -53,12 +55,12 @@ USES = {
     "compare/engine": ["compare/wire", "compare/pairing"],
     "compare/run": ["compare/pairing", "compare/engine"],
     "compare/report": ["compare/engine", "compare/run"],
-    "compare/tool": ["compare/engine", "compare/run", "compare/report"],
+    "compare/tool": ["compare/engine", "compare/run", "compare/report", "tools/command_line"],
     "compare/recorder": ["compare/wire", "runtime/preload", "runtime/roscpp"],
 }
 
 # Folders in which `#include "folder/file.h"` is looked up; a runtime module's include/ is one, too.
-INCLUDE_ROOTS = ["runtime", "msggen", "rewriter", "bench", "compare", "monitor"]
+INCLUDE_ROOTS = ["runtime", "msggen", "rewriter", "bench", "compare", "monitor", "tools"]
 
 ROS = r"(ros|rosconsole|xmlrpcpp|cv_bridge|image_transport|message_filters|pcl_conversions|[a-z0-9_]+_msgs)/"
 SERIALIZATION = (r"ros/(serialization|serialized_message|message_traits|message_operations|builtin_message_traits|types|"

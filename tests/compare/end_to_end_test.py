@@ -308,6 +308,15 @@ class Errors(unittest.TestCase):
     def test_no_input_at_all(self):
         self.assertEqual(compare(SCRATCH, SCRATCH)[0], 2)
 
+    def test_mistakes_are_found_before_anything_runs(self):
+        workspace = node_workspace("original", "")
+        for mistake in (["--json", SCRATCH], ["--json", "/no/such/folder/a.json"], ["--duration", "nan"], ["--allow-loss", "nan"]):
+            done = subprocess.run([COMPARE, workspace, workspace, "--command", "touch started", *mistake], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True, cwd=SCRATCH, timeout=60, check=False)
+            self.assertEqual(done.returncode, 2, mistake)
+            self.assertIn(mistake[0], done.stderr)
+            self.assertFalse(os.path.exists(os.path.join(SCRATCH, "started")))
+
 
 class LongInput(unittest.TestCase):
     """A recorder that tells of 400,000 input messages, as after half an hour of an IMU: a stand-in, beside a copy of the tool."""
@@ -362,10 +371,12 @@ class Stopping(unittest.TestCase):
         self.assertEqual(processes_of(folder), [])
 
     def test_ctrl_c_leaves_nothing_behind(self):
-        tool, folder = self.interrupt(signal.SIGINT)
-        self.assertEqual(tool.wait(60), 130)
-        tool.stderr.close()
-        self.assertEqual(processes_of(folder), [], "all is gone when it ends")
+        for end in (signal.SIGINT, signal.SIGQUIT):
+            tool, folder = self.interrupt(end)
+            self.assertIn(b"stopping what was started", tool.stderr.read())
+            self.assertEqual(tool.wait(60), 130)
+            tool.stderr.close()
+            self.assertEqual(processes_of(folder), [], "all is gone when it ends")
 
 
 if __name__ == "__main__":
