@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <string>
 
 #include "commands.h"
@@ -29,6 +31,13 @@ const Command commands[] = {
 #endif
 };
 
+/// The table is the result: a full disk, or a closed pipe, is a failure.
+int unless_unwritable(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  std::fprintf(stderr, "tzc-bench: cannot write to standard output: %s\n", std::strerror(errno));
+  return status == 0 ? 1 : status;
+}
+
 int usage(std::FILE* to, int status) {
   std::fputs("Usage: tzc-bench COMMAND [OPTIONS]\n\nCommands:\n", to);
   for (const Command& command : commands) std::fprintf(to, "  %-10s %s\n", command.name, command.help);
@@ -45,9 +54,9 @@ int usage(std::FILE* to, int status) {
 int main(int argc, char** argv) {
   const std::string name = argc > 1 ? argv[1] : "";
   for (const Command& command : commands) {
-    if (name == command.name) return command.run(argc - 1, argv + 1);
+    if (name == command.name) return unless_unwritable(command.run(argc - 1, argv + 1));
   }
   const bool asked = name == "--help" || name == "-h";
   if (!asked && !name.empty()) std::fprintf(stderr, "tzc-bench: no command %s\n", name.c_str());
-  return asked ? usage(stdout, 0) : usage(stderr, 2);
+  return asked ? unless_unwritable(usage(stdout, 0)) : usage(stderr, 2);
 }

@@ -50,7 +50,7 @@ std::uint64_t received(const Board& board, const Setup& setup) {
 
 void wait_until_received(const Board& board, const Setup& setup, std::uint64_t messages) {
   std::uint64_t before = received(board, setup);
-  for (int silent = 0; silent < silence_ms && !complete(board, setup, messages); ++silent) {
+  for (int silent = 0; silent < silence_ms && !complete(board, setup, messages) && !board.stop; ++silent) {
     sleep_ms(1);
     const std::uint64_t now = received(board, setup);
     if (now != before) silent = 0;
@@ -92,7 +92,7 @@ void publish_at_rate(const std::function<void(std::uint64_t)>& publish, double r
                      std::uint64_t to, Board& board) {
   const auto period = static_cast<std::int64_t>(1e9 / rate);
   std::int64_t next = now_ns();
-  for (std::uint64_t index = from; index < to; ++index) {
+  for (std::uint64_t index = from; index < to && !board.stop; ++index) {
     next += period;
     const timespec until{next / 1'000'000'000, next % 1'000'000'000};
     ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
@@ -147,8 +147,12 @@ Outcome run_publisher(Contender& contender, const Setup& setup, Board& board) {
     send_all(contender, setup, board);
   });
   const Ending ending = wait_for(publisher);
-  if (ending == Ending::interrupted) stop({publisher});
-  if (ending == Ending::interrupted) return Outcome::interrupted;
+  if (ending == Ending::interrupted) {
+    board.stop = true;
+    if (contender.cleans_up_at_exit()) sleep_ms(time_to_leave_ms);
+    stop({publisher});
+    return Outcome::interrupted;
+  }
   return board.published ? Outcome::complete : Outcome::failed;
 }
 
@@ -216,8 +220,7 @@ Measurement measure(Contender& contender, const Setup& setup) {
     std::fprintf(stderr, "%s: a subscriber has ended early\n", contender.name());
     outcome = Outcome::failed;
   }
-  board->stop = true;
-  if (contender.cleans_up_at_exit()) sleep_ms(time_to_leave_ms);
+  if (!board->stop.exchange(true) && contender.cleans_up_at_exit()) sleep_ms(time_to_leave_ms);
   stop(subscribers);
   Measurement result = collect(setup, *board, outcome);
   ::munmap(board, sizeof(Board));

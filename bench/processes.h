@@ -18,6 +18,9 @@ pid_t in_child(const std::function<void()>& body);
 /// From now on SIGINT and SIGTERM do not end this process: wait_for and interrupted report them.
 void hold_interrupts();
 
+/// Of a command that such a signal has ended, as of a shell's.
+constexpr int interrupted_status = 130;
+
 /// Whether SIGINT or SIGTERM has come since hold_interrupts.
 bool interrupted();
 

@@ -78,6 +78,7 @@ bool write_rows(const std::string& path, nlohmann::json rows) {
   const nlohmann::json document{{"machine", machine()}, {"rows", std::move(rows)}};
   std::ofstream file(path);
   file << document.dump(2) << "\n";
+  file.close();
   if (file) return true;
   std::fprintf(stderr, "cannot write %s\n", path.c_str());
   return false;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "processes.h"
+
 namespace tzc {
 namespace bench {
 namespace {
@@ -28,16 +30,17 @@ void complain(const Entry& entry, const std::string& what) {
                entry.contender->name(), entry.setup.size_bytes, entry.setup.subscribers, what.c_str());
 }
 
-/// False: it failed, which has been said.
-bool measure_share(const Options& options, std::size_t round, Entry& entry) {
+/// A failure has been said.
+Outcome measure_share(const Options& options, std::size_t round, Entry& entry) {
   Setup share = entry.setup;
   share.count = share_of(options, round);
   share.name = unique_name();
-  if (share.count == 0) return true;
+  if (share.count == 0) return Outcome::complete;
   const Measurement measurement = measure(*entry.contender, share);
-  if (measurement.outcome == Outcome::complete) return add(measurement, entry.samples), true;
-  complain(entry, "round " + std::to_string(round + 1) + " failed");
-  return false;
+  if (measurement.outcome == Outcome::complete) add(measurement, entry.samples);
+  if (measurement.outcome == Outcome::failed)
+    complain(entry, "round " + std::to_string(round + 1) + " failed");
+  return measurement.outcome;
 }
 
 /// The lines of the table; nothing for an entry of which no message arrived: false, and that has been said.
@@ -53,6 +56,32 @@ bool add_row(Entry& entry, std::vector<Row>& rows) {
 void show_progress(std::size_t done, std::size_t of) {
   if (::isatty(STDERR_FILENO) == 0) return;
   std::fprintf(stderr, done == of ? "\r\033[K" : "\rmeasured %zu of %zu", done, of);
+}
+
+/// Every entry's share of every round. failed: one has, and the others were measured.
+Outcome measure_all(const Options& options, std::vector<Entry>& entries) {
+  Outcome all = Outcome::complete;
+  std::size_t done = 0;
+  for (std::size_t round = 0; round < options.rounds; ++round) {
+    for (Entry& entry : entries) {
+      const Outcome one = measure_share(options, round, entry);
+      if (one == Outcome::interrupted) return one;
+      if (one == Outcome::failed) all = one;
+      show_progress(++done, options.rounds * entries.size());
+    }
+  }
+  return all;
+}
+
+/// What an interruption leaves: the figures so far, and no file.
+int show_interrupted(std::vector<Entry>& entries) {
+  show_progress(1, 1);  // clears its line
+  std::vector<Row> rows;
+  for (Entry& entry : entries)
+    if (!entry.samples.latency_ns.empty()) add_row(entry, rows);
+  if (!rows.empty()) print_table(rows);
+  std::fprintf(stderr, "tzc-bench: interrupted: these are the figures until then\n");
+  return interrupted_status;
 }
 
 }  // namespace
@@ -100,14 +129,9 @@ int sweep(const Options& options, const Contenders& contenders) {
   std::vector<Entry> entries;
   for (const auto& [contender, setup] : wanted_cells(options, contenders))
     entries.push_back({contender, setup});
-  std::size_t done = 0;
-  bool failures = false;
-  for (std::size_t round = 0; round < options.rounds; ++round) {
-    for (Entry& entry : entries) {
-      failures |= !measure_share(options, round, entry);
-      show_progress(++done, options.rounds * entries.size());
-    }
-  }
+  const Outcome outcome = measure_all(options, entries);
+  if (outcome == Outcome::interrupted) return show_interrupted(entries);
+  bool failures = outcome == Outcome::failed;
   std::vector<Row> rows;
   for (Entry& entry : entries) failures |= !add_row(entry, rows);
   print_table(rows);

@@ -30,7 +30,7 @@ std::vector<std::pair<Contender*, Setup>> wanted_cells(const Options& options, c
 
 /// Measures every wanted contender at every size and number of subscribers, the contenders taking turns,
 /// prints the table and writes the JSON file. What fails, or delivers nothing, is named and left out. The exit code: 1: one has
-/// failed, or the file cannot be written; 2: --only names nobody.
+/// failed, or the file cannot be written; 2: --only names nobody; 130: interrupted (hold_interrupts), and no file is written.
 int sweep(const Options& options, const Contenders& contenders);
 
 }  // namespace bench

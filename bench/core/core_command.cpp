@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "commands.h"
 #include "contenders.h"
 #include "options.h"
+#include "processes.h"
 #include "sweep.h"
 
 namespace tzc {
@@ -28,6 +32,14 @@ Contenders all_contenders(bool iceoryx) {
   return contenders;
 }
 
+#ifdef TZC_BENCH_ICEORYX
+bool wants_iceoryx(const Options& options) {
+  return options.only.empty() ||
+         std::any_of(options.only.begin(), options.only.end(),
+                     [](const std::string& name) { return name.rfind("iceoryx", 0) == 0; });
+}
+#endif
+
 }  // namespace
 
 int run_core(int argc, char** argv) {
@@ -35,10 +47,12 @@ int run_core(int argc, char** argv) {
   const auto over =
       parse_options(argc, argv, "One-way latency of TZC's core next to a bare socket and iceoryx.", options);
   if (over) return *over;
+  hold_interrupts();
 #ifdef TZC_BENCH_ICEORYX
-  const RouDi roudi;
-  if (!roudi.running()) std::fprintf(stderr, "iox-roudi does not start: no figures of iceoryx\n");
-  const bool iceoryx = roudi.running();
+  std::optional<RouDi> roudi;
+  if (wants_iceoryx(options)) roudi.emplace();
+  const bool iceoryx = !roudi || roudi->running();
+  if (!iceoryx) std::fprintf(stderr, "iox-roudi does not start: no figures of iceoryx\n");
 #else
   const bool iceoryx = false;
 #endif

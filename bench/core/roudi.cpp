@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,6 +27,7 @@ bool write_config(const char* path) {
 }
 
 void run_daemon(const char* config_path) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // SIGKILL would leave its files in /dev/shm
   const int null = ::open("/dev/null", O_RDWR);
   ::dup2(null, 1);
   ::dup2(null, 2);

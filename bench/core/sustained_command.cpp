@@ -8,6 +8,7 @@
 #include "contenders.h"
 #include "options.h"
 #include "process_needs.h"
+#include "processes.h"
 #include "tzc/channel.h"
 
 namespace tzc {
@@ -47,11 +48,12 @@ int run_sustained(int argc, char** argv) {
   const auto over =
       parse_options(argc, argv, "Sends for a minute: is anything lost, does memory stay flat?", options);
   if (over) return *over;
+  hold_interrupts();
   Watched contender;
   const Setup setup{options.sizes[0], options.subscribers[0], options.rate, options.count, unique_name(), 40};
   const Measurement measurement = measure(contender, setup);
-  if (measurement.outcome != Outcome::complete)
-    return std::fprintf(stderr, "the measurement has failed\n"), 1;
+  if (measurement.outcome == Outcome::interrupted) return interrupted_status;
+  if (measurement.outcome == Outcome::failed) return std::fprintf(stderr, "the measurement has failed\n"), 1;
   Samples samples;
   add(measurement, samples);
   const Row row = summarize(contender, setup, std::move(samples));

@@ -26,8 +26,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int interrupted_status = 130;  // as of a shell's command that SIGINT ended
-
 constexpr char plan_remarks[] =
     "Cases that cannot hold the rate take longer; the progress of a run tells what is left of it. What "
     "contenders "

@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "core/contenders.h"
 #include "options.h"
+#include "processes.h"
 #include "roscpp/contenders.h"
 #include "roscpp/roscore.h"
 #include "sweep.h"
@@ -18,6 +19,7 @@ int run_roscpp(int argc, char** argv) {
   const auto over =
       parse_options(argc, argv, "One-way latency between ROS nodes, next to a bare socket.", options);
   if (over) return *over;
+  hold_interrupts();
   const RosCore core;
   if (!core.running()) {
     std::fprintf(stderr, "rosmaster does not start: is ROS's environment set up (source setup.bash)?\n");

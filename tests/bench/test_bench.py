@@ -71,6 +71,25 @@ def check_failures(bench):
         ("tzc", 4096): 4, ("futex", 4096): 4, ("futex", 900 << 30): 4}, rows
 
 
+def check_interruption(bench):
+    """Ctrl-C ends it in order: what was measured is shown, no process is left, and no file is half a result."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "figures.json")
+        core = subprocess.Popen([bench, "core", "--only", "seqpacket,iceoryx-listener", "--sizes", "4k", "--subscribers", "1", "--count", "10000",
+                                 "--rate", "100", "--rounds", "1000", "--json", path],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(6)
+        with open(f"/proc/{core.pid}/task/{core.pid}/children") as file:
+            children = file.read().split()
+        core.send_signal(signal.SIGINT)
+        table, messages = core.communicate(timeout=120)
+        assert core.returncode == 130 and "interrupted" in messages and "seqpacket" in table, (core.returncode, table, messages)
+        assert children and not [child for child in children if os.path.exists(f"/proc/{child}")], children
+        assert not os.path.exists(path)
+        if "iox-roudi does not start" not in messages:  # another one runs, or none is installed
+            assert not os.path.exists("/dev/shm/iceoryx_mgmt")
+
+
 def check_inside(bench):
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "figures.json")
@@ -192,11 +211,13 @@ def main():
     assert set(figures) == {"machine", "rows"} and figures["machine"]["cpus"] > 0, figures
     check_rows(figures["rows"], command)
     check_ratios(table, figures["rows"])
-    for mistake in (["--size", "4k"], ["--rate", "-1"], ["--sizes", "many"], ["--subscribers", "99"]):
+    for mistake in (["--size", "4k"], ["--rate", "-1"], ["--rate", "nan"], ["--sizes", "many"], ["--sizes", "-5"], ["--subscribers", "99"],
+                    ["--json", "/no/such/folder/figures.json"], ["--json", "/"], ["--json", "-"]):
         told = run(bench, command, *mistake)
         assert told.returncode == 2 and mistake[0] in told.stderr, (mistake, told)
     if command == "core":
         check_failures(bench)
+        check_interruption(bench)
     assert "Examples:" in run(bench, command, "--help").stdout
 
 
