@@ -23,6 +23,7 @@ void TraceJoin::add(std::istream& trace, const std::string& name) {
     if (line.empty() || line == "[" || line == "]") continue;
     ++(add_event(std::move(line)) ? events : others);
   }
+  if (trace.bad()) return troubles_.push_back(fmt::format("{} cannot be read", name));
   if (events == 0) troubles_.push_back(fmt::format("{} has no event of a trace", name));
   if (events > 0 && others > 0)
     troubles_.push_back(

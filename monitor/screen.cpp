@@ -23,12 +23,21 @@ void write_all(const std::string& text) {
   }
 }
 
-constexpr char enter[] = "\x1b[?1049h\x1b[?25l", leave[] = "\x1b[?25h\x1b[?1049l";
+constexpr char second_screen[] = "\x1b[?1049h\x1b[?25l", first_screen[] = "\x1b[?25h\x1b[?1049l";
 
 /// The terminal is somebody else's now, as after the shell's `bg`.
 bool is_in_background() {
   const pid_t foreground = ::tcgetpgrp(STDOUT_FILENO);
   return foreground > 0 && foreground != ::getpgrp();
+}
+
+/// A signal that ends the program waits until it is taken.
+bool is_end_asked_for() {
+  sigset_t pending;
+  if (::sigpending(&pending) != 0) return false;
+  const auto ends = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+  return std::any_of(ends.begin(), ends.end(),
+                     [&](int signal) { return ::sigismember(&pending, signal) == 1; });
 }
 
 /// The first `columns` characters; escape sequences take no room.
@@ -105,15 +114,16 @@ Screen::Screen() {
   ::sigemptyset(&awaited_);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP}) ::sigaddset(&awaited_, signal);
   ::sigprocmask(SIG_BLOCK, &awaited_, &before_);
-  write_all(enter);
+  enter();
 }
 
 Screen::~Screen() {
-  write_all(leave);
+  leave();
   ::sigprocmask(SIG_SETMASK, &before_, nullptr);
 }
 
 void Screen::show(const std::string& text) {
+  if (!is_shown_) return;
   winsize size{};
   if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_row == 0) size.ws_row = 24;
   if (size.ws_col == 0) size.ws_col = 80;
@@ -125,16 +135,22 @@ bool Screen::wait(double seconds) {
   pause.tv_sec = static_cast<time_t>(seconds);
   pause.tv_nsec = static_cast<long>((seconds - std::floor(seconds)) * 1e9);
   const int signal = ::sigtimedwait(&awaited_, nullptr, &pause);
-  if (signal == SIGTSTP) suspend();
-  return signal < 0 || signal == SIGTSTP;
+  if (signal != SIGTSTP) return signal < 0;
+  leave();
+  ::raise(SIGSTOP);
+  enter();
+  return true;
 }
 
-void Screen::suspend() {
-  write_all(leave);
-  do {
-    ::raise(SIGSTOP);
-  } while (is_in_background());
-  write_all(enter);
+void Screen::enter() {
+  while (is_in_background() && !is_end_asked_for()) ::raise(SIGSTOP);
+  is_shown_ = !is_in_background();
+  if (is_shown_) write_all(second_screen);
+}
+
+void Screen::leave() {
+  if (is_shown_) write_all(first_screen);
+  is_shown_ = false;
 }
 
 }  // namespace tzc::monitor

@@ -8,7 +8,8 @@
 namespace tzc::monitor {
 
 /// The terminal while tzc-monitor refreshes it: its second screen, without cursor. The first screen comes back at the
-/// end, which Ctrl-C and the other signals that end a program only ask for, and while Ctrl-Z stops it.
+/// end, which Ctrl-C and the other signals that end a program only ask for, and while Ctrl-Z stops it. A job in the background
+/// stops until the shell's `fg`.
 class Screen {
  public:
   Screen();
@@ -22,10 +23,11 @@ class Screen {
   bool wait(double seconds);
 
  private:
-  /// Gives the terminal back until the shell's `fg`.
-  static void suspend();
+  void enter();
+  void leave();
 
   sigset_t awaited_, before_;
+  bool is_shown_ = false;
 };
 
 /// The lines of a text that fit into a terminal, each followed by what clears the rest of its line. A line of words (a

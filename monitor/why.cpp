@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "filter.h"
@@ -45,11 +46,25 @@ void explain_topic(const Node& node, const Topic& topic, const std::string& want
         fmt::format("{} publishes {} and has no subscriber.", node.name, topic.name));
 }
 
-/// What the subscriber's own page says of a publisher that has no page here.
-std::string sentence(const Node& node, const Subscription& subscription) {
+/// Processes whose statistics page had no room for all their rows: what it does not say of them, nobody knows.
+std::vector<std::string> crowded(const std::vector<Node>& nodes) {
+  std::vector<std::string> names;
+  for (const Node& node : nodes)
+    if (node.left_out > 0) names.push_back(node.name);
+  return names;
+}
+
+/// What the subscriber's own page says of a publisher whose page, if it has one, does not name this connection.
+std::string sentence(const Node& node, const Subscription& subscription, const std::vector<Node>& nodes) {
   std::string text =
       fmt::format("{} gets {} from {} ", node.name, subscription.topic, subscription.publisher);
   if (subscription.transport == Transport::shared) return text + "through shared memory.";
+  const auto without_room = crowded(nodes);
+  if (std::count(without_room.begin(), without_room.end(), subscription.publisher) > 0)
+    return text +
+           fmt::format(
+               "over {}. Why, the statistics page of {} does not say: it had no room for all its rows.",
+               name(subscription.transport), subscription.publisher);
   return text +
          fmt::format(
              "over {}: there is no statistics page of {} here. It may not use TZC, or have it switched off, "
@@ -57,11 +72,27 @@ std::string sentence(const Node& node, const Subscription& subscription) {
              name(subscription.transport), subscription.publisher);
 }
 
-void explain_subscriptions(const Node& node, const std::string& topic,
-                           const std::set<std::string>& publishers, Explanation& explanation) {
-  for (const Subscription& subscription : node.subscriptions)
-    if (subscription.topic == topic && publishers.count(subscription.publisher) == 0)
-      explanation.sentences.push_back(sentence(node, subscription));
+/// Subscriptions of `wanted` to publishers that do not say themselves what they send there.
+void explain_subscriptions(const std::vector<Node>& nodes, const std::string& wanted,
+                           const std::string& topic, Explanation& explanation,
+                           const std::set<std::string>& publishers) {
+  for (const Node& node : nodes)
+    for (const Subscription& subscription : node.subscriptions)
+      if (node.name == wanted && subscription.topic == topic && publishers.count(subscription.publisher) == 0)
+        explanation.sentences.push_back(sentence(node, subscription, nodes));
+}
+
+std::string nobody_publishes(const std::vector<Node>& nodes, const std::string& topic) {
+  std::string text = fmt::format(
+      "No process of this user publishes {} with TZC and a statistics page. Its publisher may "
+      "not use TZC, may have switched it off for this topic or node (rosparam get NODE/tzc, "
+      "TZC_DISABLE), may have had no subscriber yet, may be another user's, or may run on another "
+      "machine; then its connections are on TCPROS.",
+      topic);
+  if (const auto names = crowded(nodes); !names.empty())
+    text += fmt::format(" Or it is {}, whose statistics page had no room for all its rows.",
+                        fmt::join(names, " or "));
+  return text;
 }
 
 }  // namespace
@@ -77,19 +108,12 @@ Explanation explain(const std::vector<Node>& nodes, const std::string& node, con
       explain_topic(one, published, wanted, explanation);
     }
   }
-  for (const Node& one : nodes)
-    if (one.name == wanted) explain_subscriptions(one, name, publishers, explanation);
+  explain_subscriptions(nodes, wanted, name, explanation, publishers);
   if (!explanation.sentences.empty()) return explanation;
-  explanation.nothing =
-      publishers.empty()
-          ? fmt::format(
-                "No process of this user publishes {} with TZC and a statistics page. Its publisher may "
-                "not use TZC, may have switched it off for this topic or node (rosparam get NODE/tzc, "
-                "TZC_DISABLE), may have had no subscriber yet, may be another user's, or may run on another "
-                "machine; then its connections are on TCPROS.",
-                name)
-          : fmt::format("{} is published by {}, which has no connection to {}.", name,
-                        fmt::join(publishers, ", "), wanted);
+  explanation.nothing = publishers.empty()
+                            ? nobody_publishes(nodes, name)
+                            : fmt::format("{} is published by {}, which has no connection to {}.", name,
+                                          fmt::join(publishers, ", "), wanted);
   return explanation;
 }
 

@@ -58,12 +58,17 @@ const char* const help =
     "  rosrun tzc tzc-diagnostics\n"
     "  rosrun tzc tzc-diagnostics _period:=5 /diagnostics:=/robot/diagnostics\n";
 
-/// Answered without a ROS master.
-bool is_answered(int argc, char** argv) {
-  const std::string first = argc > 1 ? argv[1] : "";
-  if (first == "--help") std::fputs(help, stdout);
-  if (first == "--version") std::puts("tzc-diagnostics " TZC_VERSION);
-  return first == "--help" || first == "--version";
+/// The exit status of what is answered without a ROS master, whose own arguments do not begin with a dash.
+std::optional<int> answer(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.empty() || argument.front() != '-') continue;
+    if (argument == "--help" || argument == "-h") return std::fputs(help, stdout) < 0 ? 2 : 0;
+    if (argument == "--version") return std::puts("tzc-diagnostics " TZC_VERSION) < 0 ? 2 : 0;
+    std::fprintf(stderr, "tzc-diagnostics: unknown option %s; --help shows what there is\n", argv[i]);
+    return 2;
+  }
+  return std::nullopt;
 }
 
 /// Seconds between two messages. None: it is no such number, which has been said.
@@ -81,7 +86,7 @@ std::optional<double> period() {
 }  // namespace tzc::monitor
 
 int main(int argc, char** argv) {
-  if (tzc::monitor::is_answered(argc, argv)) return 0;
+  if (const auto status = tzc::monitor::answer(argc, argv)) return *status;
   ros::init(argc, argv, "tzc_diagnostics", ros::init_options::AnonymousName);
   ros::NodeHandle node;
   tzc::monitor::Diagnostics diagnostics(node);

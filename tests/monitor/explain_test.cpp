@@ -62,6 +62,25 @@ TEST(Explain, what_a_subscriber_gets_from_publishers_without_a_page) {
   EXPECT_TRUE(explain({viewer}, "/viewer", "/depth").sentences.empty());
 }
 
+TEST(Explain, what_a_full_page_left_out_is_not_known) {
+  Node camera = camera_and_depth(), viewer;
+  camera.left_out = 3;
+  viewer.name = "/viewer";
+  Subscription subscription;
+  subscription.topic = "/late";
+  subscription.publisher = "/camera";
+  subscription.transport = Transport::tcpros;
+  viewer.subscriptions = {subscription};
+  EXPECT_THAT(
+      explain({camera, viewer}, "/viewer", "/late").sentences,
+      ElementsAre("/viewer gets /late from /camera over TCPROS. Why, the statistics page of /camera does not "
+                  "say: it had no room for all its rows."));
+  EXPECT_THAT(explain({camera}, "/camera", "/late").nothing,
+              HasSubstr(" Or it is /camera, whose statistics page had no room"));
+  camera.left_out = 0;
+  EXPECT_THAT(explain({camera}, "/camera", "/late").nothing, testing::Not(HasSubstr("no room")));
+}
+
 TEST(Explain, a_reason_that_is_a_question_ends_with_its_mark) {
   Node node = camera_and_depth();
   node.topics[0].connections[1].reason = "no answer, and does it run?";

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -42,6 +43,13 @@ TEST_F(JoinTrace, of_files_that_are_no_traces_is_a_failure_and_writes_nothing) {
   EXPECT_FALSE(join.finish());
   EXPECT_EQ(out.str(), "");
   EXPECT_EQ(join.troubles().size(), 2U);
+}
+
+TEST_F(JoinTrace, of_what_cannot_be_read_says_so) {
+  std::ifstream folder("/");
+  join.add(folder, "/");
+  ASSERT_EQ(join.troubles().size(), 1U);
+  EXPECT_EQ(join.troubles()[0], "/ cannot be read");
 }
 
 }  // namespace

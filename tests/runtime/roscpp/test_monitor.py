@@ -2,7 +2,6 @@
 """What tzc-monitor shows of real nodes, and that they do not notice it."""
 import json
 import os
-import pty
 import re
 import signal
 import struct
@@ -10,6 +9,7 @@ import subprocess
 import sys
 import unittest
 
+from terminal import Terminal
 from topic_case import TopicCase, main
 
 MONITOR = os.environ.get("TZC_MONITOR", "tzc-monitor")
@@ -275,7 +275,7 @@ class Observed(MonitorCase):
         self.wait_until_shared("viewer")
         before = {pid: resources(pid) for pid in (talker.pid, listener.process.pid)}
         self.assertEqual(len(pages_of(talker.pid)), 1)
-        monitors = [Terminal() for _ in range(10)]
+        monitors = [Terminal(MONITOR) for _ in range(10)]
         for monitor in monitors:
             self.ros.wait_until(lambda: self.name("image") in monitor.screen(), 20, "a monitor")
         for monitor in monitors:
@@ -305,7 +305,7 @@ class CommandLine(MonitorCase):
         status, _, trouble = self.monitor("--once", "--interval", "0", "--topic", "/no/such/topic")
         self.assertEqual(status, 1)
         self.assertRegex(trouble, "tzc-monitor: no process of this user (publishes or receives /no/such/topic|uses TZC)")
-        for wrong in (["--no-such-option"], ["--why", "/node"], ["--interval", "0.01"], ["--why", "/a", "/b", "--json"]):
+        for wrong in (["--no-such-option"], ["--why", "/node"], ["--interval", "0.01"], ["--interval", "nan"], ["--topic="], ["--why", "/a", "/b", "--json"]):
             self.assertEqual(self.monitor(*wrong)[0], 2, wrong)
         status, output, _ = self.monitor("--help")
         self.assertEqual(status, 0)
@@ -314,7 +314,7 @@ class CommandLine(MonitorCase):
 
     def test_the_terminal_is_as_before_after_a_signal(self):
         for end in (signal.SIGINT, signal.SIGTERM):
-            terminal = Terminal()
+            terminal = Terminal(MONITOR)
             self.ros.wait_until(lambda: "TOPIC" in terminal.screen(), 20, "the first screen")
             terminal.process.send_signal(end)
             self.assertEqual(terminal.process.wait(60), 0)
@@ -324,7 +324,7 @@ class CommandLine(MonitorCase):
             terminal.close()
 
     def test_the_terminal_is_the_shell_s_while_the_monitor_is_stopped(self):
-        terminal = Terminal()
+        terminal = Terminal(MONITOR)
         self.ros.wait_until(lambda: "TOPIC" in terminal.screen(), 20, "the first screen")
         terminal.process.send_signal(signal.SIGTSTP)
         self.ros.wait_until(lambda: state_of(terminal.process.pid) == "T", 20, "the stop")
@@ -338,34 +338,17 @@ class CommandLine(MonitorCase):
         self.assertTrue(terminal.screen().endswith(Terminal.LEAVE))
         terminal.close()
 
-
-class Terminal:
-    """A monitor in a terminal of its own."""
-    ENTER, LEAVE = "\x1b[?1049h\x1b[?25l", "\x1b[?25h\x1b[?1049l"
-
-    def __init__(self):
-        self.end, other = pty.openpty()
-        os.set_blocking(self.end, False)
-        self.process = subprocess.Popen([MONITOR], stdin=subprocess.DEVNULL, stdout=other, start_new_session=True)
-        os.close(other)
-        self.written = b""
-
-    def screen(self):
-        """All that it has written so far."""
-        try:
-            while True:
-                more = os.read(self.end, 65536)
-                if not more:
-                    break
-                self.written += more
-        except OSError:
-            pass  # nothing more now, or it has ended
-        return self.written.decode()
-
-    def close(self):
-        self.process.kill()
-        self.process.wait()
-        os.close(self.end)
+    def test_in_the_background_it_waits_and_can_be_ended(self):
+        """As after the shell's `tzc-monitor &` and `kill %1`, which lets a stopped job go on."""
+        terminal = Terminal("setsid", "--ctty", "--wait", "bash", "-mc", '"$0" & echo "job $!"; while kill -0 $! 2>/dev/null; do sleep 0.1; done', MONITOR, is_whole=True)
+        self.ros.wait_until(lambda: "job " in terminal.screen(), 20, "the job")
+        job = int(re.search(r"job (\d+)", terminal.screen()).group(1))
+        self.ros.wait_until(lambda: state_of(job) == "T", 20, "the stop")
+        for end in (signal.SIGTERM, signal.SIGCONT):
+            os.kill(job, end)
+        self.assertEqual(terminal.process.wait(60), 0)
+        self.assertNotIn(Terminal.ENTER, terminal.screen())
+        terminal.close()
 
 
 def state_of(pid):
