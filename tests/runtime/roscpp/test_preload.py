@@ -2,6 +2,7 @@
 """tzc-run: shared memory for programs that were never ported."""
 import json
 import os
+import shutil
 
 from topic_case import TZC_RUN, Listener, TopicCase, main
 
@@ -79,6 +80,27 @@ class Preload(TopicCase):
     def test_help_and_wrong_use(self):
         self.assertEqual(self.ros.run(TZC_RUN + ["--help"])[0], 0)
         self.assertEqual(self.ros.run(TZC_RUN)[0], 2)
+        for wrong in (["-c", "env"], ["--guard", "-c", "env"], ["--guard"], ["--guard=quietly", "env"]):
+            self.assertEqual(self.ros.run(TZC_RUN + wrong)[0], 2, wrong)
+        self.assertIn("usage: tzc-run", self.ros.run(TZC_RUN + ["--guard", "--help"])[1])
+
+    def test_options_end_before_the_command(self):
+        for words in (["--guard"], ["--guard", "--"], ["--guard=abort", "--guard"]):
+            status, output = self.ros.run(TZC_RUN + words + ["env"])
+            self.assertEqual(status, 0, output)
+            self.assertRegex(output, r"(?m)^TZC_GUARD=1$")
+        self.assertEqual(self.ros.run(TZC_RUN + ["--", "-no-such-command"])[0], 127)
+
+    def test_a_path_that_nothing_can_be_preloaded_from(self):
+        for name in ("a blank", "a:colon"):
+            folder = os.path.join(self.scratch, name)
+            for part in ("bin", "lib"):
+                os.makedirs(os.path.join(folder, part))
+            tool = shutil.copy(TZC_RUN[0], os.path.join(folder, "bin"))
+            with open(os.path.join(folder, "lib/libtzc_preload.so"), "w"):
+                pass
+            status, output = self.ros.run([tool, "env"])
+            self.assertEqual((status, "preloads nothing from a path" in output), (2, True), output)
 
 
 if __name__ == "__main__":
