@@ -3,6 +3,7 @@
 
 #include <signal.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -13,7 +14,10 @@ namespace {
 
 volatile sig_atomic_t is_stopped = 0;
 
+// Async-signal-safe. Nodes may take some seconds to end: whoever pressed Ctrl-C is told that it was seen.
 void note(int) {
+  constexpr char text[] = "\ntzc-compare: stopping what was started\n";
+  if (is_stopped == 0) (void)!::write(STDERR_FILENO, text, sizeof text - 1);
   is_stopped = 1;
 }
 
@@ -22,7 +26,7 @@ void note(int) {
 void watch_for_stop_requests() {
   struct sigaction action{};
   action.sa_handler = note;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::sigaction(signal, &action, nullptr);
   ::signal(SIGPIPE, SIG_IGN);  // a recorder that has died shows as an error of write()
 }
 
