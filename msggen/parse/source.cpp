@@ -8,7 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 #include "parse/text.h"
 
@@ -70,13 +70,14 @@ bool is_file(const std::string& path) {
 std::optional<Source> read_source(const std::string& file, Diagnostics& diagnostics) {
   errno = 0;
   std::ifstream in(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in.is_open() || in.bad() || errno == EISDIR) {
+  std::ostringstream bytes;
+  bytes << in.rdbuf();  // fails for an empty file, too; an iterator would throw for a folder
+  if (!in.is_open() || (bytes.fail() && errno != 0)) {
     diagnostics.report(
         fault_of_file(file, fmt::format("cannot read the file: {}", std::strerror(errno)), ""));
     return std::nullopt;
   }
-  return decode(file, bytes, diagnostics);
+  return decode(file, bytes.str(), diagnostics);
 }
 
 std::vector<Line> split_lines(std::string_view text) {

@@ -2,6 +2,7 @@
 #include "tool/output.h"
 
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -17,6 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool has_content(const fs::path& file, const std::string& text) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return false;
   std::ifstream in(file, std::ios::binary);
   return in.is_open() && std::string(std::istreambuf_iterator<char>(in), {}) == text;
 }
@@ -64,7 +67,8 @@ class Staging {
     if (fs::is_directory(folder, error)) return "";
     if (std::string above = create_folders(folder.parent_path()); !above.empty()) return above;
     if (fs::create_directory(folder, error)) created_.push_back(folder);
-    if (fs::is_directory(folder)) return "";
+    std::error_code ignored;
+    if (fs::is_directory(folder, ignored)) return "";
     return fmt::format("cannot create {}: {}", folder.string(), error.message());
   }
 
@@ -75,8 +79,26 @@ class Staging {
 
 }  // namespace
 
+// Ctrl-C and its like wait until all files are in place, or gone.
+class SignalsWait {
+ public:
+  SignalsWait() {
+    sigset_t signals;
+    ::sigemptyset(&signals);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::sigaddset(&signals, signal);
+    ::sigprocmask(SIG_BLOCK, &signals, &before_);
+  }
+  ~SignalsWait() { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsWait(const SignalsWait&) = delete;
+  SignalsWait& operator=(const SignalsWait&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
 std::size_t write_headers(const std::vector<Header>& headers, const OutputOptions& options,
                           Diagnostics& diagnostics) {
+  const SignalsWait signals_wait;
   Staging staging;
   std::size_t replaced = 0;
   std::string error;

@@ -168,6 +168,12 @@ TEST_F(Tool, an_output_that_cannot_be_written_leaves_nothing_behind) {
   EXPECT_THAT(files_below("out"), ::testing::ElementsAre("tzc"));
 }
 
+TEST_F(Tool, a_folder_that_is_named_like_a_definition_is_named) {
+  fs::create_directories(path("Folder.msg"));
+  EXPECT_EQ(generate_files({path("Folder.msg")}), exit_bad_input);
+  EXPECT_THAT(err_.str(), AllOf(HasSubstr("Folder.msg"), HasSubstr("Is a directory")));
+}
+
 TEST_F(Tool, a_failure_in_the_middle_of_writing_takes_everything_back) {
   fs::create_directories(path("out/tzc/demo/B.h"));  // a folder where the second header should be
   Diagnostics diagnostics;
