@@ -2,8 +2,11 @@
 """The parts of scripts/port-packages that need no build."""
 import json
 import os
+import signal
+import subprocess
 import sys
 import tempfile
+import time
 import types
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -147,6 +150,18 @@ class WorkspaceOf(Folder):
 
 
 class Commands(Folder):
+    def assert_ends(self, pid):
+        """Soon; until its new parent has looked it may be a zombie."""
+        for _ in range(200):
+            try:
+                with open(f"/proc/{pid}/stat") as file:
+                    if file.read().rpartition(")")[2].split()[0] == "Z":
+                        return
+            except FileNotFoundError:
+                return
+            time.sleep(0.1)
+        self.fail(f"process {pid} still runs")
+
     def test_one_that_hangs_is_stopped_with_its_children(self):
         log = os.path.join(self.path, "log/hang.log")
         outcome = run(["sh", "-c", "echo begun; sleep 100 & wait"], log, timeout=0.5)
@@ -154,6 +169,24 @@ class Commands(Folder):
         self.assertLess(outcome.wall, 20)
         with open(log) as file:
             self.assertEqual(file.read(), "begun\n")
+
+    def test_a_signal_ends_what_was_started(self):
+        program = ("import sys; from port_packages.command import ended_by_signals, run; ended_by_signals();"
+                   "run(['sh', '-c', 'sleep 100 & echo $!; wait'], sys.argv[1])")
+        log = os.path.join(self.path, "signal.log")
+        for which in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
+            with subprocess.Popen([sys.executable, "-c", program, log], env=dict(os.environ, PYTHONPATH=sys.path[0])) as tool:
+                text = ""
+                while not text.endswith("\n") and tool.poll() is None:
+                    time.sleep(0.05)
+                    if os.path.exists(log):
+                        with open(log) as file:
+                            text = file.read()
+                tool.send_signal(which)
+                self.assertEqual(tool.wait(60), 128 + which)
+            with self.subTest(which):
+                self.assert_ends(int(text))
+            os.remove(log)
 
     def test_its_status_is_kept(self):
         outcome = run(["sh", "-c", "exit 3"], os.path.join(self.path, "log"))

@@ -47,6 +47,29 @@ printf '#error no\n' >"$work/tested/tested/cannot_be_built.cpp"
 port "$work/tested" || fail "with a test that cannot be built it ends with $?"
 holds "$work/out/table.txt" '^tested +1 .* 1/1, 1/1 '
 
+refused() {
+  local words=$1 status=0
+  shift
+  port "$@" || status=$?
+  [ "$status" = 2 ] || fail "$* ends with $status"
+  holds "$work/printed" "^error: .*$words"
+}
+refused 'lie one in the other' --out "$work/tested/tested" "$work/tested"
+refused 'lie one in the other' --out "$work" "$work/tested"
+refused 'needs a value' --only
+refused 'needs a value' --jobs= "$work/tested"
+refused 'two sources are called' "$work/tested" "$work/out/../tested"
+refused 'File exists|Not a directory' --out "$work/tested/tested/passes.cpp" "$work/wild"
+[ ! -e "$work/tested/original" ] || fail "it wrote into its source"
+(
+  exec 9>"$work/out/tested/lock"
+  flock 9
+  refused 'another run works in' "$work/tested"
+)
+mv "$work/tested" "$work/is=tested"
+port "$work/is=tested" || fail "with a name that has an equals sign it ends with $?"
+holds "$work/out/table.txt" '^is=tested +1 '
+
 status=0
 port --again --only broken "$work/wild" || status=$?
 [ "$status" = 1 ] || fail "with nothing to port it ends with $status"

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """python3 -m port_packages --tzc BUILD --out DIR [OPTION...] -- NAME=FOLDER...; see scripts/port-packages --help."""
 import argparse
+import contextlib
+import fcntl
 import hashlib
 import json
 import os
 import sys
 
+from .command import ended_by_signals
 from .repository import Repository
 from .table import table
 
@@ -52,27 +55,61 @@ def save(path, text):
     os.replace(path + ".new", path)
 
 
+class Mistake(Exception):
+    """Of the command line."""
+
+
+def repositories(settings):
+    """Those of the command line, NAME=FOLDER, whose names and places are fit."""
+    found = {}
+    for source in settings.sources:
+        name, _, path = source.partition("=/")  # a name has no slash, a folder begins with one
+        if name in found:
+            raise Mistake(f"two sources are called {name}; port them into different --out")
+        found[name] = Repository(name, "/" + path, settings)
+        places = [os.path.join(os.path.realpath(place), "") for place in (found[name].folder, found[name].out)]
+        if os.path.commonprefix(places) in places:
+            raise Mistake(f"{found[name].out} and the source {found[name].folder} lie one in the other; name another --out")
+    return found.values()
+
+
+@contextlib.contextmanager
+def locked(repository):
+    """No two runs build in the same folder."""
+    os.makedirs(repository.out, exist_ok=True)
+    with open(os.path.join(repository.out, "lock"), "w") as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise Mistake(f"another run works in {repository.out}") from None
+        yield
+
+
+def port_all(settings):
+    results = []
+    for repository in repositories(settings):
+        with locked(repository):
+            known = None if settings.again else repository.saved()
+            if known:
+                repository.say("is done already")
+            results.append(known or repository.run())
+        save(os.path.join(settings.out, "table.json"), json.dumps(results, indent=1))
+        save(os.path.join(settings.out, "table.txt"), table(results))
+    return results
+
+
 def main():
+    ended_by_signals()
     settings = parse_arguments()
     settings.out, settings.tzc = os.path.abspath(settings.out), os.path.abspath(settings.tzc)
     settings.inputs = settings.inputs and os.path.abspath(settings.inputs)
     settings.catkin, settings.key = catkin_share(), key_of(settings)
-    os.makedirs(settings.out, exist_ok=True)
-    names = [source.split("=", 1)[0] for source in settings.sources]
-    twice = {name for name in names if names.count(name) > 1}
-    if twice:
-        print(f"error: two sources are called {', '.join(sorted(twice))}; port them into different --out", file=sys.stderr)
+    try:
+        results = port_all(settings)
+        print(table(results), end="", flush=True)
+    except (Mistake, OSError) as error:
+        print(f"error: {error}", file=sys.stderr)
         return 2
-    results = []
-    for source in settings.sources:
-        repository = Repository(*source.split("=", 1), settings)
-        known = None if settings.again else repository.saved()
-        if known:
-            repository.say("is done already")
-        results.append(known or repository.run())
-        save(os.path.join(settings.out, "table.json"), json.dumps(results, indent=1))
-        save(os.path.join(settings.out, "table.txt"), table(results))
-    print(table(results), end="")
     return 1 if any(result["problems"] for result in results) else 0
 
 

@@ -7,6 +7,8 @@ import subprocess
 import threading
 import time
 
+patience = 40  # seconds: tzc-compare stops its nodes in order
+
 
 @dataclasses.dataclass
 class Outcome:
@@ -29,19 +31,46 @@ def run(command, log, cwd=None, env=None, timeout=None, output=None):
             late.append(which)
             os.killpg(process.pid, which)
 
-        timers = [threading.Timer(timeout, stop), threading.Timer(timeout + 10, stop, [signal.SIGKILL])] if timeout else []
+        timers = [threading.Timer(timeout, stop), threading.Timer(timeout + patience, stop, [signal.SIGKILL])] if timeout else []
         try:
             for timer in timers:
                 timer.start()
             _, status, usage = os.wait4(process.pid, 0)
-        except BaseException:  # Ctrl-C
-            os.killpg(process.pid, signal.SIGTERM)
+        except BaseException:  # a signal that ends this program, as ended_by_signals has it
+            end(process)
             raise
         finally:
             for timer in timers:
                 timer.cancel()
         process.returncode = os.waitstatus_to_exitcode(status)
     return Outcome(process.returncode, usage.ru_utime + usage.ru_stime, time.monotonic() - begin, bool(late))
+
+
+def end(process):
+    """Ends it with what it started in its process group, which may not outlive the run: the next one works in the same folders."""
+    os.killpg(process.pid, signal.SIGTERM)
+    try:
+        process.wait(patience)
+    except subprocess.TimeoutExpired:
+        pass
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass  # all have ended
+    process.wait()
+
+
+def ended_by_signals():
+    """From now on these signals end the program through its exception handlers; a further one changes nothing."""
+    signals = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+    def leave(number, _):
+        for which in signals:
+            signal.signal(which, signal.SIG_IGN)
+        raise SystemExit(128 + number)
+
+    for which in signals:
+        signal.signal(which, leave)
 
 
 def tail(path, lines=3):
