@@ -77,8 +77,6 @@ class Staging {
   std::set<std::string> known_;
 };
 
-}  // namespace
-
 // Ctrl-C and its like wait until all files are in place, or gone.
 class SignalsWait {
  public:
@@ -95,6 +93,8 @@ class SignalsWait {
  private:
   sigset_t before_;
 };
+
+}  // namespace
 
 std::size_t write_headers(const std::vector<Header>& headers, const OutputOptions& options,
                           Diagnostics& diagnostics) {

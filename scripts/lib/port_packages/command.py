@@ -48,16 +48,12 @@ def run(command, log, cwd=None, env=None, timeout=None, output=None):
 
 def end(process):
     """Ends it with what it started in its process group, which may not outlive the run: the next one works in the same folders."""
-    os.killpg(process.pid, signal.SIGTERM)
-    try:
-        process.wait(patience)
-    except subprocess.TimeoutExpired:
-        pass
-    try:
-        os.killpg(process.pid, signal.SIGKILL)
-    except ProcessLookupError:
-        pass  # all have ended
-    process.wait()
+    for which, seconds in ((signal.SIGTERM, patience), (signal.SIGKILL, None)):
+        try:
+            os.killpg(process.pid, which)
+            process.wait(seconds)
+        except (ProcessLookupError, subprocess.TimeoutExpired):
+            pass  # all have ended; or some have not
 
 
 def ended_by_signals():
