@@ -17,10 +17,12 @@ const char* const header = "lib/include/lib/fill.h";
 const std::string ros_headers = "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n";
 
 struct Steps : Progress {
-  void step(const std::string& stage, unsigned, unsigned of, const std::string&) override {
+  void step(const std::string& stage, unsigned, unsigned of, const std::string& what) override {
     units[stage] = of;
+    if (stage.rfind("parsing", 0) == 0) ++parses[what];
   }
-  std::map<std::string, unsigned> units;  ///< of each stage
+  std::map<std::string, unsigned> units;   ///< of each stage
+  std::map<std::string, unsigned> parses;  ///< of each unit
 };
 
 /// A converter that a library exports, a node of another package that publishes what it fills, and a package that has
@@ -191,6 +193,45 @@ TEST_F(SeveralPackages, a_header_that_turns_out_to_be_in_use_stays_and_who_reads
   EXPECT_EQ(level(plans->at(folder("other"))), Level::zero_copy);
   EXPECT_EQ(progress.units["parsing"], 3u);
   EXPECT_EQ(progress.units["parsing again"], 2u);
+}
+
+/// A node that holds a pointer while a shared pointer lets go, and a unit of that name, which shows that this may publish.
+void add_deleter(std::map<std::string, std::string>& files, const std::string& unit) {
+  files[unit] =
+      "#include <memory>\nvoid send();\nvoid arm(std::shared_ptr<int>& guard) {\n"
+      "  guard = std::shared_ptr<int>(new int(0), [](int* number) { send(); delete number; });\n}\n";
+  files["node/src/node.cpp"] =
+      "#include \"../../lib/include/lib/fill.h\"\n#include <memory>\n" + ros_headers +
+      "ros::Publisher pub;\nsensor_msgs::Image image;\nvoid send() { pub.publish(image); }\n"
+      "void open(ros::NodeHandle& nh) { pub = nh.advertise<sensor_msgs::Image>(\"image\", 10); }\n"
+      "void step(std::shared_ptr<int>& guard) {\n  image.data.resize(10);\n"
+      "  uint8_t* first = &image.data[0];\n  guard.reset();\n  *first = 1;\n}\n";
+}
+
+TEST_F(SeveralPackages, a_unit_is_read_again_once_for_all_that_others_say) {
+  used_later = header;
+  add_deleter(files, "node/src/shows.cpp");
+  const auto plans = plan({"lib", "node", "other"});
+  ASSERT_TRUE(plans) << to_string(plans.error());
+  EXPECT_EQ(progress.parses[folder("node/src/node.cpp")], 2u) << "a header is in use, and there is a deleter";
+  EXPECT_EQ(progress.parses[folder("lib/src/fill.cpp")], 2u);
+  EXPECT_EQ(progress.parses[folder("node/src/shows.cpp")], 1u);
+  EXPECT_EQ(progress.parses[folder("other/src/other.cpp")], 1u);
+}
+
+TEST_F(SeveralPackages, what_a_unit_shows_holds_for_all_and_only_those_before_it_are_read_again) {
+  const std::map<std::string, std::string> without = files;
+  for (const auto& [unit, parses] :
+       std::map<std::string, unsigned>{{"node/src/a.cpp", 1}, {"node/src/z.cpp", 2}}) {
+    files = without;
+    add_deleter(files, unit);
+    progress.parses.clear();
+    const auto plans = plan({"node"});
+    ASSERT_TRUE(plans) << to_string(plans.error());
+    EXPECT_EQ(level(plans->at(folder("node"))), Level::one_copy) << unit;
+    EXPECT_EQ(progress.parses[folder("node/src/node.cpp")], parses) << unit;
+    EXPECT_EQ(progress.parses[folder(unit)], 1u);
+  }
 }
 
 TEST_F(SeveralPackages, who_only_reads_a_changed_header_has_to_know_tzc_too) {
