@@ -44,11 +44,9 @@ class PortPlanner {
  private:
   Expected<void> load();
   std::optional<Error> collect();
-  std::optional<Error> read(const std::vector<std::size_t>& units, CollectOptions& options,
+  std::optional<Error> read(const std::vector<std::size_t>& units, const CollectOptions& options,
                             const std::string& stage);
-  std::optional<Error> read_again(CollectOptions& options);
-  std::set<std::string> units_of_more_headers_in_use(CollectOptions& options) const;
-  bool misses_any(std::size_t unit, const std::set<std::string>& shown) const;
+  std::vector<std::size_t> units_of_more_headers_in_use(CollectOptions& options) const;
   std::optional<Error> lacks_units() const;
   std::optional<Error> sort_out(const CompileUnit& unit, const UnitReading& reading);
   std::vector<std::string> include_dirs() const;
@@ -148,7 +146,7 @@ std::optional<Error> PortPlanner::collect() {
   std::vector<std::size_t> all(units_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   std::optional<Error> failure = read(all, options, "parsing");
-  if (!failure) failure = read_again(options);
+  if (!failure) failure = read(units_of_more_headers_in_use(options), options, "parsing again");
   if (failure) return failure;
   exported_ = options.exported_dirs;
   for (std::size_t i = 0; i < units_.size(); ++i) {
@@ -156,47 +154,34 @@ std::optional<Error> PortPlanner::collect() {
     parsed_.push_back(units_[i]);
     reading_.merge(std::move(readings_[i]));
   }
+  reading_.facts.leave_out_unshown_code();
   reading_.facts.refuse_unseen_functions();
   reading_.facts.refuse_unseen_friends();
   reading_.facts.add_overrides();
   leave_light_types(reading_.facts, options_.small);
-  return failure ? failure : lacks_units();
+  return lacks_units();
 }
 
-/// Units say of each other what matters to them: which headers others may include, and what code libraries call. Those that
-/// it matters to are read once more, for both reasons at once, until no unit has anything new to say: a parse takes seconds.
-std::optional<Error> PortPlanner::read_again(CollectOptions& options) {
-  std::set<std::string> changed = units_of_more_headers_in_use(options);
-  for (;;) {
-    std::vector<std::size_t> again;
-    for (std::size_t i = 0; i < units_.size(); ++i)
-      if (readings_[i].errors.empty() && (changed.count(units_[i].file) || misses_any(i, options.hidden)))
-        again.push_back(i);
-    if (again.empty()) return {};
-    if (std::optional<Error> failure = read(again, options, "parsing again")) return failure;
-    changed.clear();
-  }
-}
-
-/// What a header declares counts otherwise once others may include it; for the units that read it, that is.
-std::set<std::string> PortPlanner::units_of_more_headers_in_use(CollectOptions& options) const {
-  std::set<std::string> changed;
-  if (!options_.others.more_headers_in_use) return changed;
+/// What a header declares counts otherwise once others may include it: for the units that read it, which are read once more.
+std::vector<std::size_t> PortPlanner::units_of_more_headers_in_use(CollectOptions& options) const {
+  std::vector<std::size_t> again;
+  if (!options_.others.more_headers_in_use) return again;
   UnitsOfFile units_of_file;
   for (const UnitReading& reading : readings_)
     for (const auto& [file, units] : reading.facts.units_of_file)
       units_of_file[file].insert(units.begin(), units.end());
+  std::set<std::string> changed;
   for (const std::string& header : options_.others.more_headers_in_use(units_of_file)) {
     if (!options.exported_dirs.insert(header).second) continue;
     const std::set<std::string>& units = units_of_file[header];
     changed.insert(units.begin(), units.end());
   }
-  return changed;
+  for (std::size_t i = 0; i < units_.size(); ++i)
+    if (readings_[i].errors.empty() && changed.count(units_[i].file) != 0) again.push_back(i);
+  return again;
 }
 
-/// A unit is read with what those before it have shown of code that libraries call: it then asks for less that it misses. Which
-/// were before it makes no difference to its facts in the end, since whoever missed something is read again.
-std::optional<Error> PortPlanner::read(const std::vector<std::size_t>& units, CollectOptions& options,
+std::optional<Error> PortPlanner::read(const std::vector<std::size_t>& units, const CollectOptions& options,
                                        const std::string& stage) {
   std::optional<Error> failure;
   std::mutex mutex;
@@ -206,23 +191,13 @@ std::optional<Error> PortPlanner::read(const std::vector<std::size_t>& units, Co
     if (failed) return;
     const CompileUnit& unit = units_[units[i]];
     UnitReading& reading = readings_[units[i]];
-    std::unique_lock<std::mutex> lock(mutex);
-    const CollectOptions known = options;
-    lock.unlock();
-    reading = read_unit(unit, known, options_.accesses);
-    lock.lock();
-    options.hidden.insert(reading.facts.hidden.shown.begin(), reading.facts.hidden.shown.end());
+    reading = read_unit(unit, options, options_.accesses);
+    const std::lock_guard<std::mutex> lock(mutex);
     if (!reading.errors.empty() && !failure) failure = sort_out(unit, reading);
     failed = failure.has_value();
     step(stage, ++done, units.size(), unit.file);
   });
   return failure;
-}
-
-/// Whether it asked for something that it does not show, and that one of these shows.
-bool PortPlanner::misses_any(std::size_t unit, const std::set<std::string>& shown) const {
-  const std::set<std::string>& missed = readings_[unit].facts.hidden.missed;
-  return std::any_of(missed.begin(), missed.end(), [&](auto& name) { return shown.count(name) != 0; });
 }
 
 std::optional<Error> PortPlanner::lacks_units() const {

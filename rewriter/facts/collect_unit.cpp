@@ -79,13 +79,8 @@ std::vector<std::string> include_dirs_of(const CompileUnit& unit, const CollectO
 }  // namespace
 
 Facts collect_unit(clang::ASTContext& ast, const CompileUnit& unit, const CollectOptions& options) {
-  const Unit parsed{Source(ast, options.packages),
-                    *options.rules,
-                    options.exported_dirs,
-                    include_dirs_of(unit, options),
-                    options.trusted,
-                    options.hidden,
-                    options.layouts_stay};
+  const Unit parsed{Source(ast, options.packages),  *options.rules,  options.exported_dirs,
+                    include_dirs_of(unit, options), options.trusted, options.layouts_stay};
   limit_to_package(parsed);
   Facts facts = collect(parsed);
   for (const std::string& file : files_of(parsed, options)) facts.units_of_file[file].insert(unit.file);

@@ -24,8 +24,7 @@ struct CollectOptions {
   const RuleSet* rules;
   std::vector<std::string> include_dirs;  ///< TZC's: the package may already be ported, but not built since
   std::map<std::string, std::string> trusted;  ///< functions that keep nothing, with the reason
-  bool layouts_stay = false;          ///< other packages compile exported headers as they were (--dual)
-  std::set<std::string> hidden = {};  ///< code that libraries call, shown by other units
+  bool layouts_stay = false;  ///< other packages compile exported headers as they were (--dual)
 };
 
 /// The facts of one unit that parses. Limits the AST's traversal scope to the package.

@@ -285,7 +285,7 @@ Facts Collectors::finish() {
   for (const auto& [where, part] : parts_) add(allocations_.of_part(part.second, part.first));
   for (AllocationDraft& draft : drafts_)
     facts_.allocations.push_back(connected(unit_, entities_.facts(), std::move(draft), publishers_));
-  facts_.hidden = hidden_.found();
+  facts_.hidden_code = hidden_.shown();
   static_cast<EntityFacts&>(facts_) = entities_.take();
   facts_.const_casts = flow_.const_casts();
   return std::move(facts_);

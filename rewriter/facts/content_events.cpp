@@ -279,12 +279,12 @@ void ContentReader::mention(const clang::Expr* expr) {
 }
 
 /// A function object ends without a call of what it holds, whose own end may run a destructor.
-void ContentReader::ended_in_library(clang::QualType type) {
+void ContentReader::ended_in_library(clang::QualType type, const IfShown& runs) {
   const clang::CXXRecordDecl* const record = type->getAsCXXRecordDecl();
   if (record && record->getName() == "function")
-    log_.step(PerhapsCall{call_of_others()});
+    log_.step(PerhapsCall{call_of_others(), runs});
   else
-    log_.step(UnknownCall{});
+    log_.step(UnknownCall{runs});
 }
 
 void ContentReader::look_at(const clang::Stmt* stmt) {
@@ -296,7 +296,7 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
   ended_.look_at(stmt);
   const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
   if (call && closures_.called(call)) return;
-  if (unknown_.at(stmt)) log_.step(UnknownCall{});
+  if (const auto runs = unknown_.at(stmt)) log_.step(UnknownCall{*runs});
   if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
     iterator(construct);
     if (!construct->getConstructor()->isCopyOrMoveConstructor())

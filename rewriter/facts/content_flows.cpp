@@ -54,11 +54,26 @@ class FlowBuilder {
     flow_.exit = add(cfg, function).exit;
     return std::move(flow_);
   }
+  /// When it calls what it does not know; none: never.
+  const std::optional<IfShown>& calls_unknown() const { return unknown_.any; }
 
  private:
   /// The blocks at which a part of the graph begins and ends.
   struct Part {
     unsigned entry = 0, exit = 0;
+  };
+  /// What calls may run: one graph for each, until they have too many blocks together.
+  struct AnyCode {
+    std::size_t blocks = 0;
+    std::optional<Part> shared;
+  };
+  /// Calls that are not followed.
+  struct UnknownCode {
+    AnyCode always, hidden;          ///< hidden code that nobody shows takes no room from the rest
+    std::optional<Part> open;        ///< what is being added, and what calls in it run
+    std::optional<unsigned> behind;  ///< where the graph goes on behind the last call
+    IfShown last;                    ///< when that one happens
+    std::optional<IfShown> any;      ///< when one of them happens; none: never
   };
 
   unsigned new_block() {
@@ -73,8 +88,8 @@ class FlowBuilder {
   unsigned perhaps(Part part, unsigned at);
   unsigned run(const ClosureRun& closure, unsigned at);
   unsigned call(const PerhapsCall& perhaps_called, unsigned at);
-  unsigned call_unknown(unsigned at);
-  Part anything();
+  unsigned call_unknown(const IfShown& if_shown, unsigned at);
+  Part anything(AnyCode& calls);
   void add_closures(Part any);
   void append(ContentEvent event, unsigned at);
   Part body_of(const clang::FunctionDecl* closure);
@@ -88,8 +103,7 @@ class FlowBuilder {
   std::vector<Given> given_;                        ///< of the closures around, the innermost last
   std::set<const clang::FunctionDecl*> open_;       ///< which are being added
   std::vector<const clang::LambdaExpr*> closures_;  ///< that an unknown call may run
-  std::optional<Part> anything_;            ///< what an unknown call may run, while that is being added
-  std::optional<unsigned> behind_unknown_;  ///< where the graph goes on behind the last one
+  UnknownCode unknown_;
 };
 
 /// Blocks in Clang's order, the entry first.
@@ -136,8 +150,10 @@ unsigned FlowBuilder::add(std::vector<ContentStep> steps, unsigned at) {
       at = run(*closure, at);
     else if (const auto* called = std::get_if<PerhapsCall>(&step))
       at = call(*called, at);
-    else if (std::holds_alternative<UnknownCall>(step) || !closures_.empty())
-      at = call_unknown(at);
+    else if (const auto* unknown = std::get_if<UnknownCall>(&step))
+      at = call_unknown(unknown->if_shown, at);
+    else if (!closures_.empty())
+      at = call_unknown({}, at);
   }
   return at;
 }
@@ -181,7 +197,7 @@ FlowBuilder::Part FlowBuilder::add_instance(const clang::CFG& cfg, const clang::
 
 /// A closure calls itself by another name alone, a parameter or a function object, and so it is one that others may call.
 unsigned FlowBuilder::run(const ClosureRun& closure, unsigned at) {
-  if (open_.count(closure.body) != 0) return call_unknown(at);
+  if (open_.count(closure.body) != 0) return call_unknown({}, at);
   given_.push_back(closure.given);
   const Part part = body_of(closure.body);
   given_.pop_back();
@@ -193,33 +209,45 @@ unsigned FlowBuilder::run(const ClosureRun& closure, unsigned at) {
 unsigned FlowBuilder::call(const PerhapsCall& perhaps_called, unsigned at) {
   const unsigned callee = new_block();
   append(perhaps_called.call, callee);
+  if (perhaps_called.call.callee.empty()) unknown_.any = either(unknown_.any, perhaps_called.if_shown);
+  flow_.blocks[callee].if_shown = perhaps_called.if_shown;
   return perhaps({callee, callee}, at);
 }
 
 /// Calls in a row are as good as one: it runs anything any number of times.
-unsigned FlowBuilder::call_unknown(unsigned at) {
-  if (behind_unknown_ == at && flow_.blocks[at].events.empty()) return at;
-  const Part any = anything_ ? *anything_ : anything();
-  const unsigned behind = new_block();
-  connect(at, any.entry);
+unsigned FlowBuilder::call_unknown(const IfShown& if_shown, unsigned at) {
+  if (unknown_.behind == at && flow_.blocks[at].events.empty() && unknown_.last.covers(if_shown)) return at;
+  const Part any =
+      unknown_.open ? *unknown_.open : anything(if_shown.is_always() ? unknown_.always : unknown_.hidden);
+  const unsigned begin = new_block(), behind = new_block();
+  flow_.blocks[begin].if_shown = if_shown;
+  connect(at, begin);
+  connect(at, behind);
+  connect(begin, any.entry);
   connect(any.exit, behind);
-  behind_unknown_ = behind;
+  unknown_.behind = behind;
+  unknown_.last = if_shown;
+  unknown_.any = either(unknown_.any, if_shown);
   return behind;
 }
 
 /// Each call has a graph of its own, in which the closures call one another: with one for all of them, paths would lead from one
 /// to the next. That is what large functions get, for want of a limit otherwise.
-FlowBuilder::Part FlowBuilder::anything() {
+FlowBuilder::Part FlowBuilder::anything(AnyCode& calls) {
   constexpr std::size_t many_blocks = 4096;
+  if (calls.shared) return *calls.shared;
+  const std::size_t before = flow_.blocks.size();
   const Part any{new_block(), new_block()};
   connect(any.entry, any.exit);
   const unsigned elsewhere = new_block();  // what the package gave away somewhere else
   flow_.blocks[elsewhere].events.push_back(call_of_others());
   connect(any.entry, elsewhere);
   connect(elsewhere, any.entry);
-  anything_ = any;
+  unknown_.open = any;
   add_closures(any);
-  if (flow_.blocks.size() < many_blocks) anything_.reset();
+  unknown_.open.reset();
+  calls.blocks += flow_.blocks.size() - before;
+  if (calls.blocks >= many_blocks) calls.shared = any;
   return any;
 }
 
@@ -235,18 +263,39 @@ void FlowBuilder::add_closures(Part any) {
   open_ = open;
 }
 
+/// The flow of a function that only may call others, any number of times.
+ContentFlow calls_of_others(const IfShown& if_shown) {
+  ContentFlow flow;
+  flow.blocks = {{{}, {1, 2}}, {{call_of_others()}, {1, 2}, if_shown}, {}};
+  flow.exit = 2;
+  return flow;
+}
+
+bool only_calls_others(const ContentFlow& flow) {
+  return llvm::all_of(flow.blocks, [](const ContentBlock& block) {
+    return llvm::all_of(block.events, [](const ContentEvent& event) { return event == call_of_others(); });
+  });
+}
+
 /// The flow of a function of the view, or of a closure in it; none: it has no events.
 std::optional<ContentFlow> flow_of(EscapeContext& context, const SeenFunction& seen,
                                    const clang::FunctionDecl* function) {
   const std::unique_ptr<clang::CFG> cfg = cfg_of(context.unit, function);
   if (!cfg) return {};
   const std::vector<DecidedValues> ways = decided_ways(seen.view, *cfg);
-  ContentFlow flow = FlowBuilder(context, seen, ways.front()).build(*cfg, function);
-  for (auto way = std::next(ways.begin()); way != ways.end(); ++way)
-    flow.add_alternative(FlowBuilder(context, seen, *way).build(*cfg, function));
-  const bool is_empty =
-      llvm::all_of(flow.blocks, [](const ContentBlock& block) { return block.events.empty(); });
-  return is_empty ? std::nullopt : std::optional(std::move(flow));
+  ContentFlow flow;
+  std::optional<IfShown> calls_unknown;
+  for (const DecidedValues& way : ways) {
+    FlowBuilder builder(context, seen, way);
+    ContentFlow next = builder.build(*cfg, function);
+    calls_unknown = either(calls_unknown, builder.calls_unknown());
+    if (&way == &ways.front())
+      flow = std::move(next);
+    else
+      flow.add_alternative(std::move(next));
+  }
+  if (flow.is_empty()) return {};
+  return calls_unknown && only_calls_others(flow) ? calls_of_others(*calls_unknown) : std::move(flow);
 }
 
 }  // namespace

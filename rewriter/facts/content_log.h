@@ -31,10 +31,13 @@ inline ContentEvent call_of_others() {
 /// A function is called, or not.
 struct PerhapsCall {
   ContentEvent call;
+  IfShown if_shown = {};
 };
 
 /// A call that may run any closure of the function, or what the package gave away outside of it.
-struct UnknownCall {};
+struct UnknownCall {
+  IfShown if_shown = {};
+};
 
 /// A function of the package is called, which may run what the function gave away itself.
 struct CallOfPackage {};

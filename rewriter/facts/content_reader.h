@@ -53,18 +53,18 @@ class ContentReader {
   /// What the end of a variable does.
   std::vector<ContentStep> steps_at_end_of(const clang::VarDecl* variable) {
     ended_.object(variable->getType(), variable->getLocation());
-    if (unknown_.at_end_of(variable)) ended_in_library(variable->getType());
+    if (const auto runs = unknown_.at_end_of(variable)) ended_in_library(variable->getType(), *runs);
     return log_.take();
   }
   /// What the end of a destructor's object does behind its body.
   std::vector<ContentStep> steps_at_end_of_parts(const clang::FunctionDecl* destructor) {
-    if (unknown_.at_end_of_parts(destructor)) log_.step(UnknownCall{});
+    if (const auto runs = unknown_.at_end_of_parts(destructor)) log_.step(UnknownCall{*runs});
     return log_.take();
   }
 
  private:
   void look_at(const clang::Stmt* stmt);
-  void ended_in_library(clang::QualType type);
+  void ended_in_library(clang::QualType type, const IfShown& runs);
   void mention(const clang::Expr* expr);
   void array(const clang::Expr* expr);
   void array_of_messages(const clang::Expr* expr);

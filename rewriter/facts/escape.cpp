@@ -4,6 +4,9 @@
 
 #include <clang/AST/Attr.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include "facts/array_writes.h"
 #include "facts/filled_message.h"
 #include "facts/held_locks.h"
@@ -81,6 +84,19 @@ class ThreadEvents {
   HeldLocks locks_;
 };
 
+/// Of what is not seen one event says as much as many.
+void add_effect(std::vector<PublishEvent>& effects, PublishEvent event) {
+  const auto says_it = [&](const PublishEvent& other) {
+    return other.kind == PublishEvent::Kind::unknown && other.messages.empty() &&
+           other.if_shown.covers(event.if_shown) &&
+           std::tie(other.closure, other.captured, other.locks) ==
+               std::tie(event.closure, event.captured, event.locks);
+  };
+  const bool is_known = event.kind == PublishEvent::Kind::unknown && event.messages.empty() &&
+                        std::any_of(effects.begin(), effects.end(), says_it);
+  if (!is_known) effects.push_back(std::move(event));
+}
+
 /// In a constructor's initializers: members that are declared later do not exist yet.
 bool is_before_body(const FunctionView& view, const clang::Stmt* stmt) {
   while (const clang::Stmt* around = view.parent(stmt)) stmt = around;
@@ -122,7 +138,7 @@ SeenFunction EscapeAnalysis::analyse(const clang::FunctionDecl* definition) {
   for (const SeenEvent& event : here.events) {
     if (is_before_body(*here.view, event.at) && !event.event.callee.empty())
       context_.found.early.insert(event.event.callee);
-    if (event.event.kind != PublishEvent::Kind::exchange) effects.push_back(threads.of(event));
+    if (event.event.kind != PublishEvent::Kind::exchange) add_effect(effects, threads.of(event));
     if (!event.event.messages.empty()) note_tail(context_, *here.view, here.events, event);
   }
   for (const SeenEvent& write : here.writes) effects.push_back(threads.of(write));

@@ -96,40 +96,25 @@ void HiddenCode::note(const clang::CXXRecordDecl* record) {
       add_overridden(unit_, method, shown_);
 }
 
-bool HiddenCode::is_shown(const std::string& what) {
-  if (shown_.count(what) != 0) return true;
-  missed_.insert(what);
-  return false;
-}
-
+/// What another unit has put into shared_ptr<void> or any, this one does not show.
 const HiddenCode::Parts& HiddenCode::parts_of(clang::QualType type) {
   const clang::QualType plain = type.getNonReferenceType().getCanonicalType().getUnqualifiedType();
   const auto [known, is_new] = parts_.emplace(plain.getTypePtrOrNull(), Parts());
   Parts& parts = known->second;
   if (!is_new) return parts;
   walk_type(plain, [&](const clang::CXXRecordDecl* record) {
-    if (keeps_deleter(record)) (is_erased(record) ? parts.erased : parts.deleters) = true;
+    if (keeps_deleter(record))
+      parts.at_end = either(parts.at_end, is_erased(record) ? IfShown() : if_deleter_);
     return shows_contents(record) || unit_.source.in_package(record->getLocation());
   });
+  IfShown::Names polymorphic;
   walk_type(plain, [&](const clang::CXXRecordDecl* record) {
     if (unit_.source.in_package(record->getLocation())) return false;
-    if (!record->hasDefinition() || record->isPolymorphic())
-      parts.polymorphic.insert(qualified_name_of(record));
+    if (!record->hasDefinition() || record->isPolymorphic()) polymorphic.insert(qualified_name_of(record));
     return true;
   });
+  if (!polymorphic.empty()) parts.in_library = IfShown(std::move(polymorphic));
   return parts;
-}
-
-/// What another unit has put into shared_ptr<void> or any, this one does not show.
-bool HiddenCode::may_release(clang::QualType type) {
-  const Parts& parts = parts_of(type);
-  return parts.erased || (parts.deleters && is_shown(a_deleter));
-}
-
-bool HiddenCode::may_dispatch(clang::QualType type) {
-  bool found = false;
-  for (const std::string& name : parts_of(type).polymorphic) found |= is_shown(name);
-  return found;
 }
 
 bool may_call_back(clang::QualType type) {

@@ -112,8 +112,12 @@ bool EventFinder::is_own_lambda(const clang::FunctionDecl* function) const {
 /// What a library does with an object of the type may run code of the package that no argument shows.
 void EventFinder::add_hidden(const clang::Stmt* at, FunctionView::Span span, clang::QualType type,
                              bool releases) {
-  const bool runs = (releases && context_.hidden.may_release(type)) || context_.hidden.may_dispatch(type);
-  if (runs) add({}, at, span);
+  const std::optional<IfShown> at_end = releases ? context_.hidden.at_end_of(type) : std::nullopt;
+  const std::optional<IfShown> runs = either(at_end, context_.hidden.in_library_with(type));
+  if (!runs) return;
+  PublishEvent event;
+  event.if_shown = *runs;
+  add(std::move(event), at, span);
 }
 
 /// delete object

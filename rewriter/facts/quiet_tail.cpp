@@ -4,6 +4,11 @@
 // pointer that no code has.
 #include <clang/AST/StmtCXX.h>
 
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
+
 #include "facts/escape.h"
 #include "facts/hidden_calls.h"
 #include "facts/known_functions.h"
@@ -49,19 +54,20 @@ bool ends_quietly(clang::QualType type) {
 /// Looks for the first thing in a statement that is not known to be quiet.
 class QuietCheck {
  public:
-  QuietCheck(EscapeContext& context, const std::vector<SeenEvent>& events) : context_(context) {
+  /// `unshown`: hidden code that there is none of.
+  QuietCheck(EscapeContext& context, const std::vector<SeenEvent>& events, const IfShown::Names& unshown)
+      : context_(context), unshown_(unshown) {
     for (const SeenEvent& seen : events)
       if (seen.event.kind == PublishEvent::Kind::call || seen.event.kind == PublishEvent::Kind::unknown)
-        runs_package_.insert(seen.at);
+        runs_package_[seen.at] = *either(when_package_runs(seen.at), seen.event.if_shown);
   }
 
-  bool ends(clang::QualType type) const {
-    if (!ends_quietly(type)) return false;
-    return type->isReferenceType() || !context_.hidden.may_release(type);
+  bool ends(clang::QualType type) {
+    return ends_quietly(type) && (type->isReferenceType() || !runs(context_.hidden.at_end_of(type)));
   }
 
   /// Whether its variables, which end later, end quietly.
-  bool is_quiet_declaration(const clang::DeclStmt* declaration) const;
+  bool is_quiet_declaration(const clang::DeclStmt* declaration);
 
   /// Null: all of it is quiet.
   const clang::Stmt* loud_part(const clang::Stmt* stmt) {
@@ -71,16 +77,37 @@ class QuietCheck {
       if (const clang::Stmt* loud = loud_part(child)) return loud;
     return nullptr;
   }
+  /// When what was found last is not quiet.
+  const IfShown& if_shown() const { return if_shown_; }
 
  private:
+  std::optional<IfShown> when_package_runs(const clang::Stmt* stmt) const {
+    const auto runs = runs_package_.find(stmt);
+    return runs == runs_package_.end() ? std::nullopt : std::optional(runs->second);
+  }
+  bool runs(const std::optional<IfShown>& when);
   bool is_quiet(const clang::Stmt* stmt);
   bool is_quiet_call(const clang::CallExpr* call);
   bool is_quiet_target(const clang::Expr* target);
   bool is_quiet_operator(const clang::CXXOperatorCallExpr* call);
 
   EscapeContext& context_;
-  std::set<const clang::Stmt*> runs_package_;  ///< may run code of the package, or its variables' ends may
+  const IfShown::Names& unshown_;
+  std::map<const clang::Stmt*, IfShown>
+      runs_package_;  ///< may run code of the package, or its variables' ends may
+  IfShown if_shown_;
 };
+
+/// Whether it may run hidden code, which it then remembers.
+bool QuietCheck::runs(const std::optional<IfShown>& when) {
+  if (!when || when->is_always()) return when.has_value();
+  IfShown::Names left;
+  std::set_difference(when->names()->begin(), when->names()->end(), unshown_.begin(), unshown_.end(),
+                      std::inserter(left, left.end()));
+  if (left.empty()) return false;
+  if_shown_ = IfShown(std::move(left));
+  return true;
+}
 
 /// A variable or member itself, or a plain part of a message: not what a pointer points to.
 bool QuietCheck::is_quiet_target(const clang::Expr* target) {
@@ -109,7 +136,7 @@ bool QuietCheck::is_quiet_operator(const clang::CXXOperatorCallExpr* call) {
   if (!callee || context_.unit.declares(callee)) return false;
   if (op == clang::OO_Arrow || op == clang::OO_Star)
     return is_message_pointer(context_, call->getArg(0)->getType());
-  if (op == clang::OO_Equal && context_.hidden.may_release(call->getArg(0)->getType())) return false;
+  if (op == clang::OO_Equal && runs(context_.hidden.at_end_of(call->getArg(0)->getType()))) return false;
   if (op == clang::OO_Equal || call->isAssignmentOp() || op == clang::OO_PlusPlus)
     return is_quiet_target(call->getArg(0)) && !may_hold_pointer(call->getArg(0)->getType());
   return is_quiet_function(qualified_name_of(callee));
@@ -126,7 +153,7 @@ bool QuietCheck::is_quiet_call(const clang::CallExpr* call) {
     return llvm::isa<clang::MemberExpr>(object->IgnoreParenImpCasts()) &&
            (call->getType()->isVoidType() || call->getType()->isArithmeticType());
   if (object && is_message_pointer(context_, object->getType()) && callee->getNameAsString() == "reset")
-    return !context_.hidden.may_release(object->getType());
+    return !runs(context_.hidden.at_end_of(object->getType()));
   if (object && is_message_pointer(context_, object->getType()) &&
       llvm::isa<clang::CXXConversionDecl>(callee))
     return true;
@@ -140,8 +167,8 @@ bool QuietCheck::is_quiet_call(const clang::CallExpr* call) {
   return !calls_back && is_quiet_function(qualified_name_of(callee));
 }
 
-bool QuietCheck::is_quiet_declaration(const clang::DeclStmt* declaration) const {
-  return runs_package_.count(declaration) == 0 &&
+bool QuietCheck::is_quiet_declaration(const clang::DeclStmt* declaration) {
+  return !runs(when_package_runs(declaration)) &&
          llvm::all_of(declaration->decls(), [&](const clang::Decl* decl) {
            const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
            return !variable || variable->isStaticLocal() || ends(object_type_of(variable));
@@ -150,7 +177,7 @@ bool QuietCheck::is_quiet_declaration(const clang::DeclStmt* declaration) const 
 
 /// What libraries are given may bring code of the package, whatever is known of the functions that are called.
 bool QuietCheck::is_quiet(const clang::Stmt* stmt) {
-  if (runs_package_.count(stmt) != 0) return false;
+  if (runs(when_package_runs(stmt))) return false;
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) return is_quiet_call(call);
   if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt))
     return is_quiet_declaration(declaration);
@@ -204,9 +231,9 @@ const clang::DeclStmt* owner_of(EscapeContext& context, const FunctionView& view
 /// Goes outwards from an event, over what runs after it.
 class Tail {
  public:
-  Tail(EscapeContext& context, const FunctionView& view, const std::vector<SeenEvent>& events,
-       const SeenEvent& event)
-      : view_(view), event_(event), check_(context, events), owner_(owner_of(context, view, event)) {}
+  /// `owner`: of the message (owner_of); may be null.
+  Tail(const FunctionView& view, const SeenEvent& event, const clang::DeclStmt* owner, QuietCheck check)
+      : view_(view), event_(event), check_(std::move(check)), owner_(owner) {}
 
   const clang::Stmt* loud_part() {
     const bool own_lambda = event_.lambda && owner_ && view_.lambda_around(owner_) == event_.lambda;
@@ -219,6 +246,7 @@ class Tail {
     }
     return inner == view_.function()->getBody() ? nullptr : event_.at;  // not in a constructor's initializer
   }
+  const IfShown& if_shown() const { return check_.if_shown(); }
 
  private:
   const clang::Stmt* loud_in(const clang::Stmt* around, const clang::Stmt* inner) {
@@ -281,12 +309,20 @@ class Tail {
 
 void note_tail(EscapeContext& context, const FunctionView& view, const std::vector<SeenEvent>& events,
                const SeenEvent& event) {
-  const clang::Stmt* loud = Tail(context, view, events, event).loud_part();
-  if (!loud) return;
-  context.found.loud_tails.push_back(
-      {event.event,
-       {codes::TZC1003, "a pointer into its data escaped, and this runs before the message ends",
-        location_of(context.unit.source.where(loud->getBeginLoc()))}});
+  const clang::DeclStmt* owner = owner_of(context, view, event);
+  IfShown::Names unshown;
+  for (;;) {
+    Tail tail(view, event, owner, QuietCheck(context, events, unshown));
+    const clang::Stmt* loud = tail.loud_part();
+    if (!loud) return;
+    context.found.loud_tails.push_back(
+        {event.event,
+         {codes::TZC1003, "a pointer into its data escaped, and this runs before the message ends",
+          location_of(context.unit.source.where(loud->getBeginLoc()))},
+         tail.if_shown()});
+    if (tail.if_shown().is_always()) return;
+    unshown.insert(tail.if_shown().names()->begin(), tail.if_shown().names()->end());
+  }
 }
 
 }  // namespace tzc::rewriter

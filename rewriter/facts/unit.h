@@ -23,8 +23,6 @@ struct Unit {
   std::vector<std::string> include_dirs;  ///< where headers are looked for
   /// Functions that the workspace says to keep nothing, with the reason that it gives.
   const std::map<std::string, std::string>& trusted;
-  const std::set<std::string>&
-      hidden;  ///< code that libraries call, which other units have shown (HiddenFacts)
   bool layouts_stay =
       false;  ///< other packages compile exported headers as they were, private members included
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/hidden_code.h"
 #include "model/location.h"
 
 namespace tzc::rewriter {
@@ -118,9 +119,10 @@ bool operator==(const ContentEvent& a, const ContentEvent& b);
 struct ContentBlock {
   std::vector<ContentEvent> events;
   std::vector<unsigned> next;
+  IfShown if_shown = {};  ///< it is hidden code, and the block is there for it alone
 
   friend bool operator==(const ContentBlock& a, const ContentBlock& b) {
-    return a.next == b.next && a.events == b.events;
+    return a.next == b.next && a.events == b.events && a.if_shown == b.if_shown;
   }
 };
 
@@ -132,6 +134,9 @@ struct ContentFlow {
 
   /// Another way in which the function may run, as it is compiled elsewhere.
   void add_alternative(ContentFlow other);
+  /// Leaves out hidden code of which none is shown.
+  void leave_out_all_but(const std::set<std::string>& shown);
+  bool is_empty() const;  ///< of events
 };
 
 }  // namespace tzc::rewriter

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/content_flow.h"
+#include "model/hidden_code.h"
 #include "model/ids.h"
 #include "model/location.h"
 #include "model/obstacle.h"
@@ -25,6 +26,7 @@ struct PublishEvent {
   std::string closure = {};          ///< that it is in (ThreadFacts); "": the function's own code
   bool captured = false;             ///< the closure names variables of the function around it here
   std::set<std::string> locks = {};  ///< that its thread has there (ThreadFacts)
+  IfShown if_shown = {};             ///< hidden code runs; otherwise nothing does
 };
 
 /// A pointer into a message's data went where it cannot be followed.
@@ -46,6 +48,7 @@ struct DataHold {
 struct LoudTail {
   PublishEvent event;
   Obstacle obstacle;
+  IfShown if_shown;  ///< what follows is hidden code
 };
 
 /// Something that a subscriber should not do with a message that it was given as const.

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "model/codes.h"
+#include "model/erase_if.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -99,6 +100,17 @@ void Facts::refuse_unseen_friends() {
   }
 }
 
+void Facts::leave_out_unshown_code() {
+  const auto is_out = [&](const PublishEvent& event) { return !event.if_shown.is_met_by(hidden_code); };
+  erase_if(holds, [&](const DataHold& hold) { return is_out(hold.event); });
+  erase_if(loud_tails, [&](const LoudTail& tail) { return !tail.if_shown.is_met_by(hidden_code); });
+  for (auto& [usr, events] : effects) erase_if(events, is_out);
+  for (auto at = contents.begin(); at != contents.end();) {
+    at->second.leave_out_all_but(hidden_code);
+    at = at->second.is_empty() ? contents.erase(at) : std::next(at);
+  }
+}
+
 void Facts::add_overrides() {
   const std::map<std::string, std::vector<PublishEvent>> own = effects;
   for (const auto& [function, others] : overrides) {
@@ -156,8 +168,7 @@ void Facts::merge(Facts&& other) {
   unite(given.handed_on, other.given.handed_on);
   unite(given.published_from, other.given.published_from);
   addressed.merge(other.addressed);
-  hidden.shown.merge(other.hidden.shown);
-  hidden.missed.merge(other.hidden.missed);
+  hidden_code.merge(other.hidden_code);
   changing.merge(other.changing);
   locking.merge(other.locking);
   synchronizing.merge(other.synchronizing);

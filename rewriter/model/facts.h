@@ -261,14 +261,6 @@ struct EntityFacts {
   std::map<EntityId, std::set<std::string>> friends;
 };
 
-/// Code of the package that libraries call without being given it: classes of libraries whose virtual functions it overrides, by
-/// name, and `a_deleter` where it gives a shared pointer one.
-struct HiddenFacts {
-  std::set<std::string> shown;   ///< by the unit
-  std::set<std::string> missed;  ///< what mattered to the unit, and it does not show
-};
-constexpr const char* a_deleter = "a deleter";
-
 /// The classes of the package, by USR.
 struct ClassFacts {
   std::set<std::string> records;                           ///< that it defines
@@ -283,11 +275,13 @@ struct Facts : EntityFacts, EscapeFacts, ThreadFacts, ClassFacts {
   std::map<SiteId, Publish> publishes;
   std::map<SiteId, Subscribe> subscribes;
   std::map<FilterCallback, FilterCallbackUse> filter_callbacks;
-  HiddenFacts hidden;
-  std::set<std::string> bodies;  ///< USRs of the functions whose bodies were seen
-  bool shadows_tzc = false;      ///< the package gives the name tzc to something of its own
+  std::set<std::string> hidden_code;  ///< that is shown, by name
+  std::set<std::string> bodies;       ///< USRs of the functions whose bodies were seen
+  bool shadows_tzc = false;           ///< the package gives the name tzc to something of its own
   std::map<std::string, std::set<std::string>> units_of_file;  ///< package file -> main files that include it
 
+  /// Leaves out what only hidden code would do of which no unit shows any. After all is merged.
+  void leave_out_unshown_code();
   /// Says of a virtual function what its overrides do, too: a call of it may run any of them. After all is merged.
   void add_overrides();
   /// What a function does in one unit, or instance of a template; it may do something else in another one.

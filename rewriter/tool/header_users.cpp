@@ -102,6 +102,20 @@ std::vector<Inclusion> inclusions_between(const std::vector<std::string>& packag
   return found;
 }
 
+std::set<std::string> reached_by_includes(const std::vector<std::string>& packages,
+                                          const std::set<std::string>& compiled) {
+  PackageHeaders headers{FolderSet(packages)};
+  std::set<std::string> reached;
+  std::vector<std::string> todo(compiled.begin(), compiled.end());
+  while (!todo.empty()) {
+    const std::string file = todo.back();
+    todo.pop_back();
+    if (!reached.insert(file).second) continue;
+    for (const std::string& header : headers.included_by(file)) todo.push_back(header);
+  }
+  return reached;
+}
+
 std::vector<std::vector<std::string>> joined_by_headers(const std::vector<std::string>& packages) {
   const FolderSet folders(packages);
   std::map<std::string, std::string> first;  // package -> the one that stands for its set
@@ -130,7 +144,6 @@ std::map<std::string, std::string> headers_in_use(const FolderSet& packages, con
   const auto use = [&](const std::string& header, const std::string& user) {
     if (users.emplace(header, user).second) todo.push_back(header);
   };
-  for (const Inclusion& inclusion : known) use(inclusion.header, inclusion.file);
   std::vector<std::string> left_out(packages.begin(), packages.end());
   left_out.insert(left_out.end(), searched.left_out.begin(), searched.left_out.end());
   TextFiles files(
@@ -139,6 +152,7 @@ std::map<std::string, std::string> headers_in_use(const FolderSet& packages, con
       },
       FolderSet(left_out));
   for (const std::string& root : searched.roots) files.walk(root);
+  for (const Inclusion& inclusion : known) use(inclusion.header, inclusion.file);
   while (!todo.empty()) {
     const std::string header = todo.back();
     todo.pop_back();

@@ -20,6 +20,11 @@ struct Inclusion {
 /// compiled counts, too, and a name that may stand for two headers counts for both.
 std::vector<Inclusion> inclusions_between(const std::vector<std::string>& packages);
 
+/// The files of the packages that a compiler may read of these ones, by their includes. Searched as text: what is not among them
+/// is in no unit, unless a macro names it.
+std::set<std::string> reached_by_includes(const std::vector<std::string>& packages,
+                                          const std::set<std::string>& compiled);
+
 /// The packages, those together of which one includes a header of another; in the order given.
 std::vector<std::vector<std::string>> joined_by_headers(const std::vector<std::string>& packages);
 

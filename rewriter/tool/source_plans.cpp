@@ -7,9 +7,11 @@
 #include <memory>
 #include <set>
 
+#include "buildfiles/compile_database.h"
 #include "buildfiles/plan.h"
 #include "edits/dual.h"
 #include "edits/files.h"
+#include "model/erase_if.h"
 #include "proof/configuration.h"
 #include "proof/own_compiler.h"
 #include "tool/copied_definitions.h"
@@ -31,6 +33,15 @@ bool is_compiled(const Inclusion& inclusion, const UnitsOfFile& units_of_file) {
   const auto users = units_of_file.find(inclusion.file), seen = units_of_file.find(inclusion.header);
   return users != units_of_file.end() && seen != units_of_file.end() &&
          std::includes(seen->second.begin(), seen->second.end(), users->second.begin(), users->second.end());
+}
+
+/// -include FILE: precompiled headers.
+std::vector<std::string> included_by_option(const CompileCommand& command) {
+  std::vector<std::string> files;
+  for (std::size_t i = 0; i + 1 < command.arguments.size(); ++i)
+    if (command.arguments[i] == "-include")
+      files.push_back(canonical_path((fs::path(command.directory) / command.arguments[i + 1]).string()));
+  return files;
 }
 
 std::set<std::string> keys_of(const std::map<std::string, std::string>& map) {
@@ -77,8 +88,7 @@ class SourcePlanner {
     return is_file_of(file, inputs_.options.dead_files, FolderSet(folders()));
   }
   std::vector<UnseenFile> living(std::vector<UnseenFile> files) const {
-    const auto dead = [this](const UnseenFile& unseen) { return is_dead(unseen.file); };
-    files.erase(std::remove_if(files.begin(), files.end(), dead), files.end());
+    erase_if(files, [this](const UnseenFile& unseen) { return is_dead(unseen.file); });
     return files;
   }
 
@@ -157,18 +167,39 @@ class SourcePlanner {
     return engine;
   }
 
+  /// What the packages' compiler is told to read.
+  std::set<std::string> compiled() const {
+    std::set<std::string> files;
+    for (const auto& [package, build_dir] : build_dirs_)
+      if (const Expected<std::vector<CompileCommand>> commands = read_compile_commands(build_dir))
+        for (const CompileCommand& command : *commands) {
+          std::vector<std::string> sources = unity_sources(command.file);
+          if (sources.empty()) sources.push_back(command.canonical);
+          const auto is_own = [&](const std::string& source) { return is_below(source, package); };
+          if (std::none_of(sources.begin(), sources.end(), is_own)) continue;
+          files.insert(sources.begin(), sources.end());
+          for (const std::string& file : included_by_option(command)) files.insert(file);
+        }
+    return files;
+  }
+
   /// Exported headers that no other code is seen to include are the packages' own. What one of the packages includes of
-  /// another without that a compiler sees it is known once the units are parsed.
+  /// another without that a compiler sees it is known once the units are parsed. Most of it is known before that, and then no
+  /// unit has to be parsed again.
   Expected<PortPlans> plan_with_headers(EngineOptions& engine) const {
-    HeaderUsers users = headers_in_use(engine.packages, searched());
+    std::vector<Inclusion> between = inclusions_between(folders());
+    erase_if(between, [&](const Inclusion& inclusion) { return is_dead(inclusion.file); });
+    const std::set<std::string> reached = reached_by_includes(folders(), compiled());
+    std::vector<Inclusion> unseen = between;
+    erase_if(unseen, [&](const Inclusion& inclusion) { return reached.count(inclusion.file) != 0; });
+    HeaderUsers users = headers_in_use(engine.packages, searched(), unseen);
     engine.others.headers_in_use = keys_of(users);
     engine.others.more_headers_in_use = [&](const UnitsOfFile& units_of_file) {
-      std::vector<Inclusion> unseen;
-      for (const Inclusion& inclusion : inclusions_between(folders()))
-        if (users.count(inclusion.header) == 0 && !is_dead(inclusion.file) &&
-            !is_compiled(inclusion, units_of_file))
+      const std::size_t known = unseen.size();
+      for (const Inclusion& inclusion : between)
+        if (users.count(inclusion.header) == 0 && !is_compiled(inclusion, units_of_file))
           unseen.push_back(inclusion);
-      users = headers_in_use(engine.packages, searched(), unseen);
+      if (unseen.size() != known) users = headers_in_use(engine.packages, searched(), unseen);
       return keys_of(users);
     };
     Expected<PortPlans> plans = inputs_.engine.plan(engine);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "facts/collect_unit.h"
 #include "parse/parse.h"
@@ -9,8 +10,8 @@
 
 namespace tzc::rewriter::test {
 
-/// The facts of one source, with the headers of the standard library that it includes. It has to parse.
-inline Facts facts_of(const std::string& code, const std::string& standard = "c++17") {
+/// The facts of one source, with the headers of the standard library that it includes, among others. It has to parse.
+inline Facts facts_of_unit(const std::string& code, const std::string& standard = "c++17") {
   const tzc::test::TempDir package;
   const std::string file =
       package.write("src/node.cpp", "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n" + code);
@@ -23,6 +24,20 @@ inline Facts facts_of(const std::string& code, const std::string& standard = "c+
   const ParseResult parsed =
       parse(unit, ParseOptions(), [&](clang::ASTContext& ast) { facts = collect_unit(ast, unit, options); });
   if (!parsed.errors.empty()) throw std::runtime_error("does not parse: " + parsed.errors[0].text);
+  return facts;
+}
+
+/// Those of a package that consists of these sources.
+inline Facts facts_of_all(const std::vector<std::string>& sources) {
+  Facts facts;
+  for (const std::string& source : sources) facts.merge(facts_of_unit(source));
+  facts.leave_out_unshown_code();
+  return facts;
+}
+
+inline Facts facts_of(const std::string& code, const std::string& standard = "c++17") {
+  Facts facts = facts_of_unit(code, standard);
+  facts.leave_out_unshown_code();
   return facts;
 }
 

@@ -225,6 +225,12 @@ TEST_F(CliOfTwo, are_written_together_and_the_report_says_so) {
   EXPECT_THAT(result.output, HasSubstr("solved as one with it: user; nobody else includes one"));
 }
 
+TEST_F(CliOfTwo, what_no_unit_reaches_is_known_before_one_is_parsed) {
+  ws.folder().write("ws/src/user/test/api_test.cpp", "#include <demo/api.h>\n");
+  plan_of_user_["echo"] = true;
+  EXPECT_THAT(run_both({}).errors, HasSubstr("in use: " + ws.package() + "/include/demo/api.h\n"));
+}
+
 TEST_F(CliOfTwo, an_undo_patch_takes_both_back) {
   run_both({"--apply", "--undo", ws.folder() / "undo.patch"});
   ASSERT_TRUE(is_ported() && is_user_ported());

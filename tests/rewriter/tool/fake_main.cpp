@@ -56,6 +56,9 @@ void show(const EngineOptions& options) {
   fmt::print(stderr, "engine: level={} on_exhausted={} mem_size={} dual={} jobs={} measured={} small={}\n",
              name_of(options.max_level), static_cast<int>(options.on_exhausted), options.mem_size.value_or(0),
              options.dual, options.jobs, options.measured_sizes.size(), options.small);
+  if (options.others.headers_in_use)
+    for (const std::string& header : *options.others.headers_in_use)
+      fmt::print(stderr, "in use: {}\n", header);
   for (const std::string& folder : options.extra_include_dirs)
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
       if (entry.is_regular_file())

@@ -13,6 +13,7 @@ namespace tzc::rewriter {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 /// A workspace with the package `lib`, whose include/lib/api.h and include/lib/detail.h are exported.
@@ -42,6 +43,15 @@ TEST_F(HeaderUsers, the_package_itself_is_no_user) {
 TEST_F(HeaderUsers, another_package_is) {
   folder.write("ws/src/node/main.cpp", "  #  include <lib/api.h>  // why\n");
   EXPECT_EQ(in_use(), "api.h ");
+}
+
+TEST_F(HeaderUsers, a_compiler_may_read_what_units_include_and_nothing_else) {
+  folder.write("ws/src/lib/include/lib/api.h", "#include \"detail.h\"\n");
+  folder.write("ws/src/lib/src/lib.cpp", "#include <lib/api.h>\n");
+  folder.write("ws/src/lib/test/never.cpp", "#include <lib/api.h>\n");
+  const std::string unit = folder / "ws/src/lib/src/lib.cpp", include = folder / "ws/src/lib/include/lib/";
+  EXPECT_THAT(reached_by_includes({folder / "ws/src/lib"}, {unit}),
+              ElementsAre(include + "api.h", include + "detail.h", unit));
 }
 
 TEST_F(HeaderUsers, what_a_used_header_includes_is_in_use_too) {
