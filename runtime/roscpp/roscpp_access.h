@@ -4,8 +4,9 @@
 /// The private members of roscpp 1.15.9 to 1.17 that the transport needs, all of them here. Access goes through explicit
 /// template instantiation, where the standard ([temp.spec]/6) does not check access. Everything is read only, except
 /// that Publication::subscriber_links_ gets one pointer replaced in place (adding and removing links would fire the
-/// user's connect callbacks), the callback queue that a callback of a Subscription names (fault_ready_queue.h), and the
-/// object that a Subscription keeps of a latched message (subscription_endpoint.cpp). A roscpp where a member is missing
+/// user's connect callbacks), the connect callback of an advertisement and the queue on which it runs (connect_hook.cpp), the
+/// callback queue that a callback of a Subscription names (fault_ready_queue.h), and the object that a Subscription keeps of
+/// a latched message (subscription_endpoint.cpp). A roscpp where a member is missing
 /// fails to compile right here; with a version that was not looked at (roscpp_version.h) nothing here is used.
 
 #include <ros/connection.h>
@@ -84,6 +85,8 @@ TZC_GRANT(AllowConcurrentCallbacks, ros::SubscriptionQueue, bool, allow_concurre
 TZC_GRANT(SubscriberLinks, ros::Publication, ros::V_SubscriberLink, subscriber_links_)
 TZC_GRANT(SubscriberLinksMutex, ros::Publication, boost::mutex, subscriber_links_mutex_)
 TZC_GRANT(HasHeader, ros::Publication, bool, has_header_)
+TZC_GRANT(PublicationCallbacks, ros::Publication, std::vector<ros::SubscriberCallbacksPtr>, callbacks_)
+TZC_GRANT(PublicationCallbacksMutex, ros::Publication, boost::mutex, callbacks_mutex_)
 TZC_GRANT(PublishQueue, ros::Publication, SerializedMessages, publish_queue_)
 TZC_GRANT(PublishQueueMutex, ros::Publication, boost::mutex, publish_queue_mutex_)
 

@@ -33,24 +33,29 @@ ros::Publisher observe(ros::NodeHandle& node, const ros::AdvertiseOptions& optio
 
 }  // namespace
 
-std::shared_ptr<Attachment> Attachment::create(ros::NodeHandle& node, const ros::AdvertiseOptions& options,
-                                               const MessageCodec& codec,
-                                               const PublisherOptions& publisher_options) {
-  const std::string topic = node.resolveName(options.topic);
-  if (!is_enabled(topic) && !is_left_out(topic)) return nullptr;
-  const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
-  if (!publication) return nullptr;
-  if (!is_enabled(topic)) {
+std::shared_ptr<Attachment> Attachment::to(const ros::PublicationPtr& publication, const MessageCodec& codec,
+                                           const PublisherOptions& publisher_options) {
+  const std::string& topic = publication->getName();
+  if (is_left_out(topic))
     runtime().statistics.add_plain(publication, "the publisher's ~tzc/disable_topics names this topic");
-    return nullptr;
-  }
+  if (!is_enabled(topic)) return nullptr;
   std::shared_ptr<Attachment> attachment(new Attachment);
   attachment->endpoint_ = PublicationEndpoint::of(publication, configured(publisher_options, topic),
                                                   runtime().worker, runtime().peers);
   if (!attachment->endpoint_) return nullptr;
   attachment->has_header_ = roscpp_access::has_header_(*publication);
   attachment->add_codec(codec);
-  attachment->observer_ = observe(node, options, attachment->endpoint_);
+  return attachment;
+}
+
+std::shared_ptr<Attachment> Attachment::create(ros::NodeHandle& node, const ros::AdvertiseOptions& options,
+                                               const MessageCodec& codec,
+                                               const PublisherOptions& publisher_options) {
+  const ros::PublicationPtr publication =
+      ros::TopicManager::instance()->lookupPublication(node.resolveName(options.topic));
+  if (!publication) return nullptr;
+  const std::shared_ptr<Attachment> attachment = to(publication, codec, publisher_options);
+  if (attachment) attachment->observer_ = observe(node, options, attachment->endpoint_);
   return attachment;
 }
 

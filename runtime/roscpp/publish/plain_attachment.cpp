@@ -5,8 +5,8 @@
 #include <ros/topic_manager.h>
 
 #include "roscpp/configuration.h"
+#include "roscpp/publish/connect_hook.h"
 #include "roscpp/publish/publication_endpoint.h"
-#include "roscpp/roscpp_access.h"
 #include "roscpp/runtime.h"
 
 namespace tzc {
@@ -46,16 +46,8 @@ class PlainAttachment {
 void hook_advertisement(const std::string& resolved_topic, const MessageCodec& codec,
                         ros::AdvertiseOptions& options) {
   if (!is_enabled(resolved_topic)) return;
-  // A node without connect callbacks of its own may not spin the queue that they would use.
-  if (!options.connect_cb && !options.disconnect_cb) options.callback_queue = &runtime().queue;
   const auto attachment = std::make_shared<PlainAttachment>(resolved_topic, codec);
-  options.connect_cb = [attachment, users = on_current_link(options.connect_cb)](
-                           const ros::SingleSubscriberPublisher& subscriber) {
-    const ros::SubscriberLinkPtr link =
-        roscpp_access::link_(const_cast<ros::SingleSubscriberPublisher&>(subscriber));
-    runtime().clerk.post([attachment, link] { attachment->on_connect(link); });
-    if (users) users(subscriber);
-  };
+  hook(options, [attachment](const ros::SubscriberLinkPtr& link) { attachment->on_connect(link); });
 }
 
 }  // namespace detail

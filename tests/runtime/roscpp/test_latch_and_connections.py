@@ -79,9 +79,11 @@ class Connections(TopicCase):
         self.assertEqual(shared, plain)
         flowing, _ = self.events_of(rate=100, before=3)
         self.assertEqual(flowing, plain)
+        foreign, _ = self.events_of(rate=100, before=3, foreign=1, bytes=50000)
+        self.assertEqual(foreign, plain)
 
     def test_greetings_for_one_subscriber_alone(self):
-        for parameters in ({}, {"rate": 200, "before": 3}):
+        for parameters in ({}, {"rate": 200, "before": 3}, {"rate": 200, "before": 3, "foreign": 1}):
             _, messages = self.events_of(**parameters)
             for index, mine in enumerate(messages):
                 self.assertTrue(all(m["right"] for m in mine))

@@ -120,7 +120,7 @@ class ComingAndGoing(TopicCase):
         talker = self.start_talker(count=0, rate=100)
         for _ in range(3):
             listener = self.listen(name="listener")
-            self.ros.wait_until(lambda: sum(m["shared"] for m in listener.messages()) >= 50, 60, "its move")
+            self.wait_for_shared(listener, 50)
             self.assertEqual(listener.process.stop(), 0)
             first = listener.numbers()[0]
             self.assert_got(listener, range(first, first + len(listener.numbers())))

@@ -49,6 +49,56 @@ class Upgrade(TopicCase):
         self.assert_got(listener, range(20), shared=False)
         self.assertEqual(counters["shared"], 0)
 
+    def test_published_with_a_publisher_that_stays_roscpps(self):
+        for mode in ("foreign", "foreign_pointer", "foreign_twin"):
+            with self.subTest(mode):
+                first, plain = self.listen(), self.listen("plain")
+                talker = self.start_talker(mode, count=0, rate=50, subscribers=2, settle=0)
+                self.wait_for_shared(first, 20)
+                late = self.listen()
+                self.wait_for_shared(late, 20)
+                last = self.finish(talker)["last"]
+                self.assert_got(first, range(last + 1))
+                self.assert_got(plain, range(last + 1), shared=False)
+                self.assert_got(late, range(late.numbers()[0], last + 1))
+                self.assert_seq_as_tcpros(first)
+                for listener in (first, late):
+                    self.assert_moved(listener)
+                for listener in (first, plain, late):
+                    listener.process.stop()
+
+    def test_a_publisher_that_stays_roscpps_ends_its_topic(self):
+        listener = self.listen()
+        talker = self.start_talker("foreign", count=0, rate=50, settle=0, give_up="true", linger=300)
+        self.wait_for_shared(listener, 20)
+        self.assertEqual(self.ros.publishers(self.name("image")), [self.name("talker")])
+        talker.popen.send_signal(signal.SIGUSR1)
+        self.ros.wait_until(lambda: "all published" in talker.log(), 20, "the end")
+        self.ros.wait_until(lambda: self.ros.publishers(self.name("image")) == [], 20, "the topic's end")
+        self.assertEqual(self.shared_transports(self.name("talker")), [])
+
+    def test_a_publisher_that_stays_roscpps_leaves_its_topic_to_another(self):
+        first = self.listen()
+        talker = self.start_talker("foreign_handover", count=0, half=100, rate=50, settle=0)
+        self.wait_for_shared(first, 20)
+        self.wait_for_number(first, 120)
+        late = self.listen()
+        self.wait_for_shared(late, 20)
+        last = self.finish(talker)["last"]
+        self.assert_got(first, range(last + 1))
+        self.assert_moved(first)
+        self.assert_got(late, range(late.numbers()[0], last + 1))
+        self.assert_moved(late)
+
+    def test_a_topic_that_is_advertised_anew_is_attached_anew(self):
+        listener = self.listen()
+        talker = self.start_talker("foreign_again", count=0, half=100, rate=50, settle=0)
+        self.ros.wait_until(lambda: sum(m["shared"] for m in listener.messages() if m["number"] < 100) >= 20, 60, "a move")
+        self.ros.wait_until(lambda: sum(m["shared"] for m in listener.messages() if m["number"] >= 100) >= 20, 60, "another")
+        self.finish(talker)
+        self.assertTrue(all(m["right"] for m in listener.messages()))
+        self.assertEqual(listener.numbers(), sorted(set(listener.numbers())))
+
     def test_eight_subscribers(self):
         listeners = [self.listen() for _ in range(8)]
         self.talk(count=50, subscribers=8)
@@ -90,7 +140,7 @@ class Upgrade(TopicCase):
     def test_late_joiner(self):
         talker = self.start_talker(count=0, rate=50, subscribers=0, settle=0)
         listener = self.listen()
-        self.ros.wait_until(lambda: sum(m["shared"] for m in listener.messages()) >= 50, 60, "its move")
+        self.wait_for_shared(listener, 50)
         self.assert_got(listener, range(listener.numbers()[0], self.finish(talker)["last"] + 1))
         self.assert_moved(listener)
 

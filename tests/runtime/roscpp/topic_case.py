@@ -130,6 +130,10 @@ class TopicCase(unittest.TestCase):
     def wait_for(self, listener, count, timeout=20, topic=None, callback=None):
         self.ros.wait_until(lambda: len(listener.numbers(topic, callback)) >= count, timeout, f"{count} messages")
 
+    def wait_for_shared(self, listener, count):
+        """A listener that connected while its talker published has moved, and got so many messages since."""
+        self.ros.wait_until(lambda: sum(m["shared"] for m in listener.messages()) >= count, 60, "its move")
+
     def wait_for_number(self, listener, number):
         self.ros.wait_until(lambda: number in listener.numbers(), 20, f"message {number}")
 

@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 #include <tzc/advertise.h>
 #include <tzc/direct_dispatch.h>
+#include <tzc/publish.h>
 #include <tzc/publisher.h>
 #include <tzc/spin.h>
 #include <tzc/subscribe.h>

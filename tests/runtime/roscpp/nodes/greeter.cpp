@@ -2,7 +2,7 @@
 /// A publisher with connect callbacks: prints a line of JSON for each, with the number of subscribers that it
 /// saw, and greets each subscriber with an image for it alone (numbers from 1,000,000 up) before it publishes.
 ///
-/// Private parameters: plain (a ros::Publisher), latch, rate (Hz; 0: publish only `before` images), before
+/// Private parameters: plain (a ros::Publisher), foreign (such a one, published with by tzc::publish), latch, rate (Hz; 0: publish only `before` images), before
 /// (images published at the start), bytes.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
@@ -18,7 +18,9 @@ namespace {
 class Greeter {
  public:
   explicit Greeter(ros::NodeHandle node, ros::NodeHandle options)
-      : is_plain_(options.param("plain", false)), bytes_(options.param("bytes", 100000)) {
+      : is_foreign_(options.param("foreign", false)),
+        is_plain_(is_foreign_ || options.param("plain", false)),
+        bytes_(options.param("bytes", 100000)) {
     const ros::SubscriberStatusCallback on_connect = [this](const ros::SingleSubscriberPublisher& s) {
       greet(s);
     };
@@ -39,7 +41,9 @@ class Greeter {
     tzc::sensor_msgs::Image image;
     if (!is_plain_) shared_.allocate(image);
     tzc_test::fill_image(image, number_++, bytes_);
-    if (is_plain_)
+    if (is_foreign_)
+      tzc::publish(plain_, tzc::message::to_stock(image));
+    else if (is_plain_)
       plain_.publish(tzc::message::to_stock(image));
     else
       shared_.publish(image);
@@ -59,7 +63,7 @@ class Greeter {
     subscriber.publish(greeting);
   }
 
-  const bool is_plain_;
+  const bool is_foreign_, is_plain_;
   const std::size_t bytes_;
   std::uint32_t number_ = 0, greeted_ = 0;
   ros::Publisher plain_;

@@ -3,7 +3,9 @@
 ///
 /// Private parameters: mode (twin, twin_pointer, stock, stock_pointer, plain, handover: a twin's publisher and a plain one,
 /// the former ends after half of the images; mixed: every other image as a ShapeShifter; attached: twins, to the topic that
-/// others advertised; attached_wrong: stock images, attached for another type), fresh (every so many images lie in a segment
+/// others advertised; attached_wrong: stock images, attached for another type; foreign, foreign_pointer: stock images, with a
+/// publisher that stays roscpp's; foreign_twin; foreign_handover: two such, the first of which ends after half of the images;
+/// foreign_again: it ends then, and another one advertises the topic anew), half (the images of the first half), give_up (whether it ends the topic when it has published all), fresh (every so many images lie in a segment
 /// of their own), topics (several, separated by blanks), first (number), count, rate (Hz), bytes, latch, rows, encoding (of
 /// an image: mono8, bgr8), subscribers (wait for so many), shared (and for so many of them on shared memory), settle (seconds
 /// to wait then), echo (a topic: the next image goes out when that one's number has come back on it, or when the image was
@@ -19,6 +21,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <functional>
 #include <map>
 #include <sstream>
 #include <string>
@@ -39,13 +42,17 @@ class Talker {
     const bool latch = options.param("latch", false);
     const int memory = options.param("memory", 0);
     fresh_ = static_cast<std::uint32_t>(options.param("fresh", 0));
-    half_ = static_cast<std::uint32_t>(options.param("count", 100) / 2);
+    half_ = static_cast<std::uint32_t>(options.param("half", options.param("count", 100) / 2));
     const bool attached = mode_ == "attached" || mode_ == "attached_wrong";
-    if (mode_ == "plain" || mode_ == "handover" || attached)
+    is_foreign_ = mode_.compare(0, 7, "foreign") == 0;
+    if (mode_ == "plain" || mode_ == "handover" || attached || is_foreign_)
       plain_ = node.advertise<sensor_msgs::Image>(topic, queue, latch);
+    if (is_foreign_)
+      advertise_again_ = [=]() mutable { return node.advertise<sensor_msgs::Image>(topic, queue, latch); };
+    if (mode_ == "foreign_handover") second_ = advertise_again_();
     if (mode_ == "attached") shared_ = tzc::attach_publisher<tzc::sensor_msgs::Image>(plain_, memory);
     if (mode_ == "attached_wrong") shared_ = tzc::attach_publisher<std_msgs::UInt8MultiArray>(plain_, memory);
-    if (mode_ != "plain" && !attached)
+    if (mode_ != "plain" && !attached && !is_foreign_)
       shared_ =
           tzc::advertise<tzc::sensor_msgs::Image>(node, topic, queue, publisher_options(options), latch);
   }
@@ -56,18 +63,25 @@ class Talker {
       return publish_twin(number);
     if (mode_ == "mixed") return number % 2 == 0 ? publish_as_bytes(number) : publish_twin(number);
     if (mode_ == "handover" && number == half_) shared_.shutdown();
+    if (is_foreign_ && number == half_) change_publisher();
+    if (mode_ == "foreign_twin") return publish_foreign_twin(number);
     const auto image = boost::make_shared<sensor_msgs::Image>();
     fill(*image, number);
+    if (mode_ == "foreign_pointer") return tzc::publish(plain_, image);
+    if (is_foreign_) return tzc::publish(plain_, *image);
     if (mode_ == "plain" || mode_ == "handover") return plain_.publish(*image);
     if (mode_ == "stock_pointer") return shared_.publish(image);
     shared_.publish(*image);
   }
 
   std::uint32_t subscribers() const {
-    return mode_ == "plain" || mode_ == "handover" ? plain_.getNumSubscribers() : shared_.getNumSubscribers();
+    const bool by_plain = mode_ == "plain" || mode_ == "handover" || is_foreign_;
+    return by_plain ? plain_.getNumSubscribers() : shared_.getNumSubscribers();
   }
 
   std::uint32_t shared() const { return static_cast<std::uint32_t>(shared_.statistics().shared_subscribers); }
+
+  void give_up() { plain_.shutdown(); }
 
   std::uint64_t dropped() const { return shared_.statistics().dropped; }
 
@@ -127,6 +141,20 @@ class Talker {
       shared_.publish(*image);
   }
 
+  /// A copy of the old publisher stays, and with it roscpp's object that had its callbacks.
+  void change_publisher() {
+    if (mode_ != "foreign_handover" && mode_ != "foreign_again") return;
+    first_ = plain_;
+    plain_.shutdown();
+    plain_ = mode_ == "foreign_again" ? advertise_again_() : second_;
+  }
+
+  void publish_foreign_twin(std::uint32_t number) const {
+    tzc::sensor_msgs::Image image;
+    fill(image, number);
+    tzc::publish(plain_, image);
+  }
+
   std::shared_ptr<tzc::MemorySource> fresh_memory() const {
     tzc::MemoryOptions memory;
     memory.size = bytes_ + 4096;
@@ -137,7 +165,9 @@ class Talker {
   std::size_t bytes_;
   std::uint32_t rows_, fresh_, half_;
   std::string encoding_;
-  ros::Publisher plain_;
+  bool is_foreign_;
+  std::function<ros::Publisher()> advertise_again_;
+  ros::Publisher plain_, first_, second_;
   tzc::Publisher shared_;
 };
 
@@ -233,6 +263,8 @@ int main(int argc, char** argv) {
     if (talkers.front().dropped() == dropped) echo.wait_for(number);
     rate.sleep();
   }
+  if (options.param("give_up", false))
+    for (Talker& talker : talkers) talker.give_up();
   std::printf("{\"event\": \"all published\", \"last\": %d}\n", number - 1);
   std::fflush(stdout);
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(options.param("linger", 1.0));

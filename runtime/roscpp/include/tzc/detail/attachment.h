@@ -42,6 +42,11 @@ class Attachment {
   /// topic carries another type.
   static std::shared_ptr<Attachment> join(const ros::AdvertiseOptions& options, const MessageCodec& codec,
                                           const PublisherOptions& publisher_options);
+  /// That of a topic which other code advertised, made with the first call. It lasts as long as one of the program's
+  /// advertisements of the topic, and does not keep the topic advertised. Null also when `topic` (resolved) carries a type of another
+  /// `md5sum`, and while another thread makes it. `codec` makes the codec of the topic's stock type.
+  static std::shared_ptr<Attachment> lasting(const std::string& topic, const char* md5sum,
+                                             MessageCodec (*codec)());
   ~Attachment();
   Attachment(const Attachment&) = delete;
   Attachment& operator=(const Attachment&) = delete;
@@ -81,9 +86,14 @@ class Attachment {
 
  private:
   Attachment() = default;
+  /// One without an observer: nobody makes it known to subscribers yet. Null when TZC is off for this node or topic.
+  static std::shared_ptr<Attachment> to(const ros::PublicationPtr& publication, const MessageCodec& codec,
+                                        const PublisherOptions& publisher_options);
+
   std::shared_ptr<PublicationEndpoint> endpoint_;
   bool has_header_ = false;
-  ros::Publisher observer_;  ///< has TZC's connect callback; ends with this object
+  ros::Publisher
+      observer_;  ///< has TZC's connect callback; ends with this object; empty: the advertisement's own callback calls TZC
 };
 
 /// The connect callback, whose SingleSubscriberPublisher reaches the subscriber also after it has moved to shared memory, in order
