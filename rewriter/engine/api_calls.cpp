@@ -97,7 +97,10 @@ class ApiCalls : public AstVisitor {
     note_library_advertise(call, function);
     const auto kind = kinds.find(function->getNameAsString());
     if (kind == kinds.end() || written(call) == 0) return true;
-    if (owners.count(owner) != 0) note(kind->second, call, type_at(kind->second, call, function));
+    if (owner == "tzc::" && kind->second == SiteKind::publish)
+      note(kind->second, call, message_name(call->getArg(1)->IgnoreImplicit()->getType()));
+    else if (owners.count(owner) != 0)
+      note(kind->second, call, type_at(kind->second, call, function));
     if (filters.count(owner) != 0 && written(call) >= 2) note(SiteKind::subscribe, call, "");
     return true;
   }

@@ -21,7 +21,8 @@ class PendingPlaces {
     for (const auto& item : facts.advertises)
       if (is_edited(item.second.publisher)) places.insert(place_of(SiteKind::advertise, item.second));
     for (const auto& item : facts.publishes)
-      if (is_edited(item.second)) places.insert(place_of(SiteKind::publish, item.second));
+      if (is_edited(item.second) || is_edited(components_.of(item.first)))
+        places.insert(place_of(SiteKind::publish, item.second));
     for (const auto& item : facts.subscribes)
       if (is_edited(components_.of(item.first)) || is_edited(item.second.filter))
         places.insert(place_of(SiteKind::subscribe, item.second));

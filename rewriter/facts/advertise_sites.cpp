@@ -62,17 +62,6 @@ bool takes_template_parameter(const clang::CXXMemberCallExpr* call) {
          is_template_parameter(callee->getTemplateArgs()[0].getArgument());
 }
 
-/// Whether the code around the call is an instance of a template: its function, or a class or function around that.
-bool is_instance(const clang::FunctionDecl* function) {
-  for (const clang::DeclContext* at = function; at; at = at->getParent()) {
-    const auto* around = llvm::dyn_cast<clang::FunctionDecl>(at);
-    if ((around && around->isTemplateInstantiation()) ||
-        llvm::isa<clang::ClassTemplateSpecializationDecl>(at))
-      return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 /// An image unless the call names another type.

@@ -80,6 +80,16 @@ std::string enclosing_function_name(clang::ASTContext& ast, const clang::Stmt& s
   return function ? qualified_name_of(function) : "";
 }
 
+bool is_instance(const clang::FunctionDecl* function) {
+  for (const clang::DeclContext* at = function; at; at = at->getParent()) {
+    const auto* around = llvm::dyn_cast<clang::FunctionDecl>(at);
+    if ((around && around->isTemplateInstantiation()) ||
+        llvm::isa<clang::ClassTemplateSpecializationDecl>(at))
+      return true;
+  }
+  return false;
+}
+
 std::string record_usr_of(const clang::FunctionDecl* function) {
   const clang::DeclContext* context = function;
   while (context && !context->isTranslationUnit()) {

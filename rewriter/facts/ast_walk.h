@@ -65,6 +65,8 @@ Ancestors ancestors(clang::ASTContext& ast, const Node& node) {
 const clang::FunctionDecl* enclosing_function(clang::ASTContext& ast, const clang::Stmt& stmt);
 /// Its qualified name, or that of the function around the lambda; empty outside of functions.
 std::string enclosing_function_name(clang::ASTContext& ast, const clang::Stmt& stmt);
+/// Whether a function is an instance of a template, or stands in one of a class or function.
+bool is_instance(const clang::FunctionDecl* function);
 /// USR of the class whose `this` the function has, a lambda that of the function around it. Empty: none.
 std::string record_usr_of(const clang::FunctionDecl* function);
 

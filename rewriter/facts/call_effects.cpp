@@ -180,6 +180,7 @@ CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr*
     use_rule(id, call, *rule);
     return CallEffect::done;
   }
+  if (is_attached_publish(call)) return CallEffect::done;
   if (unit_.declares(passed.function)) return into_package(id, passed);
   if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) return into_method(id, method);
   if (passed.function->isInStdNamespace() && carried_by(call->getType(), unit_.rules))

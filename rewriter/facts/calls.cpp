@@ -104,6 +104,18 @@ bool is_publish(const clang::CXXMemberCallExpr* call) {
          is_publisher_class(qualified_name_of(method->getParent()));
 }
 
+bool is_attached_publish(const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  return function && call->getNumArgs() == 2 && qualified_name_of(function) == "tzc::publish";
+}
+
+llvm::ArrayRef<const clang::Expr*> published_by(const clang::CallExpr* call) {
+  const llvm::ArrayRef<const clang::Expr*> arguments(call->getArgs(), call->getNumArgs());
+  const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
+  if (member && is_publish(member)) return arguments;
+  return !member && is_attached_publish(call) ? arguments.drop_front() : llvm::ArrayRef<const clang::Expr*>();
+}
+
 std::optional<std::string> written_text(const Unit& unit, const clang::CallExpr* call, unsigned index) {
   if (written_arguments(call) <= index) return {};
   return unit.text(call->getArg(index));

@@ -38,6 +38,10 @@ bool is_single_subscriber(const std::string& name);
 bool removes_const(const clang::ExplicitCastExpr* cast);
 /// publisher.publish(...)
 bool is_publish(const clang::CXXMemberCallExpr* call);
+/// tzc::publish(publisher, message)
+bool is_attached_publish(const clang::CallExpr* call);
+/// The messages and pointers to messages among the arguments of either of them; none: it is another call.
+llvm::ArrayRef<const clang::Expr*> published_by(const clang::CallExpr* call);
 
 /// The object of a member call as written, without the dereference of ->.
 struct Receiver {

@@ -165,11 +165,14 @@ void Collectors::call(const clang::CallExpr* call) {
   if (const EntityId result = entities_.declare_result(function); !result.empty()) flow_.follow(call, result);
 }
 
-/// tzc::advertise<M>(nh, ...), tzc::subscribe(nh, ...): an earlier run wrote them.
+/// tzc::advertise<M>(nh, ...), tzc::publish(pub, message), tzc::subscribe(nh, ...): an earlier run wrote them.
 void Collectors::ported_call(const clang::CallExpr* call, const clang::FunctionDecl* function) {
   const MethodCall* rule = unit_.rules.find_ported_function(qualified_name_of(function));
   if (!rule) return;
-  if (rule->role == MethodCall::Role::subscribe || rule->role == MethodCall::Role::subscribe_transport) {
+  if (rule->role == MethodCall::Role::publish) {
+    add_site(facts_.publishes, std::optional(attached_publish(unit_, flow_, call)));
+  } else if (rule->role == MethodCall::Role::subscribe ||
+             rule->role == MethodCall::Role::subscribe_transport) {
     add_site(facts_.subscribes, std::optional(subscribes_.of_ported_call(call, *rule)));
   } else {
     add_site(facts_.advertises, std::optional(advertises_.of_ported_call(call, *rule)));
@@ -220,6 +223,7 @@ void Collectors::rule_call(const clang::CXXMemberCallExpr* call, const MethodCal
       }
       return;
     case MethodCall::Role::fills_message:
+    case MethodCall::Role::publish:
       return;
   }
 }

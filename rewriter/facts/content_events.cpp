@@ -162,8 +162,8 @@ void ContentReader::array_of_messages(const clang::Expr* expr) {
   log_.add(Kind::take, parts_.part_of(expr), expr->getExprLoc());
 }
 
-void ContentReader::publish(const clang::CXXMemberCallExpr* call) {
-  for (const clang::Expr* argument : call->arguments()) {
+void ContentReader::publish(const clang::CallExpr* call) {
+  for (const clang::Expr* argument : published_by(call)) {
     if (!is_message_or_pointer(argument->getType())) continue;
     log_.any(argument);
     const Place place = unit_.source.where(call->getExprLoc());
@@ -311,6 +311,7 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
     if (is_swap(call) && call->getNumArgs() == 2 && !unit_.declares(function))
       exchanged(call->getArg(0), call->getArg(1), call->getExprLoc());
     if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
+    if (is_attached_publish(call)) return publish(call);
     if (!function || rule_call(call, qualified_name_of(function))) return;
     if (!unit_.declares(function)) return closures_.given_to(call);
     const bool shifted =

@@ -75,7 +75,7 @@ class ContentReader {
   void iterator(const clang::CXXConstructExpr* construct);
   void made(const clang::CXXRecordDecl* record, clang::SourceLocation where);
   void moved_whole(const clang::Stmt* stmt);
-  void publish(const clang::CXXMemberCallExpr* call);
+  void publish(const clang::CallExpr* call);
   bool rule_call(const clang::CallExpr* call, const std::string& name);
   void package_call(const clang::FunctionDecl* function, llvm::ArrayRef<const clang::Expr*> arguments,
                     const clang::Stmt* at);

@@ -68,6 +68,7 @@ class GivenMessages {
   void make_in(const std::string& container, const std::string& how, const clang::Expr* at);
   void declaration(const clang::DeclStmt* statement);
   void result(const clang::ReturnStmt* statement);
+  void publish(const clang::CallExpr* call);
   void call(const clang::CallExpr* call);
   void member_call(const clang::CXXMemberCallExpr* call);
   void assignment(const clang::CXXOperatorCallExpr* call);
@@ -121,7 +122,15 @@ void GivenMessages::result(const clang::ReturnStmt* statement) {
   if (!view_.lambda_around(statement)) hand_on(statement->getRetValue(), result_root(function_));
 }
 
+void GivenMessages::publish(const clang::CallExpr* call) {
+  const Place place = unit_.source.where(call->getExprLoc());
+  for (const clang::Expr* argument : published_by(call))
+    if (std::string holder = holders_.of(argument); !holder.empty())
+      facts_.given.published_from[{place.file, place.begin}].insert(std::move(holder));
+}
+
 void GivenMessages::call(const clang::CallExpr* call) {
+  if (is_attached_publish(call)) return publish(call);
   const clang::FunctionDecl* callee = call->getDirectCallee();
   if (!unit_.declares(callee) || llvm::isa<clang::CXXOperatorCallExpr>(call)) return;
   for (unsigned i = 0; i < call->getNumArgs(); ++i)
@@ -129,14 +138,10 @@ void GivenMessages::call(const clang::CallExpr* call) {
 }
 
 void GivenMessages::member_call(const clang::CXXMemberCallExpr* call) {
-  if (is_publish(call)) {
-    const Place place = unit_.source.where(call->getExprLoc());
-    for (const clang::Expr* argument : call->arguments())
-      if (std::string holder = holders_.of(argument); !holder.empty())
-        facts_.given.published_from[{place.file, place.begin}].insert(std::move(holder));
-  } else if (is_library_container(unit_, call)) {
+  if (is_publish(call))
+    publish(call);
+  else if (is_library_container(unit_, call))
     container_call(call);
-  }
 }
 
 /// A new element is bound to no memory. What a constructor puts in stays.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/publish_sites.h"
 
+#include "facts/argument_order.h"
 #include "facts/ast_walk.h"
+#include "facts/call_place.h"
 #include "facts/calls.h"
 #include "facts/containing_object.h"
 #include "model/codes.h"
@@ -16,17 +18,18 @@ std::optional<clang::DynTypedNode> node_around(const Unit& unit, const clang::Ex
   return {};
 }
 
-/// Notes the statement that is nothing but this call.
-void describe_statement(Publish& site, const Unit& unit, const clang::Expr* call) {
+CallStatement statement_of(const Unit& unit, const clang::Expr* call) {
+  CallStatement statement;
   const clang::FunctionDecl* function = enclosing_function(unit.ast(), *call);
-  site.in_void_function = function && function->getReturnType()->isVoidType();
+  statement.in_void_function = function && function->getReturnType()->isVoidType();
   const std::optional<clang::DynTypedNode> around = node_around(unit, call);
-  if (!around) return;
-  site.in_block = around->get<clang::CompoundStmt>() != nullptr;
-  if (site.in_block || around->get<clang::IfStmt>() || around->get<clang::ForStmt>())
-    site.statement = unit.source.before(call->getBeginLoc()).value_or(Place());
-  site.statement_end = unit.source.behind(call->getSourceRange()).value_or(Place());
-  if (site.statement_end.file.empty()) site.statement = Place();
+  if (!around) return statement;
+  statement.in_block = around->get<clang::CompoundStmt>() != nullptr;
+  if (statement.in_block || around->get<clang::IfStmt>() || around->get<clang::ForStmt>())
+    statement.begin = unit.source.before(call->getBeginLoc()).value_or(Place());
+  statement.end = unit.source.behind(call->getSourceRange()).value_or(Place());
+  if (statement.end.file.empty()) statement.begin = Place();
+  return statement;
 }
 
 /// The written argument, without the conversions that the call implies.
@@ -104,6 +107,16 @@ std::optional<PublisherMention> describe_publisher(Publish& site, const Unit& un
                           unit.text(call->getArg(0))};
 }
 
+/// What a publisher of other code needs. A template's instances may have publishers of several classes.
+void describe_attaching(Publish& site, const Unit& unit, const clang::CXXMemberCallExpr* call) {
+  const MethodCall* rule = unit.rules.find_method(qualified_name_of(call->getMethodDecl()->getParent()),
+                                                  "publish", written_arguments(call));
+  if (!rule || is_instance(enclosing_function(unit.ast(), *call)) || order_matters(unit, call) ||
+      llvm::cast<clang::MemberExpr>(call->getCallee()->IgnoreParens())->hasExplicitTemplateArgs())
+    return;
+  site.changes = receiver_first(unit, call, {rule->to, rule->rule, rule->header});
+}
+
 std::vector<EntityId> messages_among(const Unit& unit, ValueFlow& flow, const clang::CallExpr* call) {
   std::vector<EntityId> messages;
   for (const clang::Expr* argument : call->arguments()) {
@@ -124,7 +137,7 @@ std::optional<PublishCall> publish_call(const Unit& unit, ValueFlow& flow,
   Publish& site = result.site;
   site.where = unit.source.where(call->getExprLoc());
   site.function = enclosing_function_name(unit.ast(), *call);
-  describe_statement(site, unit, call);
+  site.statement = statement_of(unit, call);
   const clang::Expr* argument = written(call->getArg(0));
   if (argument->isTypeDependent()) return {};
   describe_message(site, unit, flow, argument);
@@ -133,6 +146,7 @@ std::optional<PublishCall> publish_call(const Unit& unit, ValueFlow& flow,
       pointee_of(argument->getType()).isNull() ? object_that_ends(argument) : nullptr;
   if (object) site.part_of = LocalObject{object->getNameAsString(), !is_made_empty(object)};
   result.publisher = describe_publisher(site, unit, flow, call);
+  describe_attaching(site, unit, call);
   if (is_single_subscriber(qualified_name_of(call->getRecordDecl())))
     site.obstacles.push_back(
         {codes::TZC1014, "the message is sent to one subscriber only", location_of(site.where)});
@@ -140,6 +154,17 @@ std::optional<PublishCall> publish_call(const Unit& unit, ValueFlow& flow,
     site.obstacles.push_back(
         {codes::TZC1017, "the publisher is not one of the package", location_of(site.where)});
   return result;
+}
+
+Publish attached_publish(const Unit& unit, ValueFlow& flow, const clang::CallExpr* call) {
+  Publish site;
+  site.attached = true;
+  site.where = unit.source.where(call->getExprLoc());
+  site.function = enclosing_function_name(unit.ast(), *call);
+  describe_message(site, unit, flow, written(call->getArg(1)));
+  const FlowSources publishers = flow.sources_of(call->getArg(0));
+  if (!publishers.entities.empty()) site.publisher = publishers.entities[0];
+  return site;
 }
 
 std::vector<PublisherMention> publisher_arguments(const Unit& unit, ValueFlow& flow,

@@ -19,6 +19,9 @@ struct PublishCall {
 std::optional<PublishCall> publish_call(const Unit& unit, ValueFlow& flow,
                                         const clang::CXXMemberCallExpr* call);
 
+/// tzc::publish(publisher, message): an earlier run wrote it.
+Publish attached_publish(const Unit& unit, ValueFlow& flow, const clang::CallExpr* call);
+
 /// The publishers that are passed to a function of the package.
 std::vector<PublisherMention> publisher_arguments(const Unit& unit, ValueFlow& flow,
                                                   const clang::CallExpr* call);

@@ -185,18 +185,25 @@ struct LocalObject {
   bool is_given = false;  ///< it is made elsewhere
 };
 
+/// A statement that is nothing but a call.
+struct CallStatement {
+  Place begin;  ///< empty file: the call is part of a larger expression
+  Place end;
+  bool in_block = false;  ///< it stands in a block of its own
+  bool in_void_function = false;
+};
+
 struct Publish : SiteFact {
-  Place statement_end;
-  Place statement;  ///< empty file: the call is part of a larger expression
+  CallStatement statement;
   EntityId publisher;
   std::string publisher_text;
   std::string object;  ///< "image", "*image": for allocate in front of the call; empty: a temporary
   std::vector<EntityId> messages;  ///< what the first argument denotes
-  bool in_void_function = false;
-  bool in_block = false;  ///< the statement stands in a block of its own
-  bool pcl = false;       ///< a cloud of PCL or a cv_bridge::CvImage is published as such
+  bool pcl = false;                ///< a cloud of PCL or a cv_bridge::CvImage is published as such
   bool nested_only = false;
-  bool twin = false;                   ///< a tzc:: message is published
+  bool twin = false;      ///< a tzc:: message is published
+  bool attached = false;  ///< by tzc::publish, which attaches shared memory to a publisher of other code
+  std::vector<Change> changes;         ///< that make it so; empty: it cannot be, or is
   std::optional<LocalObject> part_of;  ///< none: of no object, or of one that lasts
 };
 

@@ -36,6 +36,7 @@ struct MethodCall {
   enum class Role {
     advertise,
     advertise_transport,
+    publish,
     subscribe,
     subscribe_transport,
     builds_message,
@@ -79,7 +80,7 @@ struct RuleSet {
   /// The names of those that write another function in place of this one.
   std::set<std::string> replacing(const std::string& function) const;
   const LibraryAdvertise* find_advertiser(const std::string& result) const;
-  /// The advertise or subscribe function that an earlier run wrote.
+  /// The function that an earlier run wrote to advertise, publish or subscribe.
   const MethodCall* find_ported_function(const std::string& function) const;
 };
 

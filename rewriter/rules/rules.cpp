@@ -23,9 +23,9 @@ const LibraryCall* const calls[] = {
 };
 
 const MethodCall* const methods[] = {
-    &rules::advertise,           &rules::image_advertise,       &rules::camera_advertise,
-    &rules::subscribe,           &rules::image_subscribe,       &rules::camera_subscribe,
-    &rules::cv_image_to_message, &rules::cv_image_into_message,
+    &rules::advertise,        &rules::image_advertise,     &rules::camera_advertise,
+    &rules::attached_publish, &rules::subscribe,           &rules::image_subscribe,
+    &rules::camera_subscribe, &rules::cv_image_to_message, &rules::cv_image_into_message,
 };
 
 const LibraryAdvertise* const advertisers[] = {

@@ -105,7 +105,13 @@ Components::Components(const Facts& facts, bool all_or_nothing) {
   for (const auto& [id, site] : facts.subscribes) {
     Component& component = add(ComponentKind::subscription);
     component.subscription = &site;
-    of_subscription_.emplace(id, component.id);
+    of_site_.emplace(id, component.id);
+  }
+  for (const auto& [id, site] : facts.publishes) {
+    if (site.changes.empty()) continue;
+    Component& component = add(ComponentKind::publish_call);
+    component.publish_call = &site;
+    of_site_.emplace(id, component.id);
   }
 }
 
@@ -142,9 +148,9 @@ const Component* Components::of(const EntityId& entity) const {
   return found == of_entity_.end() ? nullptr : &(*this)[found->second];
 }
 
-const Component* Components::of(const SiteId& subscription) const {
-  const auto found = of_subscription_.find(subscription);
-  return found == of_subscription_.end() ? nullptr : &(*this)[found->second];
+const Component* Components::of(const SiteId& site) const {
+  const auto found = of_site_.find(site);
+  return found == of_site_.end() ? nullptr : &(*this)[found->second];
 }
 
 }  // namespace tzc::rewriter

@@ -10,15 +10,16 @@
 
 namespace tzc::rewriter {
 
-enum class ComponentKind { message, publisher, filter, subscription };
+enum class ComponentKind { message, publisher, filter, subscription, publish_call };
 
-/// Is ported as a whole or not at all: entities that flows connect or that one type declares, or one
-/// subscription.
+/// Is ported as a whole or not at all: entities that flows connect or that one type declares, one subscription, or one call that
+/// can publish with a publisher of other code.
 struct Component {
   ComponentId id{};
   ComponentKind kind = ComponentKind::message;
-  std::vector<const Entity*> entities;      ///< in the order of their ids; none: a subscription
-  const Subscribe* subscription = nullptr;  ///< null: entities
+  std::vector<const Entity*> entities;      ///< in the order of their ids; none: a subscription or a call
+  const Subscribe* subscription = nullptr;  ///< null: something else
+  const Publish* publish_call = nullptr;    ///< null: something else
 
   /// One that no function makes. Its first publish binds it to the publisher's memory.
   bool has_lasting_message() const;
@@ -27,7 +28,7 @@ struct Component {
 /// Variables that can part from those declared in front of them, because the whole declaration can be cut.
 std::set<EntityId> separable(const Facts& facts);
 
-/// The partition of the flow graph and of the subscriptions into components. The facts must outlive it.
+/// The partition of the flow graph, the subscriptions and the publish calls into components. The facts must outlive it.
 class Components {
  public:
   /// `all_or_nothing` false, for tests: every entity on its own.
@@ -35,7 +36,7 @@ class Components {
 
   /// Null: nothing is known under this id.
   const Component* of(const EntityId& entity) const;
-  const Component* of(const SiteId& subscription) const;
+  const Component* of(const SiteId& site) const;
   const Component& operator[](ComponentId id) const { return components_.at(static_cast<std::size_t>(id)); }
   const std::vector<Component>& all() const { return components_; }
 
@@ -45,7 +46,7 @@ class Components {
 
   std::vector<Component> components_;
   std::map<EntityId, ComponentId> of_entity_;
-  std::map<SiteId, ComponentId> of_subscription_;
+  std::map<SiteId, ComponentId> of_site_;
 };
 
 }  // namespace tzc::rewriter

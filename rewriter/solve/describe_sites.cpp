@@ -44,6 +44,13 @@ bool is(const Decision* decision, Outcome outcome) {
   return decision && decision->outcome == outcome;
 }
 
+/// Null: none. That nothing in the package advertises says nothing about the message.
+const Obstacle* obstacle_of_message(const Publish& fact) {
+  const auto found = std::find_if(fact.obstacles.begin(), fact.obstacles.end(),
+                                  [](const Obstacle& one) { return one.code != codes::TZC1017; });
+  return found == fact.obstacles.end() ? nullptr : &*found;
+}
+
 /// A pcl::PointCloud or a cv_bridge::CvImage that is published as such.
 void describe_object_of_library(Site& site) {
   site.rule = "library-object";
@@ -82,7 +89,8 @@ class SiteDescriber {
   bool publishes_without_copy(const Advertise& fact) const;
   std::optional<std::string> why_copied(const Subscribe& fact) const;
   std::string trust_of(const Publish& fact) const;
-  const Decision* decision_of(const EntityId& entity) const;
+  template <class Id>
+  const Decision* decision_of(const Id& of) const;
 
   const Facts& facts_;
   const Components& components_;
@@ -96,8 +104,9 @@ class SiteDescriber {
   std::vector<const Publish*> published_without_copy_;
 };
 
-const Decision* SiteDescriber::decision_of(const EntityId& entity) const {
-  const Component* component = components_.of(entity);
+template <class Id>
+const Decision* SiteDescriber::decision_of(const Id& of) const {
+  const Component* component = components_.of(of);
   return component ? solution_.of(component->id) : nullptr;
 }
 
@@ -108,10 +117,9 @@ void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
   if (fact.twin) {
     site.level = Level::zero_copy;
     site.rule = "shared-message";
-  } else if (!fact.obstacles.empty()) {
-    const Obstacle& why = fact.obstacles.front();
-    refuse(site, why,
-           why.code == codes::TZC1012 ? Level::plain : Level::one_copy);  // whose arrays nobody knows
+  } else if (const Obstacle* why = obstacle_of_message(fact)) {
+    // Nobody knows the arrays of a type that is not known.
+    refuse(site, *why, why->code == codes::TZC1012 ? Level::plain : Level::one_copy);
   } else {
     describe_origins(fact, site);
   }
@@ -173,13 +181,16 @@ Site SiteDescriber::describe(const Publish& fact) const {
   if (is(publisher, Outcome::ported) || site.level == Level::not_needed) return site;
   site.rule.clear();
   site.flow_path.clear();
-  if (!publisher && !fact.obstacles.empty()) {
-    refuse(site, fact.obstacles.front(), Level::plain);
+  const bool attached = fact.attached || is(decision_of(fact.id()), Outcome::ported);
+  const Level level = attached ? Level::one_copy : Level::plain;
+  if (attached) site.rule = "attached-publish";
+  if (!publisher && !fact.obstacles.empty() && !attached) {
+    refuse(site, fact.obstacles.front(), level);
   } else if (is(publisher, Outcome::refused)) {
     site.flow_path = flow_graph_.path(fact.publisher, publisher->at);
-    refuse(site, publisher->why_not, Level::plain);
+    refuse(site, publisher->why_not, level);
   } else {
-    refuse(site, {codes::TZC1017, "the publisher is not one of the package", site.where}, Level::plain);
+    refuse(site, {codes::TZC1017, "the publisher is not one of the package", site.where}, level);
   }
   return site;
 }

@@ -53,6 +53,9 @@ class PortEditor {
     for (const Component& component : components_.all())
       if (component.subscription && is_ported(component))
         for (const Change& change : component.subscription->changes) add(change, component.id);
+    for (const Component& component : components_.all())
+      if (component.publish_call && is_ported(component))
+        for (const Change& change : component.publish_call->changes) add(change, component.id);
     for (const auto& item : facts_.publishes) {
       add_condition(item.second);
       add_cloud_adapter(item.second);
@@ -175,24 +178,28 @@ bool PortEditor::publishes_twin(const Advertise& site, const Component& publishe
 
 /// What happens when the segment is full: by default publish() delivers the message anyway.
 void PortEditor::add_condition(const Publish& site) {
-  if (options_.on_exhausted == OnExhausted::deliver || site.statement.file.empty() || site.object.empty())
+  const CallStatement& statement = site.statement;
+  if (options_.on_exhausted == OnExhausted::deliver || statement.begin.file.empty() || site.object.empty())
     return;
   const Component* message = site.messages.empty() ? nullptr : ported(site.messages[0]);
   // Other threads may be reading a message that lasts, so it is not allocated: the publisher's options decide.
   if (!message || message->has_lasting_message() || !ported(site.publisher)) return;
   const std::string allocate = site.publisher_text + "allocate(" + site.object + ")";
-  const bool leave = options_.on_exhausted == OnExhausted::return_from_function && site.in_void_function;
-  const std::string indent(site.statement.column > 0 ? site.statement.column - 1 : 0, ' ');
-  const std::string condition = site.in_block ? "if (" + allocate + ") " : "{ if (" + allocate + ") ";
-  const std::string text = leave && site.in_block ? "if (!" + allocate + ") return;\n" + indent : condition;
-  add({site.statement, text, "on-exhausted", {}}, message->id);
+  const bool leave = options_.on_exhausted == OnExhausted::return_from_function && statement.in_void_function;
+  const std::string indent(statement.begin.column > 0 ? statement.begin.column - 1 : 0, ' ');
+  const std::string condition = statement.in_block ? "if (" + allocate + ") " : "{ if (" + allocate + ") ";
+  const std::string text =
+      leave && statement.in_block ? "if (!" + allocate + ") return;\n" + indent : condition;
+  add({statement.begin, text, "on-exhausted", {}}, message->id);
   // In braces, so that an else that follows keeps its if.
-  if (!site.in_block) add({site.statement_end, " }", "on-exhausted", {}}, message->id);
+  if (!statement.in_block) add({statement.end, " }", "on-exhausted", {}}, message->id);
 }
 
 /// Without the adapter a cloud would go out in wire format.
 void PortEditor::add_cloud_adapter(const Publish& site) {
-  if (site.pcl && site.type == "sensor_msgs/PointCloud2" && ported(site.publisher))
+  const Component* call = components_.of(site.id());
+  if (site.pcl && site.type == "sensor_msgs/PointCloud2" &&
+      (ported(site.publisher) || (call && is_ported(*call))))
     edits_.headers[site.where.file].insert("tzc/pcl.h");
 }
 

@@ -38,6 +38,7 @@ class Solver {
         solution_.decisions[component.id] = decide_message(component);
     leave_idle_publishers();
     decide_all(ComponentKind::subscription, &Solver::decide_subscription);
+    decide_all(ComponentKind::publish_call, &Solver::decide_publish_call);
     return std::move(solution_);
   }
 
@@ -47,6 +48,9 @@ class Solver {
   Decision decide_filter(const Component& component) const;
   Decision decide_message(const Component& component);
   Decision decide_subscription(const Component& component) const;
+  Decision decide_publish_call(const Component& component) const;
+  bool has_foreign_publisher(const Publish& site) const;
+  bool is_light(const Publish& site) const;
   void leave_idle_publishers();
   std::optional<Decision> blocked(const Component& component) const;
   std::optional<Decision> unwanted(const Component& component) const;
@@ -166,15 +170,18 @@ Decision Solver::decide_filter(const Component& component) const {
   return blocked(component).value_or(Decision{Outcome::ported, {}, {}});
 }
 
+bool Solver::is_light(const Publish& site) const {
+  const Component* message = site.messages.empty() ? nullptr : components_.of(site.messages[0]);
+  const Decision* decision = message ? solution_.of(message->id) : nullptr;
+  return (!site.has_data_part && !site.pcl) || (decision && decision->outcome == Outcome::not_needed);
+}
+
 /// A publisher all of whose messages are light stays as it is.
 void Solver::leave_idle_publishers() {
   for (const Component& publisher : components_.all()) {
     const auto& sites = sites_.published_by(publisher);
-    const bool idle = !sites.empty() && std::all_of(sites.begin(), sites.end(), [&](const Publish* site) {
-      const Component* message = site->messages.empty() ? nullptr : components_.of(site->messages[0]);
-      const Decision* decision = message ? solution_.of(message->id) : nullptr;
-      return (!site->has_data_part && !site->pcl) || (decision && decision->outcome == Outcome::not_needed);
-    });
+    const bool idle = !sites.empty() && std::all_of(sites.begin(), sites.end(),
+                                                    [&](const Publish* site) { return is_light(*site); });
     if (idle && solution_.ports(publisher.id))
       solution_.decisions[publisher.id] = not_needed("what is published with it needs no shared memory");
   }
@@ -258,6 +265,30 @@ Decision Solver::decide_subscription(const Component& component) const {
   }
   // A message that may be resized has to be the callback's own.
   if (const auto write = received_.to_message(site)) return refused(*write);
+  return {Outcome::ported, {}, {}};
+}
+
+/// One that nothing in the package advertises.
+bool Solver::has_foreign_publisher(const Publish& site) const {
+  const Component* publisher = components_.of(site.publisher);
+  const Decision* decision = publisher ? solution_.of(publisher->id) : nullptr;
+  return !publisher ||
+         (decision && decision->outcome == Outcome::refused && decision->why_not.code == codes::TZC1017);
+}
+
+/// The publisher stays what it is. Shared memory is attached to its topic where the package publishes.
+Decision Solver::decide_publish_call(const Component& component) const {
+  const Publish& site = *component.publish_call;
+  if (!has_foreign_publisher(site) || is_light(site)) return {};
+  const Location here = location_of(site.where);
+  for (const Obstacle& obstacle : site.obstacles)
+    if (obstacle.code == codes::TZC1012 || obstacle.code == codes::TZC1014) return refused(obstacle);
+  if (options_.max_level == Level::plain)
+    return refused({codes::TZC1015, "this run leaves everything on TCPROS", here});
+  if (options_.wanted && !options_.wanted(site_of(site, options_.packages)))
+    return refused({codes::TZC1016, "left out by --only or --except", here});
+  if (const auto demoted = demotions_.find(component.id); demoted != demotions_.end())
+    return refused(demoted->second);
   return {Outcome::ported, {}, {}};
 }
 

@@ -40,6 +40,13 @@ class Nodelet {
  private:
   std::vector<ros::Publisher> publishers_;
 };
+/// Advertises by itself what its children publish.
+class Server {
+ protected:
+  ros::Publisher map_pub_;
+  std::vector<ros::Publisher> map_pubs_;
+  ros::Publisher* shared_pub_ = nullptr;
+};
 class Source {
  public:
   virtual ~Source() {}

@@ -55,6 +55,8 @@ template <class M>
 Publisher attach_publisher(const ros::Publisher&, std::size_t = 0) {
   return {};
 }
+template <class M>
+void publish(const ros::Publisher&, const M&) {}
 template <class... A>
 ros::Subscriber subscribe(ros::NodeHandle nh, A&&... a) {
   return nh.subscribe(std::forward<A>(a)...);

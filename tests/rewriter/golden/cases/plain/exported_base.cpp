@@ -25,4 +25,9 @@ include_directories(include)
 add_library(node src/node.cpp)
 //--- expected
 // advertise src/node.cpp:4 sensor_msgs/Image plain 'image' TZC1009 ported, it would not compile: non-const lvalue reference to type 'tzc::Publisher' cannot bind to a value of unrelated type 'Sender'
-// publish src/node.cpp:8 sensor_msgs/Image plain TZC1017 the publisher is not one of the package
+// publish src/node.cpp:8 sensor_msgs/Image one_copy TZC1017 the publisher is not one of the package
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  sender.publish(image);
+// +  tzc::publish(sender, image);

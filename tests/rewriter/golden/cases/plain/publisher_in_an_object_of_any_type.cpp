@@ -41,7 +41,12 @@ class Asked {
 };
 //--- expected
 // advertise src/node.cpp:11 sensor_msgs/Image plain 'kept' TZC1010 it becomes part of 'kept_', whose type does not tell
-// publish src/node.cpp:12 sensor_msgs/Image plain TZC1017 the publisher is not one of the package
+// publish src/node.cpp:12 sensor_msgs/Image one_copy TZC1017 the publisher is not one of the package
 // advertise src/node.cpp:20 sensor_msgs/Image plain 'registered' TZC1010 it becomes part of 'values_[name]', whose type does not tell
 // advertise src/node.cpp:32 sensor_msgs/Image plain 'asked' TZC1010 the program asks for its type
 // publish src/node.cpp:36 sensor_msgs/Image plain 'asked' TZC1010 the program asks for its type
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  void tick(const sensor_msgs::Image& image) { std::any_cast<ros::Publisher&>(kept_).publish(image); }
+// +  void tick(const sensor_msgs::Image& image) { tzc::publish(std::any_cast<ros::Publisher&>(kept_), image); }

@@ -8,4 +8,9 @@ void send(const ros::Publisher& pub) {
   pub.publish(image);
 }
 //--- expected
-// publish src/node.cpp:8 sensor_msgs/Image plain TZC1017 nothing that the package advertises is given to the parameter 'pub'
+// publish src/node.cpp:8 sensor_msgs/Image one_copy TZC1017 nothing that the package advertises is given to the parameter 'pub'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  pub.publish(image);
+// +  tzc::publish(pub, image);

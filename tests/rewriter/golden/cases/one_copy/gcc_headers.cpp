@@ -9,4 +9,9 @@ void run(ros::Publisher& pub, nullptr_t) {
   pub.publish(image);
 }
 //--- expected
-// publish src/node.cpp:9 sensor_msgs/Image plain TZC1017 nothing that the package advertises is given to the parameter 'pub'
+// publish src/node.cpp:9 sensor_msgs/Image one_copy TZC1017 nothing that the package advertises is given to the parameter 'pub'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  pub.publish(image);
+// +  tzc::publish(pub, image);

@@ -1,0 +1,34 @@
+// A base class of another package has the publisher, and the call cannot be changed: it would evaluate its parts in another
+// order, other instances of the template may have another class there, a macro writes it.
+#include <other/library.h>
+
+#define SEND(publisher, message) publisher.publish(message)
+
+class Child : public other::Server {
+ public:
+  void order() {
+    sensor_msgs::Image images[2];
+    images[0].data.resize(10);
+    map_pubs_[next()].publish(images[next()]);
+  }
+  template <class Publisher>
+  void any(const Publisher& publisher) {
+    sensor_msgs::Image image;
+    image.data.resize(10);
+    publisher.publish(image);
+  }
+  void all() {
+    any(map_pub_);
+    sensor_msgs::Image image;
+    image.data.resize(10);
+    SEND(map_pub_, image);
+  }
+
+ private:
+  int next() { return ++next_; }
+  int next_ = 0;
+};
+//--- expected
+// publish src/node.cpp:12 sensor_msgs/Image plain TZC1017 the publisher is not one of the package
+// publish src/node.cpp:18 sensor_msgs/Image plain TZC1017 nothing that the package advertises is given to the parameter 'publisher'
+// publish src/node.cpp:24 sensor_msgs/Image plain TZC1017 the publisher is not one of the package
