@@ -189,9 +189,16 @@ def with_status_callback(program, topic):
     return Publisher(f"{name}.", topic), as_it_is
 
 
+def in_library_object(program, topic):
+    """A class of another package advertises, and has the publisher, which stays roscpp's."""
+    name = program.variable("fuzz::Outlet", "outlet")
+    program.setup.append(f'{name}.open<{topic.message.cpp}>(nh, "{topic.name}");')
+    return Publisher(f"{name}.out.", topic), as_it_is
+
+
 HOMES = {member: 8, initialized_member: 3, in_vector: 1, in_map: 1, in_array: 1, by_shared_pointer: 2, in_struct: 1,
          in_base_class: 1, local: 1, parameter: 3, perhaps_missing: 2, in_lambda: 1, returned: 1, by_options: 1,
-         with_status_callback: 1}
+         with_status_callback: 1, in_library_object: 1}
 
 
 def choose(program, topic, without=()):

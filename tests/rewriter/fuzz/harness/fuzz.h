@@ -7,6 +7,8 @@
 //   listener : runs their subscribers, in a process of its own, and writes down what they receive
 //   recorder : writes down the bytes of every message, as any ROS tool would see them
 
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
 #include <ros/serialization.h>
 
 #include <boost/shared_ptr.hpp>
@@ -63,6 +65,15 @@ void pause();
 /// At the next spinOnce().
 void later(const std::function<void()>& function);
 /// @}
+
+/// Advertises by itself what others publish.
+struct Outlet {
+  ros::Publisher out;
+  template <class M>
+  void open(ros::NodeHandle& node, const std::string& topic) {
+    out = node.advertise<M>(topic, 50);
+  }
+};
 
 /// \name The talker
 /// @{
