@@ -221,9 +221,10 @@ std::optional<MessageType> message_of(const clang::CXXRecordDecl* record) {
 
 void set_message(SiteFact& site, const MessageType& message) {
   site.type = message.name;
-  site.has_data_part = message.has_data_part;
+  site.is_gathered = !message.has_data_part && is_gathered_type(message.name);
+  site.has_data_part = message.has_data_part || site.is_gathered;
   site.has_varied_elements = message.has_varied_elements;
-  site.most_bytes = message.most_bytes;
+  site.most_bytes = site.is_gathered ? std::nullopt : message.most_bytes;
 }
 
 std::optional<MessageType> message_of(clang::QualType type) {

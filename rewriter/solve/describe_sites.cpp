@@ -117,6 +117,10 @@ void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
   if (fact.twin) {
     site.level = Level::zero_copy;
     site.rule = "shared-message";
+  } else if (fact.is_gathered) {
+    refuse(site,
+           {codes::TZC1018, "its elements have strings, and publish() gathers them in shared memory", {}},
+           Level::one_copy);
   } else if (const Obstacle* why = obstacle_of_message(fact)) {
     // Nobody knows the arrays of a type that is not known.
     refuse(site, *why, why->code == codes::TZC1012 ? Level::plain : Level::one_copy);
@@ -243,7 +247,9 @@ Site SiteDescriber::describe(const SiteId& id, const Subscribe& fact) const {
   } else {
     site.rule = fact.rule;
     site.level = Level::shared;
-    if (fact.converts)
+    if (fact.is_gathered)
+      copied(site, codes::TZC2010, "its elements have strings, so the message is made from the shared bytes");
+    else if (fact.converts)
       copied(site, codes::TZC2010, "the callback takes a cloud of PCL, which is made from the shared bytes");
     else if (const std::optional<std::string> why = why_copied(fact))
       copied(site, codes::TZC2001, *why);
