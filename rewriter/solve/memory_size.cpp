@@ -14,6 +14,19 @@ std::optional<std::uint64_t> number_in(const std::optional<std::string>& text) {
   return text->size() > 9 ? std::nullopt : std::optional<std::uint64_t>(std::stoull(*text));
 }
 
+/// The queue and the record that goes with it, a message that is being filled, one in a callback and one that waits for it. As the
+/// runtime counts when it says which size would be enough (runtime/roscpp/publish/exhaustion_report.cpp).
+std::uint64_t messages_at_once(const std::optional<std::string>& queue) {
+  return number_in(queue).value_or(10) + 4;
+}
+
+/// Blocks are up to a sixteenth larger than what is in them, or end at a page; bursts may have a sixteenth of the whole.
+std::uint64_t bytes_for(std::uint64_t messages, std::uint64_t message_bytes) {
+  constexpr std::uint64_t page = 4096;
+  const std::uint64_t blocks = messages * (message_bytes + message_bytes / 16 + page);
+  return blocks + blocks / 15;
+}
+
 }  // namespace
 
 MemorySize memory_size(const Advertise& fact, const SolveOptions& options) {
@@ -25,11 +38,10 @@ MemorySize memory_size(const Advertise& fact, const SolveOptions& options) {
   const auto measured = fact.topic ? options.measured_sizes.find(*fact.topic) : options.measured_sizes.end();
   if (measured == options.measured_sizes.end())
     return {"0", "sized at run time by the first message and the queue"};
-  const std::uint64_t messages = std::max<std::uint64_t>(4, number_in(fact.queue).value_or(10) + 2);
-  const std::uint64_t bytes = measured->second * messages;
-  return {std::to_string(bytes), std::to_string(messages) + " messages of " +
-                                     std::to_string(measured->second) +
-                                     " bytes, the largest in the recording"};
+  const std::uint64_t messages = messages_at_once(fact.queue);
+  return {std::to_string(bytes_for(messages, measured->second)),
+          "room for " + std::to_string(messages) + " messages of " + std::to_string(measured->second) +
+              " bytes, the largest in the recording"};
 }
 
 }  // namespace tzc::rewriter

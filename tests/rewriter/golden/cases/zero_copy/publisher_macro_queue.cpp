@@ -39,9 +39,9 @@ void run(ros::NodeHandle& nh, int number) {
 // -  ros::Publisher by_constant = nh.advertise<sensor_msgs::Image>(TOPIC, constant);
 // -  ros::Publisher by_number = nh.advertise<sensor_msgs::Image>(TOPIC, number);
 // -  sensor_msgs::Image image;
-// +  tzc::Publisher by_macro = tzc::advertise<tzc::sensor_msgs::Image>(nh, TOPIC, QUEUE, 22000);
-// +  tzc::Publisher by_sum = tzc::advertise<tzc::sensor_msgs::Image>(nh, TOPIC, 2 * TWICE, 32000);
-// +  tzc::Publisher by_constant = tzc::advertise<tzc::sensor_msgs::Image>(nh, TOPIC, constant, 22000);
-// +  tzc::Publisher by_number = tzc::advertise<tzc::sensor_msgs::Image>(nh, TOPIC, number, 12000);
+// +  tzc::Publisher by_macro = tzc::advertise<tzc::sensor_msgs::Image>(nh, TOPIC, QUEUE, 132044);
+// +  tzc::Publisher by_sum = tzc::advertise<tzc::sensor_msgs::Image>(nh, TOPIC, 2 * TWICE, 187063);
+// +  tzc::Publisher by_constant = tzc::advertise<tzc::sensor_msgs::Image>(nh, TOPIC, constant, 132044);
+// +  tzc::Publisher by_number = tzc::advertise<tzc::sensor_msgs::Image>(nh, TOPIC, number, 77026);
 // +  tzc::sensor_msgs::Image image;
 // +  by_macro.allocate(image);
