@@ -3,6 +3,7 @@
 
 #include <clang/Format/Format.h>
 #include <clang/Tooling/Core/Replacement.h>
+#include <llvm/Config/llvm-config.h>
 
 #include <algorithm>
 #include <cctype>
@@ -35,17 +36,30 @@ std::string without_blanks(const std::string& text) {
   return rest;
 }
 
+/// The .clang-format that applies; none where there is none or Clang cannot read it, which is for its owner's own clang-format to say.
+clang::format::FormatStyle style_of(const std::string& path, const std::string& text) {
+#if LLVM_VERSION_MAJOR >= 19  // earlier ones write what they cannot read to stderr
+  const auto in_silence = [](const llvm::SMDiagnostic&, void*) {};
+  llvm::Expected<clang::format::FormatStyle> style =
+      clang::format::getStyle("file", path, "none", text, nullptr, true, in_silence);
+#else
+  llvm::Expected<clang::format::FormatStyle> style =
+      clang::format::getStyle("file", path, "none", text, nullptr, true);
+#endif
+  if (style) return *style;
+  llvm::consumeError(style.takeError());
+  return clang::format::getNoStyle();
+}
+
 }  // namespace
 
 std::string format_changes(const std::string& path, const std::string& before, const std::string& after) {
-  llvm::Expected<clang::format::FormatStyle> style =
-      clang::format::getStyle("file", path, "none", after, nullptr, true);
-  if (!style) return llvm::consumeError(style.takeError()), after;
-  if (*style == clang::format::getNoStyle()) return wrapped(path, before, realigned(before, after));
-  if (style->DisableFormat) return after;
-  style->MaxEmptyLinesToKeep = 1000;  // keeps the empty lines before a changed line
-  style->SortIncludes = clang::format::FormatStyle::SI_Never;
-  const auto replacements = clang::format::reformat(*style, after, changed_ranges(before, after), path);
+  clang::format::FormatStyle style = style_of(path, after);
+  if (style == clang::format::getNoStyle()) return wrapped(path, before, realigned(before, after));
+  if (style.DisableFormat) return after;
+  style.MaxEmptyLinesToKeep = 1000;  // keeps the empty lines before a changed line
+  style.SortIncludes = clang::format::FormatStyle::SI_Never;
+  const auto replacements = clang::format::reformat(style, after, changed_ranges(before, after), path);
   llvm::Expected<std::string> formatted = clang::tooling::applyAllReplacements(after, replacements);
   if (!formatted) return llvm::consumeError(formatted.takeError()), after;
   return without_blanks(*formatted) == without_blanks(after) ? *formatted : after;

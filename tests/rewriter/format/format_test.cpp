@@ -41,6 +41,13 @@ TEST(FormatChanges, options_of_another_clang_format_are_passed_over) {
 TEST(FormatChanges, a_style_that_cannot_be_read_is_no_style) {
   EXPECT_EQ(formatted("]", "int a;\n", "int   b;\n"), "int   b;\n");
 }
+TEST(FormatChanges, a_style_that_cannot_be_read_says_nothing_and_continuation_lines_keep_their_alignment) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(formatted("{IndentWidth: 2, IndentWidth: 2}", "int x = f(a,\n          b);\n",
+                      "int x = longer(a,\n          b);\n"),
+            "int x = longer(a,\n               b);\n");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
 TEST(FormatChanges, windows_line_endings_stay) {
   EXPECT_EQ(formatted("BasedOnStyle: LLVM", "int a;\r\n", "int   b;\r\nint c;\r\n"), "int b;\r\nint c;\r\n");
 }
