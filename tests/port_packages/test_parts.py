@@ -13,6 +13,7 @@ import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../scripts/lib"))
 from port_packages.command import run  # noqa: E402
+from port_packages.kept import Kept, digest_of  # noqa: E402
 from port_packages.packages import find_packages, with_users  # noqa: E402
 from port_packages.sites import summary_of  # noqa: E402
 from port_packages.table import table  # noqa: E402
@@ -52,6 +53,31 @@ class Inputs(unittest.TestCase):
             self.assertIn(words[3], ("{inputs}/drive.bag", "{inputs}/stand.bag"))
             nodes = ElementTree.parse(os.path.join(folder, f"{name}.launch")).getroot().iter("node")
             self.assertTrue(all({"name", "pkg", "type"} <= set(node.keys()) for node in nodes), name)
+
+
+class KeptSteps(Folder):
+    def test_what_a_step_found_is_kept_for_what_it_depends_on(self):
+        kept = os.path.join(self.path, "kept.json")
+        self.assertIsNone(Kept(kept, ["a"]).read())
+        Kept(kept, ["a"]).write({"seconds": 2})
+        self.assertEqual(Kept(kept, ["a"]).read(), {"seconds": 2})
+        self.assertIsNone(Kept(kept, ["b"]).read())
+        self.put("kept.json", "{")
+        self.assertIsNone(Kept(kept, ["a"]).read())
+
+    def test_the_digest_tells_names_contents_and_links_apart(self):
+        def digest():
+            return digest_of(os.path.join(self.path, "tree"), os.path.join(self.path, "file"))
+
+        self.put("tree/a/x", "1")
+        self.put("file", "1")
+        seen = {digest()}
+        self.assertEqual({digest()}, seen)
+        for change in (lambda: self.put("tree/a/x", "2"), lambda: os.rename(f"{self.path}/tree/a", f"{self.path}/tree/b"),
+                       lambda: os.symlink("x", f"{self.path}/tree/b/y"), lambda: self.put("file", "2")):
+            change()
+            self.assertNotIn(digest(), seen)
+            seen.add(digest())
 
 
 class Packages(Folder):

@@ -8,6 +8,7 @@ import sys
 from rewriter_speed import megabytes, processor_seconds, units_of
 
 from .command import run, tail
+from .kept import Kept, digest_of
 from .packages import find_packages
 from .sites import summary_of
 from .workspace import Workspace, remove
@@ -70,26 +71,39 @@ class Repository:
 
     def port(self):
         """A dry run, so that nothing but the diff tells the versions apart; then the diff."""
-        diff, report, log = (os.path.join(self.out, name) for name in ("port.diff", "report.json", "log/rewrite.log"))
+        diff = os.path.join(self.out, "port.diff")
+        kept = Kept(os.path.join(self.out, "rewriting.json"),
+                    [self.settings.key, digest_of(self.original.package_root, self.original.commands)])
+        found = kept.read() if os.path.exists(diff) and not self.settings.again else None
+        if found:
+            self.say("has been rewritten already")
+        else:
+            found = self.rewrite(diff)
+            kept.write(found)
+        for problem in found.pop("problems"):
+            self.problem(problem)
+        self.result.update(found)
+        self.apply(diff)
+
+    def rewrite(self, diff):
+        report, log = (os.path.join(self.out, name) for name in ("report.json", "log/rewrite.log"))
         remove(report)
         env = dict(self.original.env, GIT_CEILING_DIRECTORIES=self.original.root)
         command = [os.path.join(self.settings.tzc, "bin/tzc-rewrite"), "-p", self.original.build, "--no-cache",
                    "-j", str(self.settings.jobs), "--report", report, *self.settings.options, *(package.folder for package in self.packages)]
         outcome = run(command, log, cwd=self.original.package_root, env=env, output=diff)
-        self.result.update(rewrite_seconds=outcome.seconds, rewrite_wall=outcome.wall)
+        found = {"rewrite_seconds": outcome.seconds, "rewrite_wall": outcome.wall}
         with open(log, errors="replace") as file:
             said = file.read()
-            if "processor time" in said:
-                self.result["own_seconds"], _ = processor_seconds(said)
-                self.result["megabytes"] = megabytes(said)
-            errors = [line.strip() for line in said.splitlines() if "error:" in line and line.startswith("tzc-rewrite")]
-        for error in errors:
-            self.problem(error)
-        if outcome.status not in LENIENT_STATUS and not errors:
+        if "processor time" in said:
+            found["own_seconds"], _ = processor_seconds(said)
+            found["megabytes"] = megabytes(said)
+        found["problems"] = [line.strip() for line in said.splitlines() if "error:" in line and line.startswith("tzc-rewrite")]
+        if outcome.status not in LENIENT_STATUS and not found["problems"]:
             raise RuntimeError(f"tzc-rewrite ended with {outcome.status}: {' '.join(tail(log))}")
         if os.path.exists(report):
-            self.result["sites"] = summary_of(report)
-        self.apply(diff)
+            found["sites"] = summary_of(report)
+        return found
 
     def apply(self, diff):
         staged = os.path.join(self.ported.root, "staged")

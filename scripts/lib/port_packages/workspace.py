@@ -63,6 +63,11 @@ class Workspace:
         self.adopt(staged)
 
     @property
+    def commands(self):
+        """The compile database."""
+        return os.path.join(self.build, "compile_commands.json")
+
+    @property
     def package_root(self):
         """Where the repository's top folder is; a repository that is a package itself lies below src."""
         alone = os.path.join(self.src, "package")
@@ -144,7 +149,7 @@ class Workspace:
 
     def units(self):
         """{object file: whether it is there}, as CMake names it, the same in both versions."""
-        with open(os.path.join(self.build, "compile_commands.json")) as file:
+        with open(self.commands) as file:
             entries = json.load(file)
         return {output: os.path.exists(os.path.join(entry["directory"], output))
                 for entry in entries for output in [self.output_of(entry)]}
