@@ -89,9 +89,10 @@ void Collectors::name(const clang::Expr* expr, const clang::ValueDecl* decl) {
   const EntityId id = entities_.declare(decl);
   if (id.empty()) return;
   if (is_given_to_users(unit_, expr))
-    entities_.add_obstacle(id, codes::TZC1005,
-                           "a template in a header that other packages may include gives it to what they say",
-                           expr->getExprLoc());
+    entities_.add_obstacle(
+        id,
+        {codes::TZC1005, "a template in a header that other packages may include gives it to what they say",
+         unit_.location(expr->getExprLoc()), true});
   if (expr->isTypeDependent()) return;
   const FlowEnd end = flow_.follow(expr, id);
   if (entities_[id].role == EntityRole::publisher && changes_what_others_see(unit_, expr, decl))

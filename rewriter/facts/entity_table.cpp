@@ -108,7 +108,8 @@ void EntityTable::check_signature(Entity& entity, const clang::FunctionDecl* fun
   if (first->getAccess() == clang::AS_private && !(method && method->isVirtual()))
     note_friends(facts_, entity.id, friends_of(unit_, first));
   if (unit_.exports(function))
-    add(entity, {codes::TZC1005, name + " is declared in a header that other packages may include", where});
+    add(entity,
+        {codes::TZC1005, name + " is declared in a header that other packages may include", where, true});
 }
 
 /// A twin exists for every message that stands alone and whose package has TZC headers; parts of services
@@ -148,7 +149,7 @@ void EntityTable::check_exported(Entity& entity, const clang::ValueDecl* decl) {
           {codes::TZC1005,
            (field ? "the member '" + entity.name + "' is part of" : "'" + entity.name + "' is declared in") +
                std::string(" a header that other packages may include"),
-           field ? entity.where : unit_.location(declaration->getLocation())});
+           field ? entity.where : unit_.location(declaration->getLocation()), true});
 }
 
 void EntityTable::respell(Entity& entity, clang::TypeLoc written) const {

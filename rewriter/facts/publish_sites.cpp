@@ -107,14 +107,23 @@ std::optional<PublisherMention> describe_publisher(Publish& site, const Unit& un
                           unit.text(call->getArg(0))};
 }
 
-/// What a publisher of other code needs. A template's instances may have publishers of several classes.
+/// Empty: nothing stands in the way. A template's instances may have publishers of several classes.
+std::string why_not_attached(const Unit& unit, const clang::CXXMemberCallExpr* call) {
+  if (is_instance(enclosing_function(unit.ast(), *call))) return "the call stands in a template";
+  if (order_matters(unit, call)) return "tzc::publish would evaluate it at another time than its message";
+  const auto* callee = llvm::cast<clang::MemberExpr>(call->getCallee()->IgnoreParens());
+  return callee->hasExplicitTemplateArgs() ? "the call names its template arguments" : "";
+}
+
+/// What a publisher of other code needs.
 void describe_attaching(Publish& site, const Unit& unit, const clang::CXXMemberCallExpr* call) {
   const MethodCall* rule = unit.rules.find_method(qualified_name_of(call->getMethodDecl()->getParent()),
                                                   "publish", written_arguments(call));
-  if (!rule || is_instance(enclosing_function(unit.ast(), *call)) || order_matters(unit, call) ||
-      llvm::cast<clang::MemberExpr>(call->getCallee()->IgnoreParens())->hasExplicitTemplateArgs())
-    return;
+  if (!rule) return;
+  site.why_not_attached = why_not_attached(unit, call);
+  if (!site.why_not_attached.empty()) return;
   site.changes = receiver_first(unit, call, {rule->to, rule->rule, rule->header});
+  if (site.changes.empty()) site.why_not_attached = "the call comes from a macro";
 }
 
 std::vector<EntityId> messages_among(const Unit& unit, ValueFlow& flow, const clang::CallExpr* call) {

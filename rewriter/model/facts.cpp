@@ -96,7 +96,7 @@ void Facts::refuse_unseen_friends() {
     if (entity != entities.end() && !seen)
       entity->second.obstacles.push_back(
           {codes::TZC1005, "a friend of its class, which other packages may include, is not defined here",
-           entity->second.where});
+           entity->second.where, true});
   }
 }
 

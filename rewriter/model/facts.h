@@ -205,6 +205,7 @@ struct Publish : SiteFact {
   bool twin = false;      ///< a tzc:: message is published
   bool attached = false;  ///< by tzc::publish, which attaches shared memory to a publisher of other code
   std::vector<Change> changes;         ///< that make it so; empty: it cannot be, or is
+  std::string why_not_attached;        ///< empty: it can be, or is, or no class of TZC's does that
   std::optional<LocalObject> part_of;  ///< none: of no object, or of one that lasts
 };
 

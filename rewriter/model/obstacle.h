@@ -12,6 +12,7 @@ struct Obstacle {
   std::string code;
   std::string reason;
   Location where;
+  bool in_exported_header = false;  ///< --exported-headers=change may take it away
 };
 
 }  // namespace tzc::rewriter

@@ -20,6 +20,7 @@ void refuse(Site& site, const Obstacle& obstacle, Level level) {
   site.level = level;
   site.code = obstacle.code;
   site.reason = obstacle.reason;
+  site.in_exported_header = obstacle.in_exported_header;
   if (obstacle.where.line != 0) site.flow_path.push_back({obstacle.where, obstacle.reason});
 }
 
@@ -196,6 +197,8 @@ Site SiteDescriber::describe(const Publish& fact) const {
   } else {
     refuse(site, {codes::TZC1017, "the publisher is not one of the package", site.where}, level);
   }
+  if (level == Level::plain && site.code == codes::TZC1017 && !fact.why_not_attached.empty())
+    site.reason += ", and " + fact.why_not_attached;
   return site;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/header_users.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -176,6 +178,17 @@ Note note_on_users(const std::string& package_dir, const std::map<std::string, s
   else
     text += others.empty() ? "none of them includes one" : "nobody else includes one";
   return {codes::TZC1005, Location{package_dir + "/package.xml", 1, 1}, text};
+}
+
+std::optional<Note> note_on_kept_headers(const Report& report) {
+  const auto sites = std::count_if(report.sites.begin(), report.sites.end(),
+                                   [](const Site& site) { return site.in_exported_header; });
+  if (sites == 0) return {};
+  const std::string text = fmt::format(
+      "{} wait{} for headers that other packages may include: name all packages here that include them, with "
+      "--exported-headers=change, and these headers are ported, too",
+      sites == 1 ? "1 site" : fmt::format("{} sites", sites), sites == 1 ? "s" : "");
+  return Note{codes::TZC1005, Location{report.package_dir + "/package.xml", 1, 1}, text};
 }
 
 SearchedFolders folders_of_users(const std::set<std::string>& packages, const std::string& workspace,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -43,6 +44,9 @@ std::map<std::string, std::string> headers_in_use(const FolderSet& packages, con
 /// were solved as one with it.
 Note note_on_users(const std::string& package_dir, const std::map<std::string, std::string>& users,
                    const std::vector<std::string>& others = {});
+
+/// Says with --exported-headers=keep how many sites would be looked at again with `change`. None: no site waits for that.
+std::optional<Note> note_on_kept_headers(const Report& report);
 
 /// Where code lies that may include a header of one of these packages (names): the workspace, what the command line names, the
 /// workspaces below this one, and the headers of installed packages that depend on one of them. Left out are packages of

@@ -75,7 +75,7 @@ class SourcePlanner {
       return living(unseen_files(workspace_code.includes(), engine.packages, units_of_file));
     };
     Expected<PortPlans> plans =
-        inputs_.options.change_exported ? plan_with_headers(engine) : inputs_.engine.plan(engine);
+        inputs_.options.change_exported ? plan_with_headers(engine) : plan_without_headers(engine);
     if (!plans) return plans.error();
     SourcePlans result{std::move(*plans), messages->packages(), {}};
     for (const auto& [folder, plan] : result.plans)
@@ -204,6 +204,14 @@ class SourcePlanner {
     };
     Expected<PortPlans> plans = inputs_.engine.plan(engine);
     if (plans) add_notes(users, *plans);
+    return plans;
+  }
+
+  Expected<PortPlans> plan_without_headers(const EngineOptions& engine) const {
+    Expected<PortPlans> plans = inputs_.engine.plan(engine);
+    if (!plans) return plans;
+    for (auto& [folder, plan] : *plans)
+      if (std::optional<Note> note = note_on_kept_headers(plan.report)) plan.report.notes.push_back(*note);
     return plans;
   }
 

@@ -176,6 +176,14 @@ TEST_F(CatkinOfTwo, are_ported_as_one_and_build) {
   EXPECT_THAT(result.output, HasSubstr("solved as one with it: fill"));
 }
 
+TEST_F(CatkinOfTwo, whoever_keeps_the_header_is_told_what_would_port_it) {
+  configure_both("find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs)\n");
+  put("fill/src/fill.cpp", user + "void fill(sensor_msgs::Image& image) { image.data.resize(640 * 480); }\n");
+  const ProcessResult result = rewrite({folder_ / "ws/src/fill"});
+  EXPECT_EQ(result.status, 1) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("1 site waits for headers that other packages may include"));
+}
+
 TEST_F(CatkinOfTwo, one_that_has_nothing_but_headers_is_ported_with_its_user) {
   fs::remove(folder_ / "ws/src/fill/src/fill.cpp");
   put("fill/include/fill/fill.h",

@@ -262,6 +262,21 @@ TEST_F(HeaderUsers, the_note_names_what_stays_and_who_uses_it) {
   EXPECT_THAT(note_on_users(package, {}).text, HasSubstr("none of them includes one"));
 }
 
+TEST_F(HeaderUsers, sites_that_wait_for_a_header_are_counted_for_the_one_who_keeps_them) {
+  Report report;
+  report.package_dir = "/ws/src/lib";
+  report.sites.resize(2);
+  EXPECT_FALSE(note_on_kept_headers(report));
+  report.sites[1].in_exported_header = true;
+  const std::optional<Note> note = note_on_kept_headers(report);
+  ASSERT_TRUE(note);
+  EXPECT_EQ(note->code, "TZC1005");
+  EXPECT_THAT(note->text, HasSubstr("1 site waits for headers that other packages may include"));
+  EXPECT_THAT(note->text, HasSubstr("--exported-headers=change"));
+  report.sites[0].in_exported_header = true;
+  EXPECT_THAT(note_on_kept_headers(report)->text, HasSubstr("2 sites wait for"));
+}
+
 TEST_F(HeaderUsers, an_inclusion_that_is_known_counts_like_one_from_outside) {
   folder.write("ws/src/lib/include/lib/api.h", "#include \"detail.h\"\n");
   EXPECT_EQ(in_use({}, {{folder / "ws/src/node/old.cpp", folder / "ws/src/lib/include/lib/api.h"}}),

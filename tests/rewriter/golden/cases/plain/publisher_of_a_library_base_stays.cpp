@@ -29,6 +29,6 @@ class Child : public other::Server {
   int next_ = 0;
 };
 //--- expected
-// publish src/node.cpp:12 sensor_msgs/Image plain TZC1017 the publisher is not one of the package
-// publish src/node.cpp:18 sensor_msgs/Image plain TZC1017 nothing that the package advertises is given to the parameter 'publisher'
-// publish src/node.cpp:24 sensor_msgs/Image plain TZC1017 the publisher is not one of the package
+// publish src/node.cpp:12 sensor_msgs/Image plain TZC1017 the publisher is not one of the package, and tzc::publish would evaluate it at another time than its message
+// publish src/node.cpp:18 sensor_msgs/Image plain TZC1017 nothing that the package advertises is given to the parameter 'publisher', and the call stands in a template
+// publish src/node.cpp:24 sensor_msgs/Image plain TZC1017 the publisher is not one of the package, and the call comes from a macro
