@@ -15,6 +15,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 from port_packages.command import run  # noqa: E402
 from port_packages.kept import Kept, digest_of  # noqa: E402
 from port_packages.packages import find_packages, with_users  # noqa: E402
+from port_packages.repository import Repository  # noqa: E402
 from port_packages.sites import summary_of  # noqa: E402
 from port_packages.table import table  # noqa: E402
 from port_packages.workspace import Workspace, mirror, read_results  # noqa: E402
@@ -64,6 +65,35 @@ class KeptSteps(Folder):
         self.assertIsNone(Kept(kept, ["b"]).read())
         self.put("kept.json", "{")
         self.assertIsNone(Kept(kept, ["a"]).read())
+
+    def test_the_diff_of_an_interrupted_rewriting_is_never_taken_for_a_kept_one(self):
+        begun = []
+
+        class Rewritten(Repository):
+            def rewrite(self, diff):
+                begun.append(self.settings.key)
+                with open(diff, "w") as file:
+                    file.write(self.settings.key)
+                if self.settings.key == "interrupted":
+                    raise SystemExit(143)
+                return {"problems": []}
+
+            def apply(self, diff):
+                with open(diff) as file:
+                    self.applied = file.read()
+
+        def port(key):
+            os.makedirs(os.path.join(self.path, "a/original/src"), exist_ok=True)
+            self.put("a/original/build/compile_commands.json", "[]")
+            repository = Rewritten("a", "/a", types.SimpleNamespace(out=self.path, key=key, again=False, tzc="/tzc"))
+            repository.port()
+            return repository.applied
+
+        self.assertEqual([port("first"), port("first")], ["first", "first"])
+        self.assertEqual(begun, ["first"])
+        self.assertRaises(SystemExit, port, "interrupted")
+        self.assertEqual(port("first"), "first")
+        self.assertEqual(begun, ["first", "interrupted", "first"])
 
     def test_the_digest_tells_names_contents_and_links_apart(self):
         def digest():

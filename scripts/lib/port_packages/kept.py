@@ -43,6 +43,11 @@ class Kept:
             return None
         return kept["found"] if kept.get("key") == self.key else None
 
+    def forget(self):
+        """What it belongs to is about to change."""
+        if os.path.exists(self.path):
+            os.remove(self.path)
+
     def write(self, found):
         with open(self.path + ".new", "w") as file:
             json.dump({"key": self.key, "found": found}, file)

@@ -72,12 +72,14 @@ class Repository:
     def port(self):
         """A dry run, so that nothing but the diff tells the versions apart; then the diff."""
         diff = os.path.join(self.out, "port.diff")
+        compiled = sorted(unit for unit, is_there in self.original.units().items() if is_there)
         kept = Kept(os.path.join(self.out, "rewriting.json"),
-                    [self.settings.key, digest_of(self.original.package_root, self.original.commands)])
+                    [self.settings.key, compiled, digest_of(self.original.package_root, self.original.commands)])
         found = kept.read() if os.path.exists(diff) and not self.settings.again else None
         if found:
             self.say("has been rewritten already")
         else:
+            kept.forget()  # the diff of an interrupted rewriting is none
             found = self.rewrite(diff)
             kept.write(found)
         for problem in found.pop("problems"):
