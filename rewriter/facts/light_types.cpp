@@ -38,9 +38,4 @@ std::optional<std::uint64_t> light_type_bytes(const std::string& message) {
   return found == table().end() ? std::nullopt : std::optional(found->second);
 }
 
-/// A pose for each step of a plan, or of all that was driven so far.
-bool is_gathered_type(const std::string& message) {
-  return message == "nav_msgs/Path";
-}
-
 }  // namespace tzc::rewriter

@@ -11,8 +11,4 @@ namespace tzc::rewriter {
 /// camera's calibration, a number for each joint. None: the type says nothing. "sensor_msgs/CameraInfo".
 std::optional<std::uint64_t> light_type_bytes(const std::string& message);
 
-/// Types of ROS's common packages that are large by what they are for, though none of their arrays can lie in shared memory as it
-/// is: the elements have strings. "nav_msgs/Path".
-bool is_gathered_type(const std::string& message);
-
 }  // namespace tzc::rewriter

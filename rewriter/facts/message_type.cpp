@@ -219,9 +219,15 @@ std::optional<MessageType> message_of(const clang::CXXRecordDecl* record) {
   return message;
 }
 
+/// Large by what it is for, a pose for each step of a plan or of all that was driven so far, though shared memory can hold none of its
+/// arrays in place: the elements have strings.
+static bool is_gathered(const MessageType& message) {
+  return !message.has_data_part && message.name == "nav_msgs/Path";
+}
+
 void set_message(SiteFact& site, const MessageType& message) {
   site.type = message.name;
-  site.is_gathered = !message.has_data_part && is_gathered_type(message.name);
+  site.is_gathered = is_gathered(message);
   site.has_data_part = message.has_data_part || site.is_gathered;
   site.has_varied_elements = message.has_varied_elements;
   site.most_bytes = site.is_gathered ? std::nullopt : message.most_bytes;

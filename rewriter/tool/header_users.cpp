@@ -185,8 +185,8 @@ std::optional<Note> note_on_kept_headers(const Report& report) {
                                    [](const Site& site) { return site.in_exported_header; });
   if (sites == 0) return {};
   const std::string text = fmt::format(
-      "{} wait{} for headers that other packages may include: name all packages here that include them, with "
-      "--exported-headers=change, and these headers are ported, too",
+      "{} wait{} for headers that other packages may include: if only packages named in this run do, "
+      "--exported-headers=change ports these, too",
       sites == 1 ? "1 site" : fmt::format("{} sites", sites), sites == 1 ? "s" : "");
   return Note{codes::TZC1005, Location{report.package_dir + "/package.xml", 1, 1}, text};
 }
