@@ -44,8 +44,12 @@ catkin_add_gtest(cannot_be_built cannot_be_built.cpp)
 CMAKE
 printf '#include <gtest/gtest.h>\nTEST(Suite, passes) {}\nint main(int c, char** v) { testing::InitGoogleTest(&c, v); return RUN_ALL_TESTS(); }\n' >"$work/tested/tested/passes.cpp"
 printf '#error no\n' >"$work/tested/tested/cannot_be_built.cpp"
-port "$work/tested" || fail "with a test that cannot be built it ends with $?"
+CCACHE_DIR=$work/ccache CCACHE_STATSLOG=$work/compiled port "$work/tested" ||
+  fail "with a test that cannot be built it ends with $?"
 holds "$work/out/table.txt" '^tested +1 .* 1/1, 1/1 '
+# Units that the port leaves as they are, in another folder, are not compiled twice.
+awk '/passes.cpp/ { times++ } times == 2' "$work/compiled" >"$work/again"
+holds "$work/again" '^(direct|preprocessed)_cache_hit'
 
 refused() {
   local words=$1 status=0

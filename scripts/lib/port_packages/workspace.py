@@ -52,6 +52,9 @@ class Workspace:
         self.env = dict(os.environ)
         prefixes = [os.path.join(settings.tzc, "devel"), os.environ.get("CMAKE_PREFIX_PATH", "")]
         self.env["CMAKE_PREFIX_PATH"] = ":".join(filter(None, prefixes))
+        # What the port leaves as it is comes out of ccache: its paths are taken from the workspace on.
+        self.env.setdefault("CCACHE_BASEDIR", os.path.abspath(root))
+        self.env.setdefault("CCACHE_NOHASHDIR", "1")
 
     def fill(self, repository, packages):
         """Copies of the packages, in the repository's layout."""
