@@ -8,6 +8,7 @@ namespace tzc::rewriter {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// The workspace with a message in the package and one in a package beside it.
 class OwnMessages : public ::testing::Test {
@@ -40,6 +41,44 @@ TEST_F(OwnMessages, broken_ones_stop_the_run_with_their_place) {
 TEST_F(OwnMessages, broken_ones_of_another_package_do_not) {
   ws.folder().write("ws/src/other_msgs/msg/Pair.msg", "uint8[ bytes\n");
   EXPECT_EQ(ws.rewrite({}).status, 1);
+}
+
+TEST_F(OwnMessages, a_broken_one_of_another_package_costs_no_other_its_header) {
+  ws.folder().write("ws/src/other_msgs/srv/Broken.srv", "nowhere_msgs/Blob blob\n---\n");
+  const auto result = ws.rewrite({"-q"});
+  EXPECT_THAT(result.errors, HasSubstr("twin: /tzc/other_msgs/Pair.h\n"));
+}
+
+/// A workspace below this one: its messages stay with its sources, and what is made of its actions lies in its devel space.
+class MessagesBelow : public OwnMessages {
+ protected:
+  MessagesBelow() {
+    const std::string below = ws.folder() / "below";
+    ws.folder().write("below/src/far_msgs/msg/Part.msg", "uint8[] bytes\n");
+    ws.folder().write("below/devel/share/far_msgs/msg/MadeGoal.msg", "uint8[] bytes\n");
+    ws.folder().write("below/devel/share/far_msgs/cmake/far_msgs-msg-paths.cmake",
+                      "set(far_msgs_MSG_INCLUDE_DIRS \"" + below + "/src/far_msgs/msg;" + below +
+                          "/devel/share/far_msgs/msg\")\nset(far_msgs_MSG_DEPENDENCIES )\n");
+    ws.folder().write("ws/src/other_msgs/msg/Whole.msg", "far_msgs/Part part\nfar_msgs/MadeGoal goal\n");
+  }
+};
+
+TEST_F(MessagesBelow, are_found_through_the_environment) {
+  const auto result = ws.rewrite({"-q"}, {{"CMAKE_PREFIX_PATH", ws.folder() / "below/devel"}});
+  EXPECT_THAT(result.errors, HasSubstr("twin: /tzc/other_msgs/Whole.h\n"));
+  EXPECT_THAT(result.errors, HasSubstr("twin: /tzc/other_msgs/Pair.h\n"));
+}
+
+TEST_F(MessagesBelow, are_found_where_cmake_has_found_them) {
+  ws.folder().write("ws/build/CMakeCache.txt",
+                    "far_msgs_DIR:PATH=" + (ws.folder() / "below/devel/share/far_msgs/cmake") + "\n");
+  EXPECT_THAT(ws.rewrite({"-q"}).errors, HasSubstr("twin: /tzc/other_msgs/Whole.h\n"));
+}
+
+TEST_F(MessagesBelow, that_are_nowhere_cost_no_other_its_header) {
+  const auto result = ws.rewrite({"-q"});
+  EXPECT_THAT(result.errors, Not(HasSubstr("Whole.h")));
+  EXPECT_THAT(result.errors, HasSubstr("twin: /tzc/other_msgs/Pair.h\n"));
 }
 
 }  // namespace
