@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/own_messages.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
-#include <utility>
 
-#include "buildfiles/cmake_file.h"
 #include "buildfiles/package_xml.h"
-#include "edits/files.h"
-#include "proof/cmake_cache.h"
 #include "proof/compiler_reads.h"
 #include "proof/process.h"
+#include "tool/message_folders.h"
 #include "tool/places.h"
 
 namespace tzc::rewriter {
@@ -45,83 +41,11 @@ std::string generator() {
   return fs::exists(beside) ? beside.string() : "tzc-msggen";
 }
 
-/// The words of a CMake list that is given as one argument.
-std::vector<fs::path> split_list(const std::string& list) {
-  std::vector<fs::path> words;
-  for (std::size_t at = 0; at < list.size();) {
-    const std::size_t end = std::min(list.find(';', at), list.size());
-    if (end > at) words.emplace_back(list.substr(at, end - at));
-    at = end + 1;
-  }
-  return words;
-}
-
-/// What genmsg says of a package in a devel space (pkg-msg-paths.cmake.develspace.in), whose messages stay with its
-/// sources; those of its actions are made in the devel space. Empty for one that is installed.
-std::vector<fs::path> devel_message_folders(const fs::path& share, const std::string& package) {
-  const fs::path file = share / package / "cmake" / (package + "-msg-paths.cmake");
-  const Expected<std::string> content = read_file(file);
-  if (!content) return {};
-  const Expected<std::vector<CmakeCommand>> commands = parse_cmake(*content, file);
-  if (!commands) return {};
-  for (const CmakeCommand& command : *commands)
-    if (command.name == "set" && command.arguments.size() == 2 &&
-        command.arguments[0].text == package + "_MSG_INCLUDE_DIRS")
-      return split_list(command.arguments[1].text);
-  return {};
-}
-
-std::vector<fs::path> message_folders(const fs::path& share, const std::string& package) {
-  std::vector<fs::path> folders = devel_message_folders(share, package);
-  if (folders.empty()) folders.push_back(share / package / "msg");
-  const auto is_missing = [](const fs::path& folder) {
-    std::error_code none;
-    return !fs::is_directory(folder, none);
-  };
-  folders.erase(std::remove_if(folders.begin(), folders.end(), is_missing), folders.end());
-  return folders;
-}
-
-/// The message folders of packages, by name.
-using MessageFolders = std::map<std::string, std::vector<fs::path>>;
-
-void add_package(const fs::path& share, const std::string& package, MessageFolders& all) {
-  if (all.count(package) != 0) return;
-  if (std::vector<fs::path> folders = message_folders(share, package); !folders.empty())
-    all.emplace(package, std::move(folders));
-}
-
-/// The packages that CMake has found: PKG_DIR is share/PKG/cmake. Then all that lie beside them.
-void add_found(const std::string& build_dir, MessageFolders& all) {
-  const CmakeCache cache = CmakeCache::nearest(build_dir);
-  std::set<fs::path> shares;
-  for (const CacheEntry& entry : cache.entries()) {
-    const fs::path package = fs::path(entry.value).parent_path();
-    if (fs::path(entry.value).filename() != "cmake" || entry.name != package.filename().string() + "_DIR")
-      continue;
-    add_package(package.parent_path(), package.filename(), all);
-    shares.insert(package.parent_path());
-  }
-  const std::vector<std::string> others = share_folders(build_dir);
-  std::vector<fs::path> ordered(shares.begin(), shares.end());
-  ordered.insert(ordered.end(), others.begin(), others.end());
-  for (const fs::path& share : ordered) {
-    std::error_code none;
-    for (const auto& entry : fs::directory_iterator(share, none))
-      add_package(share, entry.path().filename(), all);
-  }
-}
-
-/// -I PKG:DIR for the workspace's packages and for those of other workspaces and of the system that these do not hide.
-std::vector<std::string> include_flags(const std::map<std::string, fs::path>& workspace,
-                                       const std::set<std::string>& build_dirs) {
-  MessageFolders all;
-  for (const auto& [name, folder] : workspace) all[name] = {folder / "msg"};
-  for (const std::string& build_dir : build_dirs) add_found(build_dir, all);
+/// -I PKG:DIR
+std::vector<std::string> include_flags(const MessageFolders& all) {
   std::vector<std::string> flags;
   for (const auto& [name, folders] : all)
-    for (const fs::path& folder : folders)
-      if (fs::exists(folder)) flags.insert(flags.end(), {"-I", name + ":" + folder.string()});
+    for (const fs::path& folder : folders) flags.insert(flags.end(), {"-I", name + ":" + folder.string()});
   return flags;
 }
 
@@ -161,7 +85,7 @@ MessageSources message_sources(const std::string& package_dir, const std::string
   sources.generator = program_path(generator());
   for (const auto& [name, folder] : workspace)
     for (const char* kind : {"msg", "srv", "action"}) sources.folders.push_back(folder / kind);
-  const std::vector<std::string> flags = include_flags(workspace, {build_dir});
+  const std::vector<std::string> flags = include_flags(message_folders(workspace, {build_dir}));
   for (std::size_t i = 1; i < flags.size(); i += 2)
     sources.folders.push_back(flags[i].substr(flags[i].find(':') + 1));
   return sources;
@@ -177,7 +101,7 @@ Expected<OwnMessages> OwnMessages::generate(const std::map<std::string, std::str
   messages.folder_.emplace(std::move(*scratch));
   std::set<std::string> folders;
   for (const auto& item : build_dirs) folders.insert(item.second);
-  const std::vector<std::string> flags = include_flags(all, folders);
+  const std::vector<std::string> flags = include_flags(message_folders(all, folders));
   for (const auto& [name, folder] : all) {
     messages.packages_[name] = folder;
     const Generation where{name, flags, messages.folder_->path()};
