@@ -134,7 +134,7 @@ class Collector {
 
   void add_messages(const std::string& package, const std::string& build_dir) {
     const MessageSources sources = message_sources(package, build_dir);
-    say("messages", sources.folders);
+    say("messages", std::vector<std::string>(sources.folders.begin(), sources.folders.end()));
     for (const std::string& folder : sources.folders) depend_on(folder, Access::tree);
     if (!sources.generator.empty()) depend_on(sources.generator);
   }

@@ -2,38 +2,29 @@
 #include "tool/message_folders.h"
 
 #include <utility>
-#include <vector>
 
-#include "buildfiles/cmake_values.h"
-#include "edits/files.h"
 #include "proof/cmake_cache.h"
+#include "tool/genmsg_files.h"
 #include "tool/places.h"
 
 namespace tzc::rewriter {
 namespace fs = std::filesystem;
 namespace {
 
-/// What genmsg says of a package in a devel space (pkg-msg-paths.cmake.develspace.in), whose messages stay with its
-/// sources; those of its actions are made in the devel space. Of one that is installed, it says nothing that names a folder.
-std::set<std::string> named_by_genmsg(const fs::path& share, const std::string& package) {
-  const fs::path file = share / package / "cmake" / (package + "-msg-paths.cmake");
-  const Expected<std::string> content = read_file(file);
-  if (!content) return {};
-  const Expected<std::vector<CmakeCommand>> commands = parse_cmake(*content, file);
-  if (!commands) return {};
-  CmakeValues values;
-  for (const CmakeCommand& command : *commands) values.learn(command);
-  return values.expand("${" + package + "_MSG_INCLUDE_DIRS}");
-}
-
-void add_package(const fs::path& share, const std::string& package, MessageFolders& all) {
-  if (all.count(package) != 0) return;
-  std::set<std::string> named = named_by_genmsg(share, package);
+/// genmsg's words and share/PKG/msg, as far as they are there.
+std::set<fs::path> folders_at(const fs::path& share, const std::string& package) {
+  std::set<std::string> named = genmsg_folders(share, package);
   named.insert(share / package / "msg");
   std::set<fs::path> folders;
   std::error_code none;
   for (const std::string& folder : named)
     if (fs::is_directory(folder, none)) folders.insert(folder);
+  return folders;
+}
+
+void add_package(const fs::path& share, const std::string& package, MessageFolders& all) {
+  if (all.count(package) != 0) return;
+  std::set<fs::path> folders = folders_at(share, package);
   if (!folders.empty()) all.emplace(package, std::move(folders));
 }
 
@@ -58,18 +49,31 @@ void add_all_below(const fs::path& share, MessageFolders& all) {
 
 }  // namespace
 
-MessageFolders message_folders(const std::map<std::string, fs::path>& workspace,
+MessageFolders message_folders(const std::map<std::string, std::string>& workspace,
                                const std::set<std::string>& build_dirs) {
   MessageFolders all;
   std::error_code none;
-  for (const auto& [name, folder] : workspace)
-    all[name] =
-        fs::is_directory(folder / "msg", none) ? std::set<fs::path>{folder / "msg"} : std::set<fs::path>();
+  const std::set<fs::path> shares = devel_shares(build_dirs);
+  for (const auto& [name, folder] : workspace) {
+    std::set<fs::path>& folders = all[name];
+    const fs::path own = fs::path(folder) / "msg";
+    if (fs::is_directory(own, none)) folders.insert(own);
+    for (const fs::path& share : shares) folders.merge(folders_at(share, name));
+  }
   for (const std::string& build_dir : build_dirs) {
     for (const fs::path& share : add_what_cmake_found(build_dir, all)) add_all_below(share, all);
     for (const std::string& share : share_folders(build_dir)) add_all_below(share, all);
   }
   return all;
+}
+
+std::set<fs::path> devel_shares(const std::set<std::string>& build_dirs) {
+  std::set<fs::path> shares;
+  for (const std::string& build_dir : build_dirs) {
+    const std::string prefix = CmakeCache::nearest(build_dir).value("CATKIN_DEVEL_PREFIX");
+    if (!prefix.empty()) shares.insert(fs::path(prefix) / "share");
+  }
+  return shares;
 }
 
 }  // namespace tzc::rewriter

@@ -8,6 +8,7 @@
 #include "buildfiles/package_xml.h"
 #include "proof/compiler_reads.h"
 #include "proof/process.h"
+#include "tool/genmsg_files.h"
 #include "tool/message_folders.h"
 #include "tool/places.h"
 
@@ -15,25 +16,50 @@ namespace tzc::rewriter {
 namespace fs = std::filesystem;
 namespace {
 
-std::vector<std::string> definitions(const fs::path& package) {
-  std::vector<std::string> files;
+/// A message package of the workspace.
+struct MessagePackage {
+  fs::path folder;
+  std::set<std::string> definitions;  ///< files
+};
+using MessagePackages = std::map<std::string, MessagePackage>;
+
+/// Where genmsg has not said what it builds.
+std::set<std::string> files_below(const fs::path& package) {
+  std::set<std::string> files;
   for (const char* kind : {"msg", "srv", "action"}) {
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(package / kind, none))
-      if (entry.path().extension() == std::string(".") + kind) files.push_back(entry.path());
+      if (entry.path().extension() == std::string(".") + kind) files.insert(entry.path());
   }
   return files;
 }
 
-/// Message packages of the workspace by name, the package itself among them.
-std::map<std::string, fs::path> message_packages(const std::string& package_dir) {
-  std::map<std::string, fs::path> found;
+std::set<std::string> definitions(const PackageXml& package, const fs::path& folder,
+                                  const std::set<fs::path>& shares) {
+  for (const fs::path& share : shares)
+    if (std::set<std::string> files = genmsg_definitions(share, package.name); !files.empty()) return files;
+  return files_below(folder);
+}
+
+/// By name, the package itself among them.
+MessagePackages message_packages(const std::string& package_dir, const std::set<std::string>& build_dirs) {
+  MessagePackages found;
+  const std::set<fs::path> shares = devel_shares(build_dirs);
   Expected<std::vector<std::string>> all = find_packages_at(source_space(package_dir));
   if (!all) all = std::vector<std::string>{package_dir};
-  for (const std::string& folder : *all)
-    if (!definitions(folder).empty())
-      if (const Expected<PackageXml> package = read_package_xml(folder)) found[package->name] = folder;
+  for (const std::string& folder : *all) {
+    const Expected<PackageXml> package = read_package_xml(folder);
+    if (!package) continue;
+    std::set<std::string> files = definitions(*package, folder, shares);
+    if (!files.empty()) found[package->name] = {folder, std::move(files)};
+  }
   return found;
+}
+
+std::map<std::string, std::string> folders_of(const MessagePackages& packages) {
+  std::map<std::string, std::string> folders;
+  for (const auto& [name, package] : packages) folders.emplace(name, package.folder);
+  return folders;
 }
 
 std::string generator() {
@@ -56,58 +82,61 @@ struct Generation {
   std::string output;
 };
 
-ProcessResult generate_these(const Generation& where, const std::vector<std::string>& files) {
+ProcessResult generate_these(const Generation& where, const std::set<std::string>& files) {
   std::vector<std::string> command = {generator(), "generate", "-p", where.package, "-o", where.output};
   command.insert(command.end(), where.flags.begin(), where.flags.end());
   command.insert(command.end(), files.begin(), files.end());
   return run_process(command);
 }
 
-Expected<void> generate_all(const Generation& where, const fs::path& folder) {
-  const ProcessResult result = generate_these(where, definitions(folder));
+Expected<void> generate_all(const Generation& where, const MessagePackage& package) {
+  const ProcessResult result = generate_these(where, package.definitions);
   if (result.status == 0) return {};
   return Error{
-      "tzc-msggen could not generate the headers of its messages\n" + result.errors, folder,
+      "tzc-msggen could not generate the headers of its messages\n" + result.errors, package.folder,
       result.status < 0 ? "install tzc-msggen beside tzc-rewrite" : "repair the message definitions"};
 }
 
 /// One by one: a definition that is broken, or whose parts are nowhere, costs no other one its header.
-void generate_what_can_be(const Generation& where, const fs::path& folder) {
-  for (const std::string& file : definitions(folder)) generate_these(where, {file});
+void generate_what_can_be(const Generation& where, const MessagePackage& package) {
+  for (const std::string& file : package.definitions) generate_these(where, {file});
 }
 
 }  // namespace
 
 MessageSources message_sources(const std::string& package_dir, const std::string& build_dir) {
   MessageSources sources;
-  const std::map<std::string, fs::path> workspace = message_packages(package_dir);
+  const MessagePackages workspace = message_packages(package_dir, {build_dir});
   if (workspace.empty()) return sources;
   sources.generator = program_path(generator());
-  for (const auto& [name, folder] : workspace)
-    for (const char* kind : {"msg", "srv", "action"}) sources.folders.push_back(folder / kind);
-  const std::vector<std::string> flags = include_flags(message_folders(workspace, {build_dir}));
-  for (std::size_t i = 1; i < flags.size(); i += 2)
-    sources.folders.push_back(flags[i].substr(flags[i].find(':') + 1));
+  for (const auto& [name, package] : workspace)
+    for (const char* kind : {"msg", "srv", "action"}) sources.folders.insert(package.folder / kind);
+  for (const auto& [name, package] : workspace)
+    for (const std::string& file : package.definitions) sources.folders.insert(fs::path(file).parent_path());
+  for (const fs::path& share : devel_shares({build_dir}))
+    for (const auto& [name, package] : workspace) sources.folders.insert(share / name / "cmake");
+  for (const auto& [name, folders] : message_folders(folders_of(workspace), {build_dir}))
+    sources.folders.insert(folders.begin(), folders.end());
   return sources;
 }
 
 Expected<OwnMessages> OwnMessages::generate(const std::map<std::string, std::string>& build_dirs) {
   OwnMessages messages;
-  std::map<std::string, fs::path> all;
-  for (const auto& item : build_dirs) all.merge(message_packages(item.first));
+  std::set<std::string> builds;
+  for (const auto& item : build_dirs) builds.insert(item.second);
+  MessagePackages all;
+  for (const auto& item : build_dirs) all.merge(message_packages(item.first, builds));
   if (all.empty()) return messages;
   Expected<ScratchFolder> scratch = ScratchFolder::make();
   if (!scratch) return scratch.error();
   messages.folder_.emplace(std::move(*scratch));
-  std::set<std::string> folders;
-  for (const auto& item : build_dirs) folders.insert(item.second);
-  const std::vector<std::string> flags = include_flags(message_folders(all, folders));
-  for (const auto& [name, folder] : all) {
-    messages.packages_[name] = folder;
+  messages.packages_ = folders_of(all);
+  const std::vector<std::string> flags = include_flags(message_folders(messages.packages_, builds));
+  for (const auto& [name, package] : all) {
     const Generation where{name, flags, messages.folder_->path()};
-    const Expected<void> done = generate_all(where, folder);
-    if (!done && build_dirs.count(folder) != 0) return done.error();
-    if (!done) generate_what_can_be(where, folder);
+    const Expected<void> done = generate_all(where, package);
+    if (!done && build_dirs.count(package.folder) != 0) return done.error();
+    if (!done) generate_what_can_be(where, package);
   }
   return messages;
 }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace tzc::rewriter {
 
 /// Where generate() reads message definitions: folders of the workspace and of installed packages, and the generator.
 struct MessageSources {
-  std::vector<std::string> folders;
+  std::set<std::string> folders;
   std::string generator;
 };
 MessageSources message_sources(const std::string& package_dir, const std::string& build_dir);

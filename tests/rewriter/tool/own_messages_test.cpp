@@ -81,5 +81,48 @@ TEST_F(MessagesBelow, that_are_nowhere_cost_no_other_its_header) {
   EXPECT_THAT(result.errors, HasSubstr("twin: /tzc/other_msgs/Pair.h\n"));
 }
 
+/// genmsg has configured the packages: what it builds is in the devel space's files.
+class MessagesOfGenmsg : public OwnMessages {
+ protected:
+  MessagesOfGenmsg() {
+    ws.folder().write("ws/build/CMakeCache.txt",
+                      "CATKIN_DEVEL_PREFIX:PATH=" + (ws.folder() / "ws/devel") + "\n");
+  }
+  void configured(const std::string& package, const std::string& folders, const std::string& messages) {
+    const std::string cmake = "ws/devel/share/" + package + "/cmake/" + package;
+    ws.folder().write(cmake + "-msg-paths.cmake",
+                      "set(" + package + "_MSG_INCLUDE_DIRS \"" + folders + "\")\n");
+    ws.folder().write(cmake + "-msg-extras.cmake", "set(" + package + "_MESSAGE_FILES \"" + messages +
+                                                       "\")\nset(" + package + "_SERVICE_FILES \"\")\n");
+  }
+};
+
+TEST_F(MessagesOfGenmsg, that_it_does_not_build_stop_nobody) {
+  ws.folder().write("ws/src/demo/msg/Abandoned.msg", "nowhere_msgs/Blob blob\n");
+  const std::string msg = ws.folder() / "ws/src/demo/msg";
+  configured("demo", msg, msg + "/Blob.msg");
+  const auto result = ws.rewrite({"-q"});
+  EXPECT_THAT(result.errors, HasSubstr("twin: /tzc/demo/Blob.h\n"));
+  EXPECT_THAT(result.errors, Not(HasSubstr("Abandoned")));
+}
+
+TEST_F(MessagesOfGenmsg, may_lie_in_any_folder) {
+  ws.folder().write("ws/src/demo/definitions/Half.msg", "uint8[] bytes\n");
+  ws.folder().write("ws/src/demo/definitions/Both.msg", "Half left\nHalf right\n");
+  const std::string folder = ws.folder() / "ws/src/demo/definitions";
+  configured("demo", folder, folder + "/Both.msg;" + folder + "/Half.msg");
+  EXPECT_THAT(ws.rewrite({"-q"}).errors, HasSubstr("twin: /tzc/demo/Both.h\n"));
+}
+
+TEST_F(MessagesOfGenmsg, of_actions_may_be_parts_of_others) {
+  const std::string msg = ws.folder() / "ws/src/demo/msg", made = ws.folder() / "ws/devel/share/demo/msg";
+  ws.folder().write("ws/devel/share/demo/msg/LiftGoal.msg", "uint8[] map\n");
+  ws.folder().write("ws/src/demo/msg/Plan.msg", "LiftGoal goal\n");
+  configured("demo", msg + ";" + made, msg + "/Plan.msg;" + made + "/LiftGoal.msg");
+  const auto result = ws.rewrite({"-q"});
+  EXPECT_THAT(result.errors, HasSubstr("twin: /tzc/demo/LiftGoal.h\n"));
+  EXPECT_THAT(result.errors, HasSubstr("twin: /tzc/demo/Plan.h\n"));
+}
+
 }  // namespace
 }  // namespace tzc::rewriter
