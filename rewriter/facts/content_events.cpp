@@ -3,6 +3,7 @@
 
 #include "facts/ast_walk.h"
 #include "facts/calls.h"
+#include "facts/made_vectors.h"
 #include "facts/message_type.h"
 #include "facts/overwrites.h"
 
@@ -72,6 +73,12 @@ bool is_swap(const clang::CallExpr* call) {
   return call->getNumArgs() == (method ? 1 : 2);
 }
 
+/// sensor_msgs::PointCloud2Iterator it(cloud, "x"): the cloud; null: something else is made.
+const clang::Expr* cloud_of_iterator(const clang::CXXConstructExpr* construct) {
+  const std::string name = construct->getConstructor()->getParent()->getNameAsString();
+  return name == "PointCloud2Iterator" && construct->getNumArgs() >= 2 ? construct->getArg(0) : nullptr;
+}
+
 }  // namespace
 
 void ContentReader::array_method(const clang::Expr* array, const clang::CXXMemberCallExpr* call,
@@ -128,12 +135,8 @@ void ContentReader::array(const clang::Expr* expr) {
     return;
   }
   if (const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(use)) {
-    if (op->isComparisonOp()) return;
-    const bool is_source = op->isAssignmentOp() && op->getArg(0)->IgnoreParenImpCasts() != expr;
-    if (is_source) return;
-    if (op->isAssignmentOp() && takes_elements(op)) return replaced(expr, op->getArg(1));
-    return log_.add(op->isAssignmentOp() ? Kind::reset : Kind::write, parts_.part_of(expr),
-                    expr->getExprLoc());
+    if (op->isComparisonOp() || op->isAssignmentOp()) return;  // see array_assigned
+    return log_.add(Kind::write, parts_.part_of(expr), expr->getExprLoc());
   }
   const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(use);
   if (call && (unit_.declares(call->getDirectCallee()) || passes_through(call->getDirectCallee()))) return;
@@ -141,6 +144,14 @@ void ContentReader::array(const clang::Expr* expr) {
   if (llvm::isa_and_nonnull<clang::DeclStmt, clang::CXXConstructExpr>(use))
     return;  // another name, or a copy
   log_.add(Kind::write, parts_.part_of(expr), expr->getExprLoc());
+}
+
+/// After what its operands do.
+void ContentReader::array_assigned(const clang::CXXOperatorCallExpr* op) {
+  const clang::Expr* array = op->getArg(0)->IgnoreParenImpCasts();
+  if (!is_stock_or_twin_array(array->getType()) || !denotes_object(array)) return;
+  if (takes_elements(op) && assignment_in_place(unit_, op).empty()) return replaced(array, op->getArg(1));
+  log_.add(Kind::reset, parts_.part_of(array), array->getExprLoc());
 }
 
 /// Elements that it gets have arrays of their own, which allocate has not seen: they lie outside shared memory.
@@ -229,14 +240,6 @@ void ContentReader::member_call(const clang::CXXMemberCallExpr* call) {
   if (name == "swap" && is_swap(call)) exchanged(object, call->getArg(0), call->getExprLoc());
 }
 
-/// sensor_msgs::PointCloud2Iterator it(cloud, "x")
-void ContentReader::iterator(const clang::CXXConstructExpr* construct) {
-  const std::string name = construct->getConstructor()->getParent()->getNameAsString();
-  if (name != "PointCloud2Iterator" || construct->getNumArgs() < 2) return;
-  const MessagePart cloud = parts_.part_of(construct->getArg(0));
-  if (!cloud.empty()) log_.add(Kind::write, cloud + "/data", construct->getBeginLoc());
-}
-
 /// An object of the class comes into being, and the messages that it consists of with it.
 void ContentReader::made(const clang::CXXRecordDecl* record, clang::SourceLocation where) {
   for (const clang::FieldDecl* field : messages_in(unit_, record))
@@ -298,7 +301,9 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
   if (call && closures_.called(call)) return;
   if (const auto runs = unknown_.at(stmt)) log_.step(UnknownCall{*runs});
   if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
-    iterator(construct);
+    const clang::Expr* const cloud = cloud_of_iterator(construct);
+    if (const MessagePart part = cloud ? parts_.part_of(cloud) : MessagePart(); !part.empty())
+      log_.add(Kind::write, part + "/data", construct->getBeginLoc());
     if (!construct->getConstructor()->isCopyOrMoveConstructor())
       made(construct->getConstructor()->getParent(), construct->getBeginLoc());
     if (unit_.declares(construct->getConstructor()))
@@ -311,6 +316,8 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
     if (is_swap(call) && call->getNumArgs() == 2 && !unit_.declares(function))
       exchanged(call->getArg(0), call->getArg(1), call->getExprLoc());
     if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
+    if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call); op && op->isAssignmentOp())
+      array_assigned(op);
     if (is_attached_publish(call)) return publish(call);
     if (!function || rule_call(call, qualified_name_of(function))) return;
     if (!unit_.declares(function)) return closures_.given_to(call);

@@ -67,12 +67,12 @@ class ContentReader {
   void ended_in_library(clang::QualType type, const IfShown& runs);
   void mention(const clang::Expr* expr);
   void array(const clang::Expr* expr);
+  void array_assigned(const clang::CXXOperatorCallExpr* op);
   void array_of_messages(const clang::Expr* expr);
   void replaced(const clang::Expr* array, const clang::Expr* source);
   void exchanged(const clang::Expr* one, const clang::Expr* other, clang::SourceLocation where);
   void array_method(const clang::Expr* array, const clang::CXXMemberCallExpr* call, const std::string& name);
   void member_call(const clang::CXXMemberCallExpr* call);
-  void iterator(const clang::CXXConstructExpr* construct);
   void made(const clang::CXXRecordDecl* record, clang::SourceLocation where);
   void moved_whole(const clang::Stmt* stmt);
   void publish(const clang::CallExpr* call);

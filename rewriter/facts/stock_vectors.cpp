@@ -4,6 +4,7 @@
 #include <clang/AST/TypeLoc.h>
 
 #include "facts/ast_walk.h"
+#include "facts/made_vectors.h"
 #include "facts/message_type.h"
 
 namespace tzc::rewriter {
@@ -102,6 +103,7 @@ class VectorUse {
   }
 
   std::vector<Change> of_assignment(const clang::CXXOperatorCallExpr* op) const {
+    if (op->getArg(0)->IgnoreParenImpCasts() == array_) return assignment_in_place(unit_, op);
     if (op->getOperator() != clang::OO_Equal || op->getArg(1)->IgnoreImpCasts() != array_) return {};
     const auto around = written_parent(unit_.ast(), clang::DynTypedNode::create(*op));
     const bool is_statement = around && around->get<clang::Stmt>() && !around->get<clang::Expr>() &&

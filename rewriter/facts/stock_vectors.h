@@ -17,7 +17,7 @@ namespace tzc::rewriter {
 ///   std::vector<float> v = scan.ranges;       std::vector<float> v = std::vector<float>(scan.ranges);
 ///   v = scan.ranges;                          scan.ranges.copy_to(v);
 ///
-/// A copy stays one copy; what points into `v` stays right, as with the assignment. Empty: nothing, or nothing would help (a parameter's
+/// and what assignment_in_place() writes. A copy stays one copy; what points into `v` stays right, as with the assignment. Empty: nothing, or nothing would help (a parameter's
 /// or a member's type); the compiler tells then.
 std::vector<Change> changes_for_stock_vector(const Unit& unit, const clang::MemberExpr* array);
 

@@ -56,6 +56,23 @@ def whole_vector(rng, array, element, n):
     return [f"{array} = fuzz::elements<{element.cpp}>({n}, k);"]
 
 
+def made_vector(rng, array, element, n):
+    """Of others' elements, of the array's own, or of none."""
+    source = f"fuzz::elements<{element.cpp}>({n}, k)"
+    made = f"{array} = std::vector<{element.cpp}>"
+    return rng.choice([
+        [f"{made}({n});", f"if ({n} > 2) {{ {element.put(array + '[1]', '3')} }}"],
+        [f"{made}({n}, {element.value('6')});"],
+        [f"{made}(fuzz::size(k, 3) + {n});"],
+        [f"const std::deque<{element.cpp}> all({n}, {element.value('2')});", f"{made}(all.begin(), all.end());"],
+        [f"const std::vector<{element.cpp}> source = {source};", f"{made}(source.rbegin(), source.rend());"],
+        [f"const std::vector<{element.cpp}> source = {source};", f"{made}(source.data(), source.data() + {n});"],
+        [f"{array}.resize({n});", f"for (int i = 0; i < {n}; ++i) {{ {element.put(array + '[i]')} }}",
+         f"{made}({array}.rbegin(), {array}.rend());"],
+        [f"{array}.resize({n});", f"{made}({array}.begin() + {n} / 2, {array}.end());"],
+    ])
+
+
 def swap_vector(rng, array, element, n):
     return [f"std::vector<{element.cpp}> built = fuzz::elements<{element.cpp}>({n}, k);", f"{array}.swap(built);"]
 
@@ -151,8 +168,8 @@ def erase_some(rng, array, element, n):
 
 WAYS = {resize_and_index: 6, resize_one_line: 2, resize_and_part: 3, resize_only: 1, resize_and_copy: 3,
         resize_and_copy_part: 2, push_back: 4, clear_reserve_push: 2, assign_value: 2, assign_range: 2, whole_vector: 3,
-        swap_vector: 1, insert_range: 1, shrinks: 2, raw_pointer: 2, iterator_loop: 1, range_loop: 1, transform: 1,
-        loop_over_vector: 2, loop_of_numbers: 1, back_inserter: 1, at_and_back: 1, reference_to_array: 1,
+        made_vector: 3, swap_vector: 1, insert_range: 1, shrinks: 2, raw_pointer: 2, iterator_loop: 1, range_loop: 1,
+        transform: 1, loop_over_vector: 2, loop_of_numbers: 1, back_inserter: 1, at_and_back: 1, reference_to_array: 1,
         vector_reference: 1, library_takes_vector: 1, emplace_back: 1, read_behind_resize: 2, insert_at_begin: 1,
         erase_some: 1}
 

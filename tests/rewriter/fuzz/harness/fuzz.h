@@ -13,6 +13,7 @@
 
 #include <boost/shared_ptr.hpp>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <string>
 #include <type_traits>

@@ -104,8 +104,8 @@ void run(ros::NodeHandle& nh) {
 // publish src/node.cpp:36 sensor_msgs/Image one_copy 'resized' TZC1022 line 34 puts new messages into the container ('resize'), whose elements lie outside shared memory until they are published
 // advertise src/node.cpp:46 sensor_msgs/Image one_copy 'named'
 // publish src/node.cpp:49 sensor_msgs/Image one_copy 'named' TZC1022 line 48 puts new messages into the container ('[]'), whose elements lie outside shared memory until they are published
-// advertise src/node.cpp:60 sensor_msgs/Image one_copy 'stepped'
-// publish src/node.cpp:64 sensor_msgs/Image one_copy 'stepped' TZC1022 line 63 gives it elements that lie outside shared memory
+// advertise src/node.cpp:60 sensor_msgs/Image zero_copy 'stepped'
+// publish src/node.cpp:64 sensor_msgs/Image zero_copy 'stepped'
 // advertise src/node.cpp:74 sensor_msgs/Image one_copy 'by_closure'
 // publish src/node.cpp:78 sensor_msgs/Image one_copy 'by_closure' TZC1022 line 77 gives it elements that lie outside shared memory
 //
@@ -137,7 +137,9 @@ void run(ros::NodeHandle& nh) {
 // -  explicit Stepped(ros::NodeHandle& nh) : pub_(nh.advertise<sensor_msgs::Image>("stepped", 1)) {}
 // +  explicit Stepped(ros::NodeHandle& nh) : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh, "stepped", 1)) {}
 // -    sensor_msgs::Image* at = frames_;
+// -    at->data = std::vector<unsigned char>(5000, k);
 // +    tzc::sensor_msgs::Image* at = frames_;
+// +    at->data.assign(5000, k);
 // -  ros::Publisher pub_;
 // -  sensor_msgs::Image frames_[2];
 // +  tzc::Publisher pub_;
