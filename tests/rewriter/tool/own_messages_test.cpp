@@ -114,6 +114,20 @@ TEST_F(MessagesOfGenmsg, may_lie_in_any_folder) {
   EXPECT_THAT(ws.rewrite({"-q"}).errors, HasSubstr("twin: /tzc/demo/Both.h\n"));
 }
 
+TEST_F(MessagesOfGenmsg, may_be_many) {
+  const std::string folder = ws.folder() / "ws/src/demo/msg";
+  std::string all = folder + "/Blob.msg";
+  for (int i = 100; i < 400; ++i) {
+    const std::string name = "Part" + std::to_string(i) + ".msg";
+    ws.folder().write("ws/src/demo/msg/" + name, "uint8[] bytes\n");
+    all += ";" + folder + "/" + name;
+  }
+  configured("demo", folder, all);
+  const auto result = ws.rewrite({"-q"});
+  for (const char* name : {"Blob", "Part100", "Part399"})
+    EXPECT_THAT(result.errors, HasSubstr(std::string("twin: /tzc/demo/") + name + ".h\n"));
+}
+
 TEST_F(MessagesOfGenmsg, of_actions_may_be_parts_of_others) {
   const std::string msg = ws.folder() / "ws/src/demo/msg", made = ws.folder() / "ws/devel/share/demo/msg";
   ws.folder().write("ws/devel/share/demo/msg/LiftGoal.msg", "uint8[] map\n");
