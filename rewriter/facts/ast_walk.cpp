@@ -51,6 +51,13 @@ Ancestors::Iterator& Ancestors::Iterator::operator++() {
   return *this;
 }
 
+bool is_statement(clang::ASTContext& ast, const clang::Expr& expr) {
+  auto around = written_parent(ast, clang::DynTypedNode::create(expr));
+  if (around && around->get<clang::ExprWithCleanups>()) around = written_parent(ast, *around);
+  return around && around->get<clang::Stmt>() && !around->get<clang::Expr>() &&
+         !around->get<clang::ReturnStmt>() && !around->get<clang::DeclStmt>();
+}
+
 bool is_wrapping(const clang::Stmt* around) {
   return llvm::isa_and_nonnull<clang::ImplicitCastExpr, clang::MaterializeTemporaryExpr, clang::ParenExpr,
                                clang::CXXBindTemporaryExpr, clang::FullExpr>(around);

@@ -70,6 +70,9 @@ bool is_instance(const clang::FunctionDecl* function);
 /// USR of the class whose `this` the function has, a lambda that of the function around it. Empty: none.
 std::string record_usr_of(const clang::FunctionDecl* function);
 
+/// Whether nothing uses the value of an expression: it is a statement of its own, or a part of one that has no value.
+bool is_statement(clang::ASTContext& ast, const clang::Expr& expr);
+
 /// Parentheses around an expression, and nodes that nobody wrote. Null is neither.
 bool is_wrapping(const clang::Stmt* around);
 bool is_lambda(const clang::FunctionDecl* function);

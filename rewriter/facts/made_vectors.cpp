@@ -75,7 +75,7 @@ class MadeVector {
         assignment_->getOperator() == clang::OO_Equal && assignment_->getNumArgs() == 2;
     const auto* made = is_assignment ? made_vector(assignment_->getArg(1)) : nullptr;
     const clang::Expr* array = made ? assignment_->getArg(0)->IgnoreParenImpCasts() : nullptr;
-    if (!array || !is_statement() || !is_array_by_name(array)) return {};
+    if (!array || !is_statement(unit_.ast(), *assignment_) || !is_array_by_name(array)) return {};
     const unsigned arguments = written_arguments(made);
     for (unsigned i = 0; i < arguments; ++i)
       if (!runs_nothing(made->getArg(i))) return {};
@@ -85,17 +85,6 @@ class MadeVector {
   }
 
  private:
-  bool is_statement() const {
-    const auto around = written_parent(unit_.ast(), clang::DynTypedNode::create(*assignment_));
-    if (around && around->get<clang::ExprWithCleanups>())
-      return is_statement_in(written_parent(unit_.ast(), *around));
-    return is_statement_in(around);
-  }
-  static bool is_statement_in(const std::optional<clang::DynTypedNode>& around) {
-    return around && around->get<clang::Stmt>() && !around->get<clang::Expr>() &&
-           !around->get<clang::ReturnStmt>() && !around->get<clang::DeclStmt>();
-  }
-
   /// scan.ranges, this->frame_.data, frame->data: the same array after the arguments.
   static bool is_array_by_name(const clang::Expr* array) {
     const auto* member = llvm::dyn_cast<clang::MemberExpr>(array);

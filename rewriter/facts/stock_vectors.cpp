@@ -105,12 +105,9 @@ class VectorUse {
   std::vector<Change> of_assignment(const clang::CXXOperatorCallExpr* op) const {
     if (op->getArg(0)->IgnoreParenImpCasts() == array_) return assignment_in_place(unit_, op);
     if (op->getOperator() != clang::OO_Equal || op->getArg(1)->IgnoreImpCasts() != array_) return {};
-    const auto around = written_parent(unit_.ast(), clang::DynTypedNode::create(*op));
-    const bool is_statement = around && around->get<clang::Stmt>() && !around->get<clang::Expr>() &&
-                              !around->get<clang::ReturnStmt>() && !around->get<clang::DeclStmt>();
     const clang::Expr* target = op->getArg(0)->IgnoreImpCasts();
     const auto whole = place_of(op), left = place_of(target);
-    if (!is_statement || !whole || !left || !is_other_vector(target)) return {};
+    if (!is_statement(unit_.ast(), *op) || !whole || !left || !is_other_vector(target)) return {};
     const Place cut{whole->file, whole->begin, place_of(array_)->begin, whole->line, whole->column};
     return {{cut, "", kRule, {}}, behind(".copy_to(" + unit_.source.text(*left) + ")")};
   }
