@@ -11,6 +11,7 @@
 
 #include "roscpp/descriptor_budget.h"
 #include "roscpp/publish/local_callbacks.h"
+#include "roscpp/publish/memory_of_no_topic.h"
 #include "roscpp/publish/publication_lock.h"
 #include "roscpp/publish/socket_buffers.h"
 #include "roscpp/publish/statistics_file.h"
@@ -85,6 +86,7 @@ std::shared_ptr<PublicationEndpoint> PublicationEndpoint::of(const ros::Publicat
   // An alias: the links keep the endpoint with the stream, the migration keeps neither.
   endpoint->migration_->send_from(std::shared_ptr<PublicationStream>(endpoint, &endpoint->stream_));
   known = endpoint;
+  note_topic_with_memory();
   return endpoint;
 }
 

@@ -35,6 +35,14 @@ class Many(TopicCase):
             self.assert_got(listener, range(50), shared=True, topic=topic)
 
 
+    def test_memory_of_a_publisher_that_is_not_advertised(self):
+        """A message that one of two publishers sends is built with the other one, which is not advertised: no copy."""
+        listener = self.listen()
+        counters = self.talk("stranger", count=50)
+        self.assert_got(listener, range(50), shared=True)
+        self.assertEqual((counters["shared"], counters["copied_bytes"]), (50, 0))
+
+
 class Unreliable(TopicCase):
     def test_who_asks_for_udpros_gets_it(self):
         unreliable, shared = self.listen("unreliable", queue=200), self.listen(queue=200)

@@ -78,6 +78,16 @@ def either_publisher(program, message):
                                                    *both[1].publish(argument, pointer), "}"])
 
 
+def beside_one_that_is_not_advertised(program, message):
+    """The publisher that is named first never gets a topic."""
+    topic = program.topic(message)
+    idle = program.variable("ros::Publisher", "idle")
+    program.setup.append(f"if (fuzz::value(0, 1) < 0) {idle} = {publishers.advertise(program, topic, 0)};")
+    first, second = publishers.Publisher(f"{idle}.", topic), publishers.member(program, topic)[0]
+    return Output(lambda argument, pointer=False: [f"if ({idle}) {{", *first.publish(argument, pointer), "} else {",
+                                                   *second.publish(argument, pointer), "}"])
+
+
 def in_helper(program, message, inner=None):
     publisher = inner or stored(program, message)
 
@@ -216,7 +226,8 @@ def in_caught_copy(program, message):
         f"try {{ throw {kind}Error(&{name}, &{value_of(argument, pointer)}); }} catch ({kind}Error error) {{ (void)error; }}"])
 
 
-PLAIN = [directly, in_branch, in_loop_once, twice, two_publishers, either_publisher]
+PLAIN = [directly, in_branch, in_loop_once, twice, two_publishers, either_publisher,
+         beside_one_that_is_not_advertised]
 HIDDEN = [in_closure_called_at_once, in_handler, in_thread, in_deleter, in_algorithm, in_foreign_call,
           in_queued_callback, in_helper, in_helper_of_helper, in_bound_helper, in_member_pointer, in_function_member,
           in_template, in_virtual_call, in_operator, in_base_template, in_destructor, in_end_of_element,

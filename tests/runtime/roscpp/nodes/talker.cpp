@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Publishes images whose bytes follow from their number, in one of the ways a node may publish.
 ///
-/// Private parameters: mode (twin, twin_pointer, stock, stock_pointer, plain, handover: a twin's publisher and a plain one,
-/// the former ends after half of the images; mixed: every other image as a ShapeShifter; attached: twins, to the topic that
+/// Private parameters: mode (twin, twin_pointer, stranger: twins that another publisher allocates, which is not advertised,
+/// stock, stock_pointer, plain, handover: a twin's publisher and a plain one, the former ends after half of the images; mixed: every other image as a ShapeShifter; attached: twins, to the topic that
 /// others advertised; attached_wrong: stock images, attached for another type; foreign, foreign_pointer: stock images, with a
 /// publisher that stays roscpp's; foreign_twin; foreign_handover: two such, the first of which ends after half of the images;
 /// foreign_again: it ends then, and another one advertises the topic anew), half (the images of the first half), give_up (whether it ends the topic when it has published all), fresh (every so many images lie in a segment
@@ -58,7 +58,7 @@ class Talker {
   }
 
   void publish(std::uint32_t number) {
-    if (mode_ == "twin" || mode_ == "twin_pointer" || mode_ == "attached" ||
+    if (mode_ == "twin" || mode_ == "twin_pointer" || mode_ == "stranger" || mode_ == "attached" ||
         (mode_ == "handover" && number < half_))
       return publish_twin(number);
     if (mode_ == "mixed") return number % 2 == 0 ? publish_as_bytes(number) : publish_twin(number);
@@ -133,7 +133,7 @@ class Talker {
     if (fresh_ != 0 && number % fresh_ == 0)
       tzc::message::allocate(*image, fresh_memory());
     else
-      shared_.allocate(*image);
+      (mode_ == "stranger" ? not_advertised_ : shared_).allocate(*image);
     fill(*image, number);
     if (mode_ == "twin_pointer")
       shared_.publish(image);
@@ -168,7 +168,7 @@ class Talker {
   bool is_foreign_;
   std::function<ros::Publisher()> advertise_again_;
   ros::Publisher plain_, first_, second_;
-  tzc::Publisher shared_;
+  tzc::Publisher shared_, not_advertised_;
 };
 
 std::vector<Talker> make_talkers(ros::NodeHandle node, ros::NodeHandle options) {

@@ -100,6 +100,10 @@ class Attachment {
 /// with what is published to all. An empty callback stays empty.
 ros::SubscriberStatusCallback on_current_link(const ros::SubscriberStatusCallback& callback);
 
+/// Shared memory for messages that are allocated from a publisher which is not advertised: others of this process publish them
+/// without a copy. Null until a topic of this process has shared memory, and when there is none left. Thread-safe.
+std::shared_ptr<MemorySource> memory_of_no_topic();
+
 /// While it lives, this thread's publish of `message` sends `encoded` instead of encoding it once more.
 class EncodedScope {
  public:

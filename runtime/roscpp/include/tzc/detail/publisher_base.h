@@ -41,20 +41,24 @@ class PublisherBase {
   }
 
   /// Binds the message's arrays to this publisher's shared memory, now or as they grow. May be called before
-  /// or after the sizes are set. False: no memory left (or TZC is off); the message stays usable and
+  /// or after the sizes are set. Any publisher of this process can publish it without a copy, so one that is not advertised
+  /// gives shared memory, too, once another one is. False: no memory left (or TZC is off); the message stays usable and
   /// publish() delivers it.
   template <class M>
   bool allocate(M& message) const {
-    return attachment_ && message::allocate(message, attachment_->memory());
+    return attachment_ ? message::allocate(message, attachment_->memory())
+                       : message::allocate(message, memory());
   }
   template <class M>
   bool allocate(const boost::shared_ptr<M>& message) const {
     return allocate(*message);
   }
 
-  /// The shared memory behind this publisher; null when TZC is off or the publisher is not advertised.
+  /// The shared memory behind this publisher, or, while it is not advertised, that of the process's messages of no topic. Null when
+  /// TZC is off for the node or the topic, and while no publisher of the process has shared memory.
   std::shared_ptr<MemorySource> memory() const {
-    return attachment_ ? attachment_->memory() : std::shared_ptr<MemorySource>();
+    if (attachment_) return attachment_->memory();
+    return publisher_ ? std::shared_ptr<MemorySource>() : memory_of_no_topic();
   }
   /// A read-only stock message over the bytes of a tzc:: message, for code that takes stock messages. Arrays
   /// outside of this publisher's shared memory are copied there, the others are not copied unless they take less than a page or
