@@ -259,7 +259,6 @@ std::optional<AllocationDraft> AllocationCollector::of_adapter(const clang::CXXM
   }
   AllocationDraft draft = draft_at(unit_, entities_, id, *call);
   draft.site.where = unit_.location(call->getExprLoc());
-  draft.site.function = {};  // an adapter in a factory does not take the factory's parameter
   draft.site.how = std::move(how);
   entities_.add_data_use(id, call->getExprLoc());
   return draft;

@@ -152,7 +152,9 @@ std::string Binder::lack_of(const Entity& publisher, const AllocationSite& site)
   if (site.is_early || may_be_missing(site, publisher)) return name + " may not be there yet";
   const Component* component = components_.of(publisher.id);
   if (component && visible(site, publisher) && may_change_under_lock(component->id))
-    return name + " may be replaced under a lock that is not held there";
+    return name +
+           " changes elsewhere, too, and the package takes locks or waits for threads, so that it may be "
+           "another one";
   if (publisher.storage == Storage::member) return name + " is a member of another object";
   if (publisher.storage == Storage::global) return name + " is declared later, or in another file";
   return name + " is a variable of another function";

@@ -30,7 +30,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:23 sensor_msgs/Image one_copy
-// publish src/node.cpp:24 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named: 'pub_' may be replaced under a lock that is not held there
+// publish src/node.cpp:24 sensor_msgs/Image one_copy TZC1019 it is built where its publisher cannot be named: 'pub_' changes elsewhere, too, and the package takes locks or waits for threads, so that it may be another one
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
