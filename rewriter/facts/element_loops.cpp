@@ -2,12 +2,20 @@
 // Loops that write every element of an array that was just resized:
 //   for (int i = 0; i < n; ++i) scan.ranges[i] = values[i];
 //   for (float& range : scan.ranges) range = 0.1f;
-// A loop may write the sister arrays of the same message, too.
+// A loop may write the sister arrays of the same message, too, and compute in numbers of its own:
+//   for (int i = 0; i < n; ++i) {
+//     float range = echoes[i].time * speed;
+//     if (range > limit_) range = limit_;
+//     scan.ranges[i] = range;
+//   }
 // What is written is a number that is no element of the array (number_values.h).
 #include "facts/element_loops.h"
 
 #include <clang/AST/ExprCXX.h>
 #include <clang/AST/StmtCXX.h>
+#include <llvm/ADT/SmallPtrSet.h>
+
+#include <algorithm>
 
 #include "facts/calls.h"
 #include "facts/message_type.h"
@@ -42,21 +50,6 @@ bool has_kept_its_value(const Unit& unit, const ResizedArray& array) {
   if (array.is_fresh || constant_integer(unit, size)) return true;
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(size);
   return reference && reference->getType().isConstQualified();
-}
-
-/// A statement that assigns a number; null: another one.
-const clang::BinaryOperator* assignment_of(const Unit& unit, const clang::Stmt* statement) {
-  if (const auto* full = llvm::dyn_cast_or_null<clang::ExprWithCleanups>(statement))
-    statement = full->getSubExpr();
-  const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(statement);
-  const bool assigns = op && op->getOpcode() == clang::BO_Assign && is_plain_number(op->getLHS()->getType());
-  return assigns && NumberValues(unit, Calls::known).is_number(op->getRHS()) ? op : nullptr;
-}
-
-std::vector<const clang::Stmt*> statements_of(const clang::Stmt* body) {
-  const auto* block = llvm::dyn_cast_or_null<clang::CompoundStmt>(body);
-  if (!block) return {body};
-  return {block->body_begin(), block->body_end()};
 }
 
 /// Another array of the same message.
@@ -103,41 +96,122 @@ bool reaches_the_end(const Unit& unit, const clang::Expr* condition, const clang
          (!end.empty() && end == size_of(unit, array.size) && has_kept_its_value(unit, array));
 }
 
-/// The array whose element at the counter is written; null: something else is.
-const clang::Expr* written_array(const clang::BinaryOperator* write, const clang::VarDecl* counter) {
-  const auto* target = llvm::dyn_cast<clang::CXXOperatorCallExpr>(write->getLHS()->IgnoreParens());
-  const bool is_element = target && target->getOperator() == clang::OO_Subscript && target->getNumArgs() == 2;
-  return is_element && is_use_of(target->getArg(1), counter) ? target->getArg(0) : nullptr;
-}
+/// The loop's own element of the array or of a sister.
+class LoopElement {
+ public:
+  /// variable: the counter, or the reference that a loop over the array declares
+  LoopElement(const Unit& unit, const ResizedArray& array, const clang::VarDecl* variable)
+      : unit_(unit), array_(array), variable_(variable) {}
 
-/// Each statement writes an element of the array or of a sister, one of them of the array.
-bool writes_element(const Unit& unit, const clang::Stmt* body, const clang::VarDecl* counter,
-                    const ResizedArray& array) {
-  bool found = false;
-  for (const clang::Stmt* statement : statements_of(body)) {
-    const clang::BinaryOperator* write = assignment_of(unit, statement);
-    const clang::Expr* target = write ? written_array(write, counter) : nullptr;
-    const bool is_it = target && text_of(unit, target) == array.name;
-    if (!target || (!is_it && !is_sister(unit, target, array.object))) return false;
-    found |= is_it;
+  bool is_it(const clang::Expr* target) const {
+    if (is_reference()) return is_use_of(target, variable_);
+    const clang::Expr* written = array_of(target);
+    return written && text_of(unit_, written) == array_.name;
   }
-  return found;
-}
+  bool is_sisters(const clang::Expr* target) const {
+    const clang::Expr* written = is_reference() ? nullptr : array_of(target);
+    return written && is_sister(unit_, written, array_.object);
+  }
+
+ private:
+  bool is_reference() const { return variable_->getType()->isReferenceType(); }
+  /// Of array[counter], the array.
+  const clang::Expr* array_of(const clang::Expr* target) const {
+    const auto* call = llvm::dyn_cast<clang::CXXOperatorCallExpr>(target->IgnoreParens());
+    const bool is_element = call && call->getOperator() == clang::OO_Subscript && call->getNumArgs() == 2;
+    return is_element && is_use_of(call->getArg(1), variable_) ? call->getArg(0) : nullptr;
+  }
+
+  const Unit& unit_;
+  const ResizedArray& array_;
+  const clang::VarDecl* variable_;
+};
+
+/// What a loop does in each of its rounds: it computes with numbers, and gives the element its value.
+class LoopBody {
+ public:
+  LoopBody(const Unit& unit, const ResizedArray& array, const clang::VarDecl* variable)
+      : array_(array), element_(unit, array, variable), values_(unit, Calls::known) {}
+
+  /// Whether each way through it writes the element, and nothing else happens.
+  bool writes(const clang::Stmt* body) { return of(body) == Effect::written; }
+
+ private:
+  enum class Effect { other, computed, written };
+
+  Effect of(const clang::Stmt* statement) {
+    if (const auto* full = llvm::dyn_cast_or_null<clang::ExprWithCleanups>(statement))
+      statement = full->getSubExpr();
+    if (!statement) return Effect::other;
+    if (const auto* block = llvm::dyn_cast<clang::CompoundStmt>(statement)) return of_block(block);
+    if (const auto* choice = llvm::dyn_cast<clang::IfStmt>(statement)) return of_choice(choice);
+    if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(statement))
+      return of_declaration(declaration);
+    const auto* op = llvm::dyn_cast<clang::BinaryOperator>(statement);
+    return op && op->isAssignmentOp() && values_.is_number(op->getRHS()) ? of_assignment(op) : Effect::other;
+  }
+
+  Effect of_block(const clang::CompoundStmt* block) {
+    Effect whole = Effect::computed;
+    for (const clang::Stmt* statement : block->body()) {
+      const Effect effect = of(statement);
+      if (effect == Effect::other) return effect;
+      whole = std::max(whole, effect);
+    }
+    return whole;
+  }
+
+  Effect of_choice(const clang::IfStmt* choice) {
+    if (choice->getInit() || choice->getConditionVariable() || !values_.is_number(choice->getCond()))
+      return Effect::other;
+    const Effect yes = of(choice->getThen());
+    const Effect no = choice->getElse() ? of(choice->getElse()) : Effect::computed;
+    return std::min(yes, no);
+  }
+
+  Effect of_declaration(const clang::DeclStmt* declaration) {
+    for (const clang::Decl* declared : declaration->decls()) {
+      const auto* variable = llvm::dyn_cast<clang::VarDecl>(declared);
+      if (!variable || !is_own_number(variable)) return Effect::other;
+      own_.insert(variable);
+    }
+    return Effect::computed;
+  }
+
+  /// It also hides no name that leads to the array.
+  bool is_own_number(const clang::VarDecl* variable) const {
+    return variable->hasLocalStorage() && is_plain_number(variable->getType()) &&
+           (!variable->getInit() || values_.is_number(variable->getInit())) &&
+           !mentions(array_.name, variable->getName());
+  }
+
+  Effect of_assignment(const clang::BinaryOperator* op) const {
+    const bool is_plain = op->getOpcode() == clang::BO_Assign && is_plain_number(op->getLHS()->getType());
+    if (is_plain && element_.is_it(op->getLHS())) return Effect::written;
+    if (is_plain && element_.is_sisters(op->getLHS())) return Effect::computed;
+    const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(op->getLHS()->IgnoreParens());
+    return name && own_.count(name->getDecl()) ? Effect::computed : Effect::other;
+  }
+
+  const ResizedArray& array_;
+  const LoopElement element_;
+  const NumberValues values_;
+  llvm::SmallPtrSet<const clang::ValueDecl*, 4> own_;  ///< the numbers that the body declares
+};
 
 bool counts_through(const Unit& unit, const clang::ForStmt* loop, const ResizedArray& array) {
   const clang::VarDecl* counter = counter_of(loop);
   return counter && reaches_the_end(unit, loop->getCond(), counter, array) &&
          !mentions(array.name, counter->getName()) &&
          !mentions(text_of(unit, array.size), counter->getName()) &&
-         writes_element(unit, loop->getBody(), counter, array);
+         LoopBody(unit, array, counter).writes(loop->getBody());
 }
 
 bool ranges_over(const Unit& unit, const clang::CXXForRangeStmt* loop, const ResizedArray& array) {
-  const std::vector<const clang::Stmt*> statements = statements_of(loop->getBody());
-  const clang::BinaryOperator* write = statements.size() == 1 ? assignment_of(unit, statements[0]) : nullptr;
   const clang::VarDecl* element = loop->getLoopVariable();
-  return write && element->getType()->isLValueReferenceType() && !loop->getInit() &&
-         text_of(unit, loop->getRangeInit()) == array.name && is_use_of(write->getLHS(), element);
+  return element->getType()->isLValueReferenceType() && !loop->getInit() &&
+         text_of(unit, loop->getRangeInit()) == array.name &&
+         LoopBody(unit, array, element).writes(loop->getBody());
 }
 
 }  // namespace

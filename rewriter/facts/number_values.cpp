@@ -54,10 +54,10 @@ bool is_plain_number(clang::QualType type) {
   return type->isArithmeticType() && !type.isVolatileQualified();
 }
 
-/// Part of an object that a name, and no pointer, leads to.
+/// Part of an object that a name, and no pointer, leads to, or of an element of such an array.
 bool NumberValues::is_object(const clang::Expr* expr) const {
   expr = expr->IgnoreParenImpCasts();
-  if (llvm::isa<clang::CXXThisExpr>(expr)) return true;
+  if (llvm::isa<clang::CXXThisExpr>(expr) || is_element(expr)) return true;
   if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr))
     return llvm::isa<clang::VarDecl>(reference->getDecl()) &&
            !reference->getDecl()->getType()->isReferenceType();

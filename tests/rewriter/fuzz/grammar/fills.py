@@ -132,6 +132,26 @@ def loop_of_numbers(rng, array, element, n):
     return [f"{array}.resize({n});", f"for (auto& one : {array}) {target} = static_cast<{number}>(k + 3);"]
 
 
+def computing_loop(rng, array, element, n):
+    """Each element is computed in numbers of the loop's own; or it seems so, and some are left as they are."""
+    if element.fields:
+        return resize_and_index(rng, array, element, n)
+    number, at = element.cpp, f"{array}[i]"
+    given = f"static_cast<{number}>(source[i])"
+    rounds = rng.choice([
+        [f"{number} one = {given};", f"if (one > 9) one = {element.value('3')};", f"{at} = one;"],
+        [f"{number} one;", f"one = {given};", f"if (i % 3 == 1) {{ {at} = one; }} else {at} = 5;"],
+        [f"const {number} one = {given};", f"if (one > 5) {at} = one;"],
+        ["if (i % 3) continue;", f"{at} = {given};"],
+        [f"{number} one = {given};", f"if ({at} > one) one = {at};", f"{at} = one;"],
+        [f"{at} = 2;", "if (i == 4) break;"],
+        ["const int low = source[i] > 3 ? 1 : 0;", f"if (low) {at} = 1; else if (i > 2) {at} = 0;"],
+        [f"if (i % 2) {{ {at} = 4; }} else {{ const int i = 0; {at} = 6; }}"],
+    ])
+    return ([f"const std::vector<{number}> source = fuzz::elements<{number}>({n}, k);", f"{array}.resize({n});",
+             f"for (int i = 0; i < {n}; ++i) {{"] + ["  " + line for line in rounds] + ["}"])
+
+
 def reference_to_array(rng, array, element, n):
     return [f"auto& named = {array};", f"named.resize({n});",
             f"for (std::size_t i = 0; i < named.size(); ++i) {{ {element.put('named[i]')} }}"]
@@ -169,9 +189,9 @@ def erase_some(rng, array, element, n):
 WAYS = {resize_and_index: 6, resize_one_line: 2, resize_and_part: 3, resize_only: 1, resize_and_copy: 3,
         resize_and_copy_part: 2, push_back: 4, clear_reserve_push: 2, assign_value: 2, assign_range: 2, whole_vector: 3,
         made_vector: 3, swap_vector: 1, insert_range: 1, shrinks: 2, raw_pointer: 2, iterator_loop: 1, range_loop: 1,
-        transform: 1, loop_over_vector: 2, loop_of_numbers: 1, back_inserter: 1, at_and_back: 1, reference_to_array: 1,
-        vector_reference: 1, library_takes_vector: 1, emplace_back: 1, read_behind_resize: 2, insert_at_begin: 1,
-        erase_some: 1}
+        transform: 1, loop_over_vector: 2, loop_of_numbers: 1, computing_loop: 3, back_inserter: 1, at_and_back: 1,
+        reference_to_array: 1, vector_reference: 1, library_takes_vector: 1, emplace_back: 1, read_behind_resize: 2,
+        insert_at_begin: 1, erase_some: 1}
 
 
 def in_block(lines):
