@@ -33,10 +33,13 @@ const char* no_place(const AllocationSite& site) {
                                   : "it is built in the head of a statement, or by a macro";
 }
 
-BoundAllocation bound(const AllocationSite& site, const PublisherName& name, const Entity* publisher) {
+std::string call_of(const PublisherName& name) {
   const std::string guard = name.guarded ? "if (" + name.text + ") " : "";
-  return {&site, name.pointer ? "*" + name.text : name.text,
-          guard + name.text + (name.pointer ? "->" : ".") + "allocate", publisher};
+  return guard + name.text + (name.pointer ? "->" : ".") + "allocate";
+}
+
+BoundAllocation bound(const AllocationSite& site, const PublisherName& name, const Entity* publisher) {
+  return {&site, name.pointer ? "*" + name.text : name.text, {call_of(name)}, publisher};
 }
 
 }  // namespace
@@ -100,19 +103,38 @@ int Binder::closeness(const PublisherName& name, const AllocationSite& site) con
   });
 }
 
-std::optional<BoundAllocation> Binder::available_at(const AllocationSite& site) {
+/// Whether a publisher of the message may be named so where the message is built.
+bool Binder::is_nameable(const PublisherName& name, const AllocationSite& site) {
+  const Component* publisher = components_.of(name.publisher);
   // An adapter or a factory takes a reference to the publisher, which must be there.
   const bool takes_reference = !std::holds_alternative<InsertedAllocation>(site.how);
+  return publisher && publishers_.count(publisher->id) && !(name.guarded && takes_reference) &&
+         !may_wait(name) && !may_be_missing(site, facts_.entities.at(name.publisher));
+}
+
+/// By one that is there, if there is one: memory of any publisher serves them all. By several pointers that may be null: by the first
+/// one that is not.
+std::optional<BoundAllocation> Binder::named_at(const AllocationSite& site, int wanted) {
+  std::optional<BoundAllocation> by_pointers;
+  std::set<std::string> guards;
+  for (const PublisherName& name : site.publishers) {
+    if (closeness(name, site) < wanted || !is_nameable(name, site)) continue;
+    const Entity* publisher = &facts_.entities.at(name.publisher);
+    if (!name.guarded) return bound(site, name, publisher);
+    if (!guards.insert(name.text).second) continue;
+    if (by_pointers)
+      by_pointers->calls.push_back(call_of(name));
+    else
+      by_pointers = bound(site, name, publisher);
+  }
+  return by_pointers;
+}
+
+std::optional<BoundAllocation> Binder::available_at(const AllocationSite& site) {
   // Prefers a publisher that is named together with this message, then one named with what the message
   // becomes.
   for (const int wanted : {2, 1, 0})
-    for (const PublisherName& name : site.publishers) {
-      const Component* publisher = components_.of(name.publisher);
-      if (publisher && publishers_.count(publisher->id) && closeness(name, site) >= wanted &&
-          !(name.guarded && takes_reference) && !may_wait(name) &&
-          !may_be_missing(site, facts_.entities.at(name.publisher)))
-        return bound(site, name, &facts_.entities.at(name.publisher));
-    }
+    if (std::optional<BoundAllocation> named = named_at(site, wanted)) return named;
   for (const ComponentId id : publishers_)
     for (const Entity* entity : components_[id].entities)
       if (entity->form == Form::itself && visible(site, *entity) && !may_change_under_lock(id))
@@ -176,7 +198,7 @@ std::optional<Decision> Binder::bind(const AllocationSite& site) {
   } else if (is_possible(site) && is_in_factory(site)) {
     const std::string& name = facts_.factories.at(site.function).parameter;
     given_.insert(site.function);
-    allocations_.push_back({&site, name, name + ".allocate", nullptr});
+    allocations_.push_back({&site, name, {name + ".allocate"}, nullptr});
   } else if (is_filled(site)) {
     return refused({codes::TZC1020, "it starts as a copy of another message", site.where}, site.entity);
   } else {

@@ -34,6 +34,8 @@ class Binder {
   std::optional<Decision> give_publishers();
   bool is_in_factory(const AllocationSite& site) const;
   int closeness(const PublisherName& name, const AllocationSite& site) const;
+  bool is_nameable(const PublisherName& name, const AllocationSite& site);
+  std::optional<BoundAllocation> named_at(const AllocationSite& site, int wanted);
   std::optional<BoundAllocation> available_at(const AllocationSite& site);
   bool may_wait(const PublisherName& name);
   std::string lack_at(const AllocationSite& site);

@@ -138,7 +138,9 @@ void PortEditor::add_allocation(const BoundAllocation& allocation) {
 }
 
 void PortEditor::add_call(const BoundAllocation& allocation, const InsertedAllocation& how) {
-  const std::string call = allocation.call + "(" + how.object + ");";
+  std::string call;
+  for (const std::string& one : allocation.calls)
+    call += (call.empty() ? "" : " else ") + one + "(" + how.object + ");";
   const std::string space = how.own_line ? "\n" + how.indent : " ";
   add({*how.at, space + call, "allocate", {}}, components_.of(allocation.site->entity)->id);
 }

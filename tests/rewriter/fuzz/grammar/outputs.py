@@ -88,6 +88,15 @@ def beside_one_that_is_not_advertised(program, message):
                                                    *second.publish(argument, pointer), "}"])
 
 
+def beside_a_null_pointer(program, message):
+    """Pointers to two publishers, the first of which stays null."""
+    idle = program.variable("boost::shared_ptr<ros::Publisher>", "idle")
+    topic = program.topic(message)
+    first, second = publishers.Publisher(f"{idle}->", topic), publishers.by_shared_pointer(program, topic)[0]
+    return Output(lambda argument, pointer=False: [f"if ({idle}) {{", *first.publish(argument, pointer), "} else {",
+                                                   *second.publish(argument, pointer), "}"])
+
+
 def in_helper(program, message, inner=None):
     publisher = inner or stored(program, message)
 
@@ -227,7 +236,7 @@ def in_caught_copy(program, message):
 
 
 PLAIN = [directly, in_branch, in_loop_once, twice, two_publishers, either_publisher,
-         beside_one_that_is_not_advertised]
+         beside_one_that_is_not_advertised, beside_a_null_pointer]
 HIDDEN = [in_closure_called_at_once, in_handler, in_thread, in_deleter, in_algorithm, in_foreign_call,
           in_queued_callback, in_helper, in_helper_of_helper, in_bound_helper, in_member_pointer, in_function_member,
           in_template, in_virtual_call, in_operator, in_base_template, in_destructor, in_end_of_element,
