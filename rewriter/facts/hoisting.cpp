@@ -273,7 +273,7 @@ NameOrReason Hoisting::looked_up_at(const PublisherMention& publisher, const Loo
     return NoEarlyName{std::move(other)};
   if (involves_package(unit_, lookup.container->getType()))
     return NoEarlyName{"to find it, a function of the package compares its key"};
-  // Allocated from another publisher, the message would be copied. Other threads may change a container while it is not locked.
+  // Allocated from another publisher, the message would take that one's room. Other threads may change a container while it is not locked.
   const clang::Stmt* body = body_around(publisher);
   const MustExecute between(unit_, parts, body);
   const unsigned mentioned = unit_.offset(publisher.object->getBeginLoc());

@@ -33,9 +33,8 @@ inline Decision not_needed(std::string reason) {
 /// An allocation site, with the publisher that allocates there.
 struct BoundAllocation {
   const AllocationSite* site;
-  std::string publisher;  ///< expression: "pub_", "*pub"
-  std::vector<std::string>
-      calls;  ///< "pub_.allocate"; of pointers that may be null: "if (a_) a_->allocate", "b_->allocate"
+  std::string publisher;           ///< expression: "pub_", "*pub"
+  std::vector<std::string> calls;  ///< "pub_.allocate"; of pointers that may be null, one after the other
   const Entity* entity = nullptr;  ///< the publisher; null: the factory's own parameter
 };
 
