@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <cstring>
+#include <utility>
+#include <vector>
 
 #include "channel_pair.h"
 #include "contenders.h"
@@ -15,7 +17,25 @@ namespace {
 
 using channel::MessagePtr;
 
+constexpr std::uint32_t rehearsal = 1;     // the tag of a message that is not measured
+constexpr useconds_t rehearsal_us = 2000;  // how long a subscriber takes over one
+
+// What docs/core.md asks of a real-time publisher's start-up: a full queue, before subscribers that are late.
+void rehearse(channel::Publisher& publisher, const Setup& setup) {
+  const char control[control_bytes] = {};
+  std::vector<channel::RecordPtr> records;
+  for (std::size_t i = 0; i < setup.queue_size; ++i)
+    records.push_back(channel::make_record(rehearsal, control, sizeof control,
+                                           {publisher.memory()->allocate(setup.size_bytes)}));
+  for (channel::RecordPtr& one : records) publisher.publish(std::move(one));
+  ::usleep(static_cast<useconds_t>(2 * setup.queue_size) * rehearsal_us);
+}
+
 void record(const MessagePtr& message, Recorder& recorder) {
+  if (message->tag() == rehearsal) {
+    ::usleep(rehearsal_us);
+    return;
+  }
   Stamp stamp{};
   std::memcpy(&stamp, message->control(), sizeof stamp);
   recorder.record(stamp);
@@ -41,6 +61,7 @@ class TzcContender final : public Contender {
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
     const auto publisher = open_publisher(setup, setup.size_bytes);
     return [publisher, setup](std::uint64_t index) {
+      if (setup.real_time && index == 0) rehearse(*publisher, setup);
       const Span span(setup, index);
       BufferPtr buffer = publisher->memory()->allocate(setup.size_bytes);
       if (!buffer) return;

@@ -31,7 +31,9 @@ std::uint64_t Extents::allocate(std::uint64_t bytes, std::uint64_t limit, std::u
     const std::uint64_t begin = (offset + alignment - 1) & ~(alignment - 1);
     const std::uint64_t skipped = begin - offset;
     if (skipped > length || length - skipped < bytes || bytes > limit - begin) continue;
-    erase(at);
+    nodes_.reserve(free_, in_use_ + 2);
+    ++in_use_;
+    nodes_.remove(free_, at);
     if (skipped > 0) insert(offset, skipped);
     if (length > skipped + bytes) insert(begin + bytes, length - skipped - bytes);
     free_bytes_ -= bytes;
@@ -42,10 +44,11 @@ std::uint64_t Extents::allocate(std::uint64_t bytes, std::uint64_t limit, std::u
 
 void Extents::release(std::uint64_t offset, std::uint64_t bytes) {
   free_bytes_ += bytes;
+  --in_use_;
   auto next = free_.lower_bound(offset);
   if (next != free_.end() && offset + bytes == next->first) {
     bytes += next->second;
-    next = erase(next);
+    next = nodes_.remove(free_, next);
   }
   if (next != free_.begin()) {
     const auto previous = std::prev(next);
@@ -63,21 +66,7 @@ void Extents::note_range(std::uint64_t offset, std::uint64_t bytes) {
 
 void Extents::insert(std::uint64_t offset, std::uint64_t bytes) {
   note_range(offset, bytes);
-  if (spare_.empty()) {
-    free_.emplace(offset, bytes);
-    return;
-  }
-  Map::node_type node = std::move(spare_.back());
-  spare_.pop_back();
-  node.key() = offset;
-  node.mapped() = bytes;
-  free_.insert(std::move(node));
-}
-
-Extents::Map::iterator Extents::erase(Map::iterator at) {
-  const auto next = std::next(at);
-  spare_.push_back(free_.extract(at));
-  return next;
+  nodes_.add(free_, offset, bytes);
 }
 
 }  // namespace segment

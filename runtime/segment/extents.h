@@ -5,7 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <vector>
+
+#include "segment/spare_nodes.h"
 
 namespace tzc {
 namespace segment {
@@ -41,10 +42,10 @@ class Extents {
 
   void insert(std::uint64_t offset, std::uint64_t bytes);
   void note_range(std::uint64_t offset, std::uint64_t bytes);
-  Map::iterator erase(Map::iterator at);
 
   Map free_;
-  std::vector<Map::node_type> spare_;      // nodes for reuse: the steady state allocates no memory
+  SpareNodes<Map> nodes_;                  // for a free range before and behind each that is in use
+  std::size_t in_use_ = 0;                 // ranges
   std::array<std::uint64_t, 64> first_{};  // by the binary logarithm of a length: none that long begins below
   std::uint64_t size_;
   std::uint64_t free_bytes_;

@@ -20,20 +20,14 @@ Block* LiveBlocks::take_slot() {
     return block;
   }
   if (slots_.size() == most_slots_) return nullptr;
+  if (spare_slots_.capacity() <= slots_.size()) spare_slots_.reserve(2 * (slots_.size() + 1));
   return &slots_.emplace_back(owner_, static_cast<std::uint32_t>(slots_.size()), first_generation);
 }
 
 void LiveBlocks::add(Block& block) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (spare_nodes_.empty()) {
-    live_.emplace(block.offset, &block);
-    return;
-  }
-  auto node = std::move(spare_nodes_.back());
-  spare_nodes_.pop_back();
-  node.key() = block.offset;
-  node.mapped() = &block;
-  live_.insert(std::move(node));
+  nodes_.reserve(live_, live_.size() + 1);
+  nodes_.add(live_, block.offset, &block);
 }
 
 Block* LiveBlocks::find(std::uint64_t position, std::size_t bytes) const {

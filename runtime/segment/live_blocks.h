@@ -9,6 +9,7 @@
 
 #include "segment/block.h"
 #include "segment/handle_count.h"
+#include "segment/spare_nodes.h"
 
 namespace tzc {
 namespace segment {
@@ -32,7 +33,7 @@ class LiveBlocks {
   bool remove_if_unused(Block& block, Held held) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (is_in_use(block.handles(), held)) return false;
-    spare_nodes_.push_back(live_.extract(block.offset));
+    nodes_.remove(live_, live_.find(block.offset));
     return true;
   }
 
@@ -49,7 +50,7 @@ class LiveBlocks {
 
   mutable std::mutex mutex_;
   std::map<std::uint64_t, Block*> live_;  // by offset
-  std::vector<std::map<std::uint64_t, Block*>::node_type> spare_nodes_;
+  SpareNodes<std::map<std::uint64_t, Block*>> nodes_;
 };
 
 }  // namespace segment
