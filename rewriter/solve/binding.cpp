@@ -42,6 +42,10 @@ BoundAllocation bound(const AllocationSite& site, const PublisherName& name, con
   return {&site, name.pointer ? "*" + name.text : name.text, {call_of(name)}, publisher};
 }
 
+BoundAllocation by_node(const AllocationSite& site) {
+  return {&site, "tzc::Publisher()", {"tzc::allocate"}, nullptr, true};
+}
+
 }  // namespace
 
 bool Binder::inherits(const std::string& record, const std::string& base) const {
@@ -195,13 +199,16 @@ std::optional<Decision> Binder::bind(const AllocationSite& site) {
   const auto publisher = is_possible(site) ? available_at(site) : std::nullopt;
   if (publisher) {
     allocations_.push_back(*publisher);
-  } else if (is_possible(site) && is_in_factory(site)) {
+  } else if (is_possible(site) && !by_node_ && is_in_factory(site)) {
     const std::string& name = facts_.factories.at(site.function).parameter;
     given_.insert(site.function);
     allocations_.push_back({&site, name, {name + ".allocate"}, nullptr});
   } else if (is_filled(site)) {
     return refused({codes::TZC1020, "it starts as a copy of another message", site.where}, site.entity);
+  } else if (is_possible(site) && by_node_) {
+    allocations_.push_back(by_node(site));
   } else {
+    lacks_publisher_ = is_possible(site);
     return refused({codes::TZC1019, lack_at(site), site.where}, site.entity);
   }
   return {};
@@ -214,6 +221,7 @@ std::optional<Decision> Binder::give_publishers() {
   for (const BoundAllocation& allocation : allocations_)
     if (allocation.entity) types.emplace(allocation.entity->ported_as.name, allocation.entity);
   if (types.size() != 1) {
+    lacks_publisher_ = true;
     const AllocationSite& first = *allocations_.front().site;
     return refused({codes::TZC1019, nowhere, first.where}, first.entity);
   }
@@ -223,6 +231,15 @@ std::optional<Decision> Binder::give_publishers() {
 }
 
 std::optional<Decision> Binder::bind(const std::vector<const AllocationSite*>& sites) {
+  std::optional<Decision> refusal = bind_all(sites);
+  if (!refusal || !lacks_publisher_) return refusal;
+  // Any publisher of the process can send what lies in shared memory of the node.
+  by_node_ = true;
+  given_.clear();
+  return bind_all(sites);
+}
+
+std::optional<Decision> Binder::bind_all(const std::vector<const AllocationSite*>& sites) {
   // The calls of a factory that is given the publisher become allocation sites, perhaps in another factory.
   for (std::size_t known = ~std::size_t{0}; known != given_.size();) {
     known = given_.size();

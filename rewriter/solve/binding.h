@@ -30,6 +30,7 @@ class Binder {
   const std::vector<GivenPublisher>& factories() const { return factories_; }
 
  private:
+  std::optional<Decision> bind_all(const std::vector<const AllocationSite*>& sites);
   std::optional<Decision> bind(const AllocationSite& site);
   std::optional<Decision> give_publishers();
   bool is_in_factory(const AllocationSite& site) const;
@@ -52,7 +53,9 @@ class Binder {
   Locks locks_;
   std::set<ComponentId> publishers_;
   std::optional<std::set<std::string>> early_;
-  std::set<EntityId> given_;  // results of factories
+  std::set<EntityId> given_;      // results of factories
+  bool lacks_publisher_ = false;  // the refusal is that none can be named
+  bool by_node_ = false;          // where none can be named, memory of the node will do
   std::vector<BoundAllocation> allocations_;
   std::vector<GivenPublisher> factories_;
 };

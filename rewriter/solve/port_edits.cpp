@@ -133,6 +133,7 @@ void PortEditor::add_allocation(const BoundAllocation& allocation) {
   const auto* adapter = std::get_if<AdapterAllocation>(&site.how);
   for (Change change : adapter ? adapter->changes : std::get<FactoryAllocation>(site.how).changes) {
     replace_all(change.text, "$PUB", allocation.publisher);
+    if (allocation.is_of_node) change.headers.push_back("tzc/ros.h");
     add(change, components_.of(site.entity)->id);
   }
 }
@@ -142,7 +143,9 @@ void PortEditor::add_call(const BoundAllocation& allocation, const InsertedAlloc
   for (const std::string& one : allocation.calls)
     call += (call.empty() ? "" : " else ") + one + "(" + how.object + ");";
   const std::string space = how.own_line ? "\n" + how.indent : " ";
-  add({*how.at, space + call, "allocate", {}}, components_.of(allocation.site->entity)->id);
+  std::vector<std::string> headers;
+  if (allocation.is_of_node) headers.push_back("tzc/ros.h");
+  add({*how.at, space + call, "allocate", headers}, components_.of(allocation.site->entity)->id);
 }
 
 void PortEditor::add_parameter(const GivenPublisher& given) {

@@ -35,7 +35,8 @@ struct BoundAllocation {
   const AllocationSite* site;
   std::string publisher;           ///< expression: "pub_", "*pub"
   std::vector<std::string> calls;  ///< "pub_.allocate"; of pointers that may be null, one after the other
-  const Entity* entity = nullptr;  ///< the publisher; null: the factory's own parameter
+  const Entity* entity = nullptr;  ///< the publisher; null: the factory's own parameter, or none
+  bool is_of_node = false;         ///< no publisher can be named there: memory of the node
 };
 
 /// A factory that is given the publisher.

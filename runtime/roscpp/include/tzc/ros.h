@@ -4,6 +4,7 @@
 /// TZC for roscpp nodes: tzc::advertise, tzc::Publisher, tzc::subscribe, tzc::attach.
 #include <ros/ros.h>
 #include <tzc/advertise.h>
+#include <tzc/allocate.h>
 #include <tzc/direct_dispatch.h>
 #include <tzc/publish.h>
 #include <tzc/publisher.h>
