@@ -55,10 +55,9 @@ class Connector {
     std::ptrdiff_t own = 0;
     for (const PublisherMention& mention : mentions_) {
       if (mention.function != draft.function || mention.id.empty()) continue;
-      const NameOrReason answer = hoisting_.name_at(mention, *at);
-      const auto* name = std::get_if<EarlyName>(&answer);
+      const std::optional<EarlyName> name = hoisting_.name_at(mention, *at);
       if (!name) {
-        site.later.push_back(later(mention, std::get<NoEarlyName>(answer).reason));
+        site.unnameable.insert(mention.id);
         continue;
       }
       site.publishers.push_back(
@@ -88,10 +87,6 @@ class Connector {
   }
 
  private:
-  LaterName later(const PublisherMention& mention, std::string reason) const {
-    const clang::SourceLocation where = mention.object->getBeginLoc();
-    return {mention.id, unit_.text(mention.object), unit_.location(where).line, std::move(reason)};
-  }
   /// The end of the line that declares a local publisher.
   std::optional<Place> line_behind(const PublisherMention& mention) const {
     const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(mention.object->IgnoreParenImpCasts());
@@ -286,7 +281,7 @@ AllocationSite connected(const Unit& unit, const EntityFacts& facts, AllocationD
   if (!draft.site.publishers.empty()) return std::move(draft.site);
   if (const std::optional<InsertedAllocation> moved = connector.behind_publisher(draft)) {
     draft.site.how = *moved;
-    draft.site.later.clear();
+    draft.site.unnameable.clear();
     connector.connect(draft);
   }
   return std::move(draft.site);

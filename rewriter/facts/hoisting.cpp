@@ -9,8 +9,6 @@
 namespace tzc::rewriter {
 namespace {
 
-constexpr const char* a_wait = "another thread may be waited for in between, and may replace it";
-
 /// The local variable that an expression names; of a structured binding, what is taken apart.
 const clang::VarDecl* local_of(const clang::Expr* expr) {
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr->IgnoreParenImpCasts());
@@ -146,7 +144,7 @@ class Changes : public AstVisitor {
  public:
   Changes(const Unit& unit, const std::vector<const clang::VarDecl*>& variables, unsigned from, unsigned to)
       : unit_(unit), variables_(variables), from_(from), to_(to) {}
-  const clang::VarDecl* found = nullptr;
+  bool found = false;
 
   bool VisitUnaryOperator(clang::UnaryOperator* op) override {
     if (op->isIncrementDecrementOp()) check(op->getSubExpr());
@@ -166,7 +164,7 @@ class Changes : public AstVisitor {
     const clang::VarDecl* variable = local_of(target);
     if (!variable || !llvm::is_contained(variables_, variable)) return;
     const unsigned here = unit_.offset(target->getBeginLoc());
-    if (here > from_ && here < to_) found = variable;
+    found |= here > from_ && here < to_;
   }
 
   const Unit& unit_;
@@ -179,66 +177,51 @@ const clang::Stmt* body_around(const PublisherMention& publisher) {
   return publisher.function ? publisher.function->getBody() : nullptr;
 }
 
-/// A variable of the name that is not there yet, or means something else then; null: none.
-const clang::VarDecl* changed_local(const Unit& unit, const PublisherMention& publisher,
-                                    const NameParts& parts, unsigned at) {
+/// Whether a variable of the name is not there yet, or means something else then.
+bool has_changed_local(const Unit& unit, const PublisherMention& publisher, const NameParts& parts,
+                       unsigned at) {
   for (const clang::VarDecl* local : parts.locals)
-    if (unit.offset(local->getLocation()) >= at) return local;
+    if (unit.offset(local->getLocation()) >= at) return true;
   const clang::Stmt* body = body_around(publisher);
-  if (parts.locals.empty() || !body) return nullptr;
+  if (parts.locals.empty() || !body) return false;
   Changes changes(unit, parts.locals, at, publisher.begin);
   changes.TraverseStmt(const_cast<clang::Stmt*>(body));
   return changes.found;
 }
 
-std::string in_quotes(llvm::StringRef code) {
-  return "'" + code.str() + "'";
-}
-
 }  // namespace
 
-NameOrReason Hoisting::name_at(const PublisherMention& publisher, unsigned at) const {
-  NameOrReason name = as_written_at(publisher, at);
-  if (std::holds_alternative<EarlyName>(name)) return name;
+std::optional<EarlyName> Hoisting::name_at(const PublisherMention& publisher, unsigned at) const {
+  if (std::optional<EarlyName> name = as_written_at(publisher, at)) return name;
   const std::optional<Lookup> lookup = lookup_of(publisher);
-  return lookup ? looked_up_at(publisher, *lookup, at) : name;
+  return lookup ? looked_up_at(publisher, *lookup, at) : std::nullopt;
 }
 
 bool Hoisting::names_the_same(const clang::Expr* object, const clang::FunctionDecl* function,
                               unsigned at) const {
-  const NameOrReason name =
+  const std::optional<EarlyName> name =
       as_written_at({object, false, {}, {}, function, unit_.offset(object->getBeginLoc())}, at);
-  const auto* early = std::get_if<EarlyName>(&name);
-  return early && !early->guarded;
+  return name && !name->guarded;
 }
 
-std::string Hoisting::difference(const PublisherMention& publisher, const NameParts& parts,
-                                 unsigned at) const {
-  if (parts.has_effects)
-    return "to name it, the program calls a function, assigns, converts a pointer, or reads what is volatile";
-  const clang::VarDecl* changed = changed_local(unit_, publisher, parts, at);
-  if (!changed) return {};
-  const bool is_taken_apart = llvm::isa<clang::DecompositionDecl>(changed);
-  return (is_taken_apart ? "what it is part of" : in_quotes(changed->getName())) +
-         " is declared or changes in between";
+bool Hoisting::means_the_same(const PublisherMention& publisher, const NameParts& parts, unsigned at) const {
+  return !parts.has_effects && !has_changed_local(unit_, publisher, parts, at);
 }
 
-NameOrReason Hoisting::as_written_at(const PublisherMention& publisher, unsigned at) const {
+std::optional<EarlyName> Hoisting::as_written_at(const PublisherMention& publisher, unsigned at) const {
   NameParts parts = parts_of(unit_, publisher.object);
-  if (std::string other = difference(publisher, parts, at); !other.empty())
-    return NoEarlyName{std::move(other)};
+  if (!means_the_same(publisher, parts, at)) return {};
   const bool can_be_asked =
       publisher.pointer && parts.steps.empty() && !publisher.object->getType()->isPointerType();
   if (publisher.pointer) {
     parts.steps.insert(unit_.text(publisher.object) + "->");
     add_followed(parts, publisher.object);
   }
-  const std::string untaken = untaken_step(publisher, parts, at);
-  const bool valid = untaken.empty();
-  if (!valid && !can_be_asked) return NoEarlyName{untaken};
+  const bool valid = takes_steps(publisher, parts, at);
+  if (!valid && !can_be_asked) return {};
   Waits waits = waits_between(publisher, parts, at);
   if (valid && !may_change_elsewhere(parts)) waits = {};
-  if (waits.locks) return NoEarlyName{a_wait};
+  if (waits.locks) return {};
   return EarlyName{unit_.text(publisher.object), !valid, std::move(waits.callees)};
 }
 
@@ -266,38 +249,29 @@ Waits Hoisting::waits_between(const PublisherMention& publisher, const NameParts
   return MustExecute(unit_, parts, body).waits_between(from, std::max(mentioned, at));
 }
 
-NameOrReason Hoisting::looked_up_at(const PublisherMention& publisher, const Lookup& lookup,
-                                    unsigned at) const {
+std::optional<EarlyName> Hoisting::looked_up_at(const PublisherMention& publisher, const Lookup& lookup,
+                                                unsigned at) const {
   const NameParts parts = parts_of(unit_, {lookup.container, lookup.key});
-  if (std::string other = difference(publisher, parts, at); !other.empty())
-    return NoEarlyName{std::move(other)};
-  if (involves_package(unit_, lookup.container->getType()))
-    return NoEarlyName{"to find it, a function of the package compares its key"};
+  if (!means_the_same(publisher, parts, at)) return {};
+  // A function of the package would compare the key.
+  if (involves_package(unit_, lookup.container->getType())) return {};
   // Allocated from another publisher, the message would take that one's room. Other threads may change a container while it is not locked.
   const clang::Stmt* body = body_around(publisher);
   const MustExecute between(unit_, parts, body);
   const unsigned mentioned = unit_.offset(publisher.object->getBeginLoc());
   const std::string container = unit_.text(lookup.container);
-  if (body && between.changes_between(at, mentioned))
-    return NoEarlyName{in_quotes(container) + " or the index may change in between"};
-  if (body && between.waits_between(at, mentioned).locks) return NoEarlyName{a_wait};
-  if (std::string untaken = untaken_step(publisher, parts, at); !untaken.empty())
-    return NoEarlyName{std::move(untaken)};
+  if (body && (between.changes_between(at, mentioned) || between.waits_between(at, mentioned).locks))
+    return {};
+  if (!takes_steps(publisher, parts, at)) return {};
   std::string key = lookup.is_last ? container + ".size() - 1" : "0";
   if (lookup.key) key = unit_.text(lookup.key);
   return EarlyName{"tzc::find_publisher(" + container + ", " + key + ")"};
 }
 
-std::string Hoisting::untaken_step(const PublisherMention& publisher, const NameParts& parts,
-                                   unsigned at) const {
+bool Hoisting::takes_steps(const PublisherMention& publisher, const NameParts& parts, unsigned at) const {
   const clang::Stmt* body = body_around(publisher);
   const MustExecute paths(unit_, parts, body);
-  for (llvm::StringRef step : parts.steps) {
-    if (body && paths.takes(step.str(), at)) continue;
-    step.consume_back("->");
-    return in_quotes(step) + " may be invalid there";
-  }
-  return {};
+  return llvm::all_of(parts.steps, [&](const auto& step) { return body && paths.takes(step, at); });
 }
 
 }  // namespace tzc::rewriter

@@ -35,13 +35,6 @@ struct EarlyName {
   std::set<std::string> callees = {};  ///< none of which may take a lock, by USR
 };
 
-/// Why a publisher cannot be named earlier: "'i' is declared or changes in between".
-struct NoEarlyName {
-  std::string reason;
-};
-
-using NameOrReason = std::variant<EarlyName, NoEarlyName>;
-
 /// An element of a standard container: pubs_[key], pubs_.at(key), pubs_.front(), pubs_.back().
 struct Lookup {
   const clang::Expr* container;
@@ -53,19 +46,20 @@ class Hoisting {
  public:
   explicit Hoisting(const Unit& unit) : unit_(unit) {}
 
-  /// The name at an offset of the function that mentions the publisher.
-  NameOrReason name_at(const PublisherMention& publisher, unsigned at) const;
+  /// The name at an offset of the function that mentions the publisher; none: there it cannot be named.
+  std::optional<EarlyName> name_at(const PublisherMention& publisher, unsigned at) const;
   /// Whether the expression names the same object at an offset of its function, can be evaluated there, and once more.
   bool names_the_same(const clang::Expr* object, const clang::FunctionDecl* function, unsigned at) const;
 
  private:
-  NameOrReason as_written_at(const PublisherMention& publisher, unsigned at) const;
+  std::optional<EarlyName> as_written_at(const PublisherMention& publisher, unsigned at) const;
   /// As an element of a standard container.
-  NameOrReason looked_up_at(const PublisherMention& publisher, const Lookup& lookup, unsigned at) const;
-  /// What speaks against the evaluation of the name at the offset, other than the steps it takes; empty: nothing.
-  std::string difference(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
-  /// A pointer or an index of the name that not every path through the offset follows; empty: none.
-  std::string untaken_step(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
+  std::optional<EarlyName> looked_up_at(const PublisherMention& publisher, const Lookup& lookup,
+                                        unsigned at) const;
+  /// Whether the name means the same at the offset, and may be evaluated once more, but for the steps it takes.
+  bool means_the_same(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
+  /// Whether every path through the offset follows each pointer and index of the name.
+  bool takes_steps(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
   bool is_in_expression_of(const PublisherMention& publisher, unsigned at) const;
   bool may_change_elsewhere(const NameParts& parts) const;
   /// What may run between the mention and the offset.

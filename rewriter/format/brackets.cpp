@@ -14,11 +14,19 @@ std::size_t behind_literal(std::string_view line, std::size_t at) {
 
 }  // namespace
 
+std::string_view without_comment(std::string_view line) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line.substr(i, 2) == "//") return line.substr(0, i);
+    if (line[i] == '"' || line[i] == '\'') i = behind_literal(line, i);
+  }
+  return line;
+}
+
 Brackets brackets_of(std::string_view line) {
   Brackets found;
+  line = without_comment(line);
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
-    if (c == '/' && i + 1 < line.size() && line[i + 1] == '/') break;
     if (c == '"' || c == '\'') i = behind_literal(line, i);
     if (c == '(' || c == '[' || c == '{') found.open.push_back(i);
     if (c != ')' && c != ']' && c != '}') continue;

@@ -13,6 +13,9 @@ struct Brackets {
   std::size_t closed = 0;
 };
 
+/// The line up to its `//`, if it has one outside of literals.
+std::string_view without_comment(std::string_view line);
+
 /// Brackets in literals and comments are none.
 Brackets brackets_of(std::string_view line);
 

@@ -31,10 +31,10 @@ std::size_t width_of_file(const std::string& content) {
 
 /// Whether the statement of the line below begins there.
 bool ends_statement(std::string_view line) {
+  line = without_comment(line);
   const std::size_t last = line.find_last_not_of(" \t\r\n");
   if (last == std::string_view::npos || line[line.find_first_not_of(" \t")] == '#') return true;
-  return std::string_view(";{}:").find(line[last]) != std::string_view::npos ||
-         line.find("//") != std::string_view::npos;
+  return std::string_view(";{}:").find(line[last]) != std::string_view::npos;
 }
 
 /// A statement with lines that are too wide.

@@ -101,14 +101,6 @@ struct PublisherName {
       callees;  ///< functions, none of which may take a lock, by USR; "": one that is not seen
 };
 
-/// A publisher that the function around an allocation site names later, and that cannot be named at the site.
-struct LaterName {
-  EntityId publisher;
-  std::string text;  ///< "pubs_[i]"
-  unsigned line;     ///< of the name
-  std::string why;   ///< "'i' is declared or changes in between"
-};
-
 /// A statement that calls `allocate` is inserted.
 struct InsertedAllocation {
   std::optional<Place> at;  ///< insertion point; none: there is none
@@ -134,7 +126,7 @@ struct AllocationSite {
   EntityId entity;
   std::variant<InsertedAllocation, AdapterAllocation, FactoryAllocation> how;
   std::vector<PublisherName> publishers;  ///< that publish it in this function and are available here
-  std::vector<LaterName> later;
+  std::set<EntityId> unnameable;          ///< those that this function names in a way that is not valid here
   bool is_early = false;  ///< it stands before the body of its function, and members may not be there yet
   std::string record;     ///< USR of the class whose `this` is available here
   EntityId function;      ///< result of the function around it

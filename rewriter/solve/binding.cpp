@@ -2,15 +2,13 @@
 #include "solve/binding.h"
 
 #include <algorithm>
+#include <string>
+#include <tuple>
 
 #include "model/codes.h"
 
 namespace tzc::rewriter {
 namespace {
-
-constexpr const char* nowhere = "it is built where its publisher cannot be named";
-constexpr const char* too_early =
-    "it is built before a call that may wait for another thread, which may replace its publisher meanwhile";
 
 bool is_filled(const AllocationSite& site) {
   const auto* inserted = std::get_if<InsertedAllocation>(&site.how);
@@ -25,7 +23,7 @@ bool is_possible(const AllocationSite& site) {
   return !std::get<FactoryAllocation>(site.how).changes.empty();
 }
 
-/// Why there is none.
+/// Why there is none where the message is made.
 const char* no_place(const AllocationSite& site) {
   const auto* inserted = std::get_if<InsertedAllocation>(&site.how);
   if (!inserted) return "a macro writes the call that builds it";
@@ -44,6 +42,19 @@ BoundAllocation bound(const AllocationSite& site, const PublisherName& name, con
 
 BoundAllocation by_node(const AllocationSite& site) {
   return {&site, "tzc::Publisher()", {"tzc::allocate"}, nullptr, true};
+}
+
+/// A template has one text for all its instances: where one of them can name no publisher, none does.
+void unite_instances(std::vector<BoundAllocation>& allocations) {
+  const auto place = [](const BoundAllocation& allocation) {
+    const Location& where = allocation.site->where;
+    return std::tie(where.file, where.line, where.column);
+  };
+  std::set<std::tuple<std::string, unsigned, unsigned>> of_node;
+  for (const BoundAllocation& allocation : allocations)
+    if (!allocation.entity && allocation.is_of_node) of_node.insert(place(allocation));
+  for (BoundAllocation& allocation : allocations)
+    if (of_node.count(place(allocation)) != 0) allocation = by_node(*allocation.site);
 }
 
 }  // namespace
@@ -89,10 +100,7 @@ bool Binder::may_be_missing(const AllocationSite& site, const Entity& publisher)
 }
 
 bool Binder::visible(const AllocationSite& site, const Entity& publisher) {
-  if (std::any_of(site.later.begin(), site.later.end(),
-                  [&](const LaterName& name) { return name.publisher == publisher.id; }))
-    return false;
-  if (may_be_missing(site, publisher)) return false;
+  if (site.unnameable.count(publisher.id) != 0 || may_be_missing(site, publisher)) return false;
   if (publisher.storage == Storage::member) return inherits(site.record, publisher.member_of.record);
   return publisher.storage == Storage::global && publisher.where.file == site.where.file &&
          publisher.where.line < site.where.line;
@@ -117,19 +125,25 @@ bool Binder::is_nameable(const PublisherName& name, const AllocationSite& site) 
 }
 
 /// By one that is there, if there is one: memory of any publisher serves them all. By several pointers that may be null: by the first
-/// one that is not.
+/// one that is not; and by the node if all are, and another publisher may send the message.
 std::optional<BoundAllocation> Binder::named_at(const AllocationSite& site, int wanted) {
   std::optional<BoundAllocation> by_pointers;
   std::set<std::string> guards;
+  std::set<ComponentId> others = publishers_;
   for (const PublisherName& name : site.publishers) {
     if (closeness(name, site) < wanted || !is_nameable(name, site)) continue;
     const Entity* publisher = &facts_.entities.at(name.publisher);
     if (!name.guarded) return bound(site, name, publisher);
+    others.erase(components_.of(name.publisher)->id);
     if (!guards.insert(name.text).second) continue;
     if (by_pointers)
       by_pointers->calls.push_back(call_of(name));
     else
       by_pointers = bound(site, name, publisher);
+  }
+  if (by_pointers && !others.empty()) {
+    by_pointers->calls.emplace_back("tzc::allocate");
+    by_pointers->is_of_node = true;
   }
   return by_pointers;
 }
@@ -150,106 +164,78 @@ bool Binder::may_wait(const PublisherName& name) {
   return locks_.may_be_taken_in(name.callees);
 }
 
-/// Why no publisher is available there.
-std::string Binder::lack_at(const AllocationSite& site) {
-  if (!is_possible(site)) return no_place(site);
-  for (const PublisherName& name : site.publishers) {
-    if (may_wait(name)) return too_early;
-    if (name.guarded) return nowhere + (": '" + name.text) + "' may be null there";
-  }
-  for (const LaterName& name : site.later) {
-    const Component* publisher = components_.of(name.publisher);
-    if (publisher && publishers_.count(publisher->id) != 0)
-      return nowhere + (": '" + name.text) + "' of line " + std::to_string(name.line) + " cannot, since " +
-             name.why;
-  }
-  for (const ComponentId id : publishers_)
-    for (const Entity* entity : components_[id].entities)
-      if (std::string lack = lack_of(*entity, site); !lack.empty()) return nowhere + (": " + lack);
-  return nowhere;
-}
-
-/// Why a publisher that its function does not name is not available there; empty: the entity has no name of its own.
-std::string Binder::lack_of(const Entity& publisher, const AllocationSite& site) {
-  if (publisher.storage == Storage::temporary || publisher.storage == Storage::result) return {};
-  const std::string name = "'" + publisher.name + "'";
-  if (publisher.form == Form::contained) return "nothing tells there which part of " + name + " it is";
-  if (publisher.form == Form::elsewhere) return name + " may lead nowhere there";
-  if (site.is_early || may_be_missing(site, publisher)) return name + " may not be there yet";
-  const Component* component = components_.of(publisher.id);
-  if (component && visible(site, publisher) && may_change_under_lock(component->id))
-    return name +
-           " changes elsewhere, too, and the package takes locks or waits for threads, so that it may be "
-           "another one";
-  if (publisher.storage == Storage::member) return name + " is a member of another object";
-  if (publisher.storage == Storage::global) return name + " is declared later, or in another file";
-  return name + " is a variable of another function";
-}
-
 bool Binder::is_in_factory(const AllocationSite& site) const {
   const Component* result = components_.of(site.function);
   return result && result->id == component_.id && facts_.factories.count(site.function) != 0;
 }
 
-/// A site in a factory whose callers can name the publisher is bound to a parameter that the factory is given.
-std::optional<Decision> Binder::bind(const AllocationSite& site) {
+/// Why nothing can be allocated there, whoever gives the memory.
+std::optional<Decision> Binder::obstacle_at(const AllocationSite& site) {
   if (!site.refusal.empty()) return refused({codes::TZC1019, site.refusal, site.where}, site.entity);
-  const auto* call = std::get_if<FactoryAllocation>(&site.how);
-  if (call && given_.count(call->factory) == 0) return {};
-  const auto publisher = is_possible(site) ? available_at(site) : std::nullopt;
+  if (is_possible(site) || std::holds_alternative<FactoryAllocation>(site.how)) return {};
+  if (is_filled(site))
+    return refused({codes::TZC1020, "it starts as a copy of another message", site.where}, site.entity);
+  return refused({codes::TZC1019, no_place(site), site.where}, site.entity);
+}
+
+/// A site in a factory whose callers can name the publisher is bound to a parameter that the factory is given.
+void Binder::bind(const AllocationSite& site) {
+  const std::optional<BoundAllocation> publisher = is_possible(site) ? available_at(site) : std::nullopt;
   if (publisher) {
     allocations_.push_back(*publisher);
-  } else if (is_possible(site) && !by_node_ && is_in_factory(site)) {
+  } else if (by_node_) {
+    allocations_.push_back(by_node(site));
+  } else if (is_possible(site) && is_in_factory(site)) {
     const std::string& name = facts_.factories.at(site.function).parameter;
     given_.insert(site.function);
     allocations_.push_back({&site, name, {name + ".allocate"}, nullptr});
-  } else if (is_filled(site)) {
-    return refused({codes::TZC1020, "it starts as a copy of another message", site.where}, site.entity);
-  } else if (is_possible(site) && by_node_) {
-    allocations_.push_back(by_node(site));
   } else {
-    lacks_publisher_ = is_possible(site);
-    return refused({codes::TZC1019, lack_at(site), site.where}, site.entity);
+    lacks_publisher_ = true;
   }
-  return {};
 }
 
 /// The parameter has one type, so all publishers must have it.
-std::optional<Decision> Binder::give_publishers() {
-  if (given_.empty()) return {};
+void Binder::give_publishers() {
+  if (given_.empty()) return;
   std::map<std::string, const Entity*> types;
   for (const BoundAllocation& allocation : allocations_)
     if (allocation.entity) types.emplace(allocation.entity->ported_as.name, allocation.entity);
   if (types.size() != 1) {
     lacks_publisher_ = true;
-    const AllocationSite& first = *allocations_.front().site;
-    return refused({codes::TZC1019, nowhere, first.where}, first.entity);
+    return;
   }
   for (const EntityId& factory : given_)
     factories_.push_back({factory, component_.entities[0]->id, types.begin()->second->ported_as});
-  return {};
 }
 
 std::optional<Decision> Binder::bind(const std::vector<const AllocationSite*>& sites) {
-  std::optional<Decision> refusal = bind_all(sites);
-  if (!refusal || !lacks_publisher_) return refusal;
-  // Any publisher of the process can send what lies in shared memory of the node.
-  by_node_ = true;
-  given_.clear();
-  return bind_all(sites);
+  for (const AllocationSite* site : sites)
+    if (std::optional<Decision> obstacle = obstacle_at(*site)) return obstacle;
+  bind_all(sites);
+  if (lacks_publisher_) {
+    // Any publisher of the process can send what lies in shared memory of the node.
+    by_node_ = true;
+    given_.clear();
+    factories_.clear();
+    bind_all(sites);
+  }
+  if (allocations_.empty() && !component_.has_lasting_message())
+    return refused({codes::TZC1019, "where it is built was not found", component_.entities[0]->where});
+  return {};
 }
 
-std::optional<Decision> Binder::bind_all(const std::vector<const AllocationSite*>& sites) {
+void Binder::bind_all(const std::vector<const AllocationSite*>& sites) {
   // The calls of a factory that is given the publisher become allocation sites, perhaps in another factory.
   for (std::size_t known = ~std::size_t{0}; known != given_.size();) {
     known = given_.size();
     allocations_.clear();
-    for (const AllocationSite* site : sites)
-      if (std::optional<Decision> refusal = bind(*site)) return refusal;
+    for (const AllocationSite* site : sites) {
+      const auto* call = std::get_if<FactoryAllocation>(&site->how);
+      if (!call || given_.count(call->factory) != 0) bind(*site);
+    }
   }
-  if (allocations_.empty() && !component_.has_lasting_message())
-    return refused({codes::TZC1019, "where it is built was not found", component_.entities[0]->where});
-  return give_publishers();
+  unite_instances(allocations_);
+  give_publishers();
 }
 
 }  // namespace tzc::rewriter

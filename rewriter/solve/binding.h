@@ -30,17 +30,16 @@ class Binder {
   const std::vector<GivenPublisher>& factories() const { return factories_; }
 
  private:
-  std::optional<Decision> bind_all(const std::vector<const AllocationSite*>& sites);
-  std::optional<Decision> bind(const AllocationSite& site);
-  std::optional<Decision> give_publishers();
+  void bind_all(const std::vector<const AllocationSite*>& sites);
+  static std::optional<Decision> obstacle_at(const AllocationSite& site);
+  void bind(const AllocationSite& site);
+  void give_publishers();
   bool is_in_factory(const AllocationSite& site) const;
   int closeness(const PublisherName& name, const AllocationSite& site) const;
   bool is_nameable(const PublisherName& name, const AllocationSite& site);
   std::optional<BoundAllocation> named_at(const AllocationSite& site, int wanted);
   std::optional<BoundAllocation> available_at(const AllocationSite& site);
   bool may_wait(const PublisherName& name);
-  std::string lack_at(const AllocationSite& site);
-  std::string lack_of(const Entity& publisher, const AllocationSite& site);
   bool may_change_under_lock(ComponentId publisher) const;
   bool may_be_missing(const AllocationSite& site, const Entity& publisher);
   bool visible(const AllocationSite& site, const Entity& publisher);
@@ -54,7 +53,7 @@ class Binder {
   std::set<ComponentId> publishers_;
   std::optional<std::set<std::string>> early_;
   std::set<EntityId> given_;      // results of factories
-  bool lacks_publisher_ = false;  // the refusal is that none can be named
+  bool lacks_publisher_ = false;  // at a site, none can be named
   bool by_node_ = false;          // where none can be named, memory of the node will do
   std::vector<BoundAllocation> allocations_;
   std::vector<GivenPublisher> factories_;

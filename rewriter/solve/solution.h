@@ -36,7 +36,7 @@ struct BoundAllocation {
   std::string publisher;           ///< expression: "pub_", "*pub"
   std::vector<std::string> calls;  ///< "pub_.allocate"; of pointers that may be null, one after the other
   const Entity* entity = nullptr;  ///< the publisher; null: the factory's own parameter, or none
-  bool is_of_node = false;         ///< no publisher can be named there: memory of the node
+  bool is_of_node = false;         ///< memory of the node, if no publisher can be named or none is there
 };
 
 /// A factory that is given the publisher.

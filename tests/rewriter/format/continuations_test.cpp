@@ -111,6 +111,17 @@ TEST(LineWidth, two_lines_of_a_statement_are_broken_as_one) {
             "pub = tzc::advertise<tzc::sensor_msgs::LaserScan>(\n    nh, \"scan\", 10, bind(&" + filler +
                 "),\n    bind(&" + filler + "));\n");
 }
+TEST(LineWidth, lines_behind_a_comment_belong_to_the_statement) {
+  EXPECT_EQ(
+      wrapped("a.cpp", "",
+              "int n;\n"
+              "  scan_publisher_ = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh, \"scan\",  // where\n"
+              "                                                                10);  // and how many\n"),
+      "int n;\n"
+      "  scan_publisher_ =\n"
+      "      tzc::advertise<tzc::sensor_msgs::LaserScan>(nh, \"scan\",  // where\n"
+      "                                                  10);  // and how many\n");
+}
 TEST(LineWidth, a_literal_is_not_broken) {
   const std::string line =
       "pub = advertise(\"" + std::string(50, 'a') + " " + std::string(50, 'b') + "\");\n";
@@ -118,7 +129,7 @@ TEST(LineWidth, a_literal_is_not_broken) {
   EXPECT_NE(wrapped("a.cpp", "", line).find("a b"), std::string::npos);
 }
 
-/// Calls with arguments of any length, some of them calls, whose lines stand behind a bracket or end with one.
+/// Calls with arguments of any length, some of them calls, whose lines stand behind a bracket or end with one, or a comment.
 class RandomCall {
  public:
   explicit RandomCall(unsigned seed) : random_(seed) {}
@@ -131,6 +142,7 @@ class RandomCall {
 
  private:
   std::size_t up_to(std::size_t most) { return random_() % (most + 1); }
+  std::string line_break() { return up_to(3) == 0 ? ",  // (" + name() + "\n" : ",\n"; }
   std::string name() { return std::string(1 + up_to(30), 'n'); }
 
   void call(int depth) {
@@ -141,7 +153,7 @@ class RandomCall {
         call(depth + 1);
       else
         text_ += name();
-      if (left > 1) text_ += up_to(1) == 0 ? ", " : ",\n" + std::string(column, ' ');
+      if (left > 1) text_ += up_to(1) == 0 ? ", " : line_break() + std::string(column, ' ');
     }
     text_ += ")";
   }

@@ -95,15 +95,32 @@ TEST(Solve, a_publisher_that_the_package_does_not_advertise_is_refused) {
   EXPECT_EQ(node.code("pub"), "TZC1017");
 }
 
-TEST(Solve, an_allocation_without_a_publisher_costs_one_copy) {
+TEST(Solve, an_allocation_without_a_publisher_takes_memory_of_the_node) {
   const Solved node(FactsBuilder()
                         .add(entity("pub", EntityRole::publisher))
                         .add(entity("image", EntityRole::message))
                         .advertise("pub")
                         .allocation("image", "")
                         .publish("pub", "image"));
+  EXPECT_EQ(node.level(SiteKind::publish), Level::zero_copy);
+  EXPECT_EQ(node.edits(), (std::vector<std::string>{"\ntzc::allocate(image);"}));
+}
+
+TEST(Solve, an_allocation_that_has_no_place_costs_one_copy) {
+  FactsBuilder builder = camera();
+  std::get<InsertedAllocation>(builder.facts.allocations[0].how).at.reset();
+  const Solved node(builder);
   EXPECT_EQ(node.code("image"), "TZC1019");
   EXPECT_EQ(node.level(SiteKind::publish), Level::one_copy);
+}
+
+TEST(Solve, instances_of_one_text_take_memory_of_the_node_if_one_of_them_names_no_publisher) {
+  FactsBuilder builder = camera();
+  AllocationSite unnamed = builder.facts.allocations[0];
+  unnamed.publishers.clear();
+  builder.facts.allocations.push_back(unnamed);
+  EXPECT_EQ(Solved(builder).edits(),
+            (std::vector<std::string>{"\ntzc::allocate(image);", "\ntzc::allocate(image);"}));
 }
 
 TEST(Solve, a_message_that_starts_as_a_copy_is_not_allocated) {
@@ -157,6 +174,8 @@ TEST(Solve, a_factory_whose_call_can_name_the_publisher_is_given_it) {
   EXPECT_EQ(node.outcome("image"), Outcome::ported);
   EXPECT_EQ(node.edits(), (std::vector<std::string>{"\npublisher.allocate(image);", "pub",
                                                     "const tzc::Publisher& publisher"}));
+  builder.facts.allocations[1].publishers.clear();
+  EXPECT_EQ(Solved(builder).edits(), (std::vector<std::string>{"\ntzc::allocate(image);"}));
 }
 
 TEST(Solve, a_subscription_is_shared_unless_its_callback_may_write) {

@@ -34,11 +34,17 @@ class Many(TopicCase):
         for topic in topics:
             self.assert_got(listener, range(50), shared=True, topic=topic)
 
-
     def test_memory_of_a_publisher_that_is_not_advertised(self):
         """A message that one of two publishers sends is built with the other one, which is not advertised: no copy."""
+        self.assert_shared_without_a_copy("stranger")
+
+    def test_memory_of_the_node(self):
+        """A message that is built where its publisher is not known: no copy."""
+        self.assert_shared_without_a_copy("of_node")
+
+    def assert_shared_without_a_copy(self, mode):
         listener = self.listen()
-        counters = self.talk("stranger", count=50)
+        counters = self.talk(mode, count=50)
         self.assert_got(listener, range(50), shared=True)
         self.assertEqual((counters["shared"], counters["copied_bytes"]), (50, 0))
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Publishes images whose bytes follow from their number, in one of the ways a node may publish.
 ///
-/// Private parameters: mode (twin, twin_pointer, stranger: twins that another publisher allocates, which is not advertised,
+/// Private parameters: mode (twin, twin_pointer, stranger: twins that another publisher allocates, which is not advertised, of_node: that the node allocates,
 /// stock, stock_pointer, plain, handover: a twin's publisher and a plain one, the former ends after half of the images; mixed: every other image as a ShapeShifter; attached: twins, to the topic that
 /// others advertised; attached_wrong: stock images, attached for another type; foreign, foreign_pointer: stock images, with a
 /// publisher that stays roscpp's; foreign_twin; foreign_handover: two such, the first of which ends after half of the images;
@@ -58,8 +58,8 @@ class Talker {
   }
 
   void publish(std::uint32_t number) {
-    if (mode_ == "twin" || mode_ == "twin_pointer" || mode_ == "stranger" || mode_ == "attached" ||
-        (mode_ == "handover" && number < half_))
+    if (mode_ == "twin" || mode_ == "twin_pointer" || mode_ == "stranger" || mode_ == "of_node" ||
+        mode_ == "attached" || (mode_ == "handover" && number < half_))
       return publish_twin(number);
     if (mode_ == "mixed") return number % 2 == 0 ? publish_as_bytes(number) : publish_twin(number);
     if (mode_ == "handover" && number == half_) shared_.shutdown();
@@ -128,12 +128,19 @@ class Talker {
     shared_.publish(shifter);
   }
 
+  void allocate(tzc::sensor_msgs::Image& image) {
+    if (mode_ == "of_node")
+      tzc::allocate(image);
+    else
+      (mode_ == "stranger" ? not_advertised_ : shared_).allocate(image);
+  }
+
   void publish_twin(std::uint32_t number) {
     const auto image = boost::make_shared<tzc::sensor_msgs::Image>();
     if (fresh_ != 0 && number % fresh_ == 0)
       tzc::message::allocate(*image, fresh_memory());
     else
-      (mode_ == "stranger" ? not_advertised_ : shared_).allocate(*image);
+      allocate(*image);
     fill(*image, number);
     if (mode_ == "twin_pointer")
       shared_.publish(image);

@@ -1,4 +1,4 @@
-// A generic lambda is given the publisher.
+// A generic lambda is given the publisher: what is not instantiated names none.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
@@ -23,4 +23,3 @@ void run(ros::NodeHandle& nh) {
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
 // +    tzc::allocate(image);
-// +    publisher.allocate(image);
