@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cstring>
-#include <utility>
 #include <vector>
 
 #include "channel_pair.h"
@@ -27,7 +26,7 @@ void rehearse(channel::Publisher& publisher, const Setup& setup) {
   for (std::size_t i = 0; i < setup.queue_size; ++i)
     records.push_back(channel::make_record(rehearsal, control, sizeof control,
                                            {publisher.memory()->allocate(setup.size_bytes)}));
-  for (channel::RecordPtr& one : records) publisher.publish(std::move(one));
+  for (const channel::RecordPtr& record : records) publisher.publish(record);
   ::usleep(static_cast<useconds_t>(2 * setup.queue_size) * rehearsal_us);
 }
 
