@@ -12,6 +12,7 @@
 
 #include "roscpp/configuration.h"
 #include "roscpp/descriptor_budget.h"
+#include "roscpp/publish/memory_of_no_topic.h"
 #include "roscpp/publish/publication_endpoint.h"
 
 namespace tzc {
@@ -36,6 +37,14 @@ statistics::TopicRow row_of(const EndpointStatistics& seen) {
   copy_text(row.topic, seen.topic);
   copy_text(row.type, seen.type);
   return row;
+}
+
+/// What the node allocated: its memory alone, since messages count where they are published.
+statistics::TopicRow row_of_no_topic(const MemoryStats& memory) {
+  EndpointStatistics seen;
+  seen.topic = no_topic;
+  seen.memory = memory;
+  return row_of(seen);
 }
 
 statistics::ConnectionRow row_of(const LinkStatistics& seen) {
@@ -159,6 +168,7 @@ bool StatisticsUpdater::write() {
   for (const std::shared_ptr<PublicationEndpoint>& endpoint : all_endpoints())
     is_complete = add(endpoint->look(), links) && is_complete;
   for (EndpointStatistics& plain : look_at_plain()) is_complete = add(std::move(plain), links) && is_complete;
+  if (const std::optional<MemoryStats> memory = stats_of_no_topic()) page_->add(row_of_no_topic(*memory));
   for (const SubscriptionStatistics& subscription : look_at_subscriptions_())
     page_->add(row_of(subscription));
   page_->publish();

@@ -2,7 +2,6 @@
 #include "roscpp/publish/memory_of_no_topic.h"
 
 #include <tzc/detail/attachment.h>
-#include <tzc/memory.h>
 
 #include <atomic>
 #include <mutex>
@@ -17,7 +16,7 @@ std::atomic<bool> has_topics{false};
 
 MemoryOptions memory_options() {
   MemoryOptions options;
-  options.name = "(no topic)";
+  options.name = no_topic;
   options.pooled = true;  // as that of every topic
   return options;
 }
@@ -38,11 +37,20 @@ class MemoryOfNoTopic {
     }
     return memory_;
   }
+  std::optional<MemoryStats> stats() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return memory_ ? std::make_optional(memory_->stats()) : std::nullopt;
+  }
 
  private:
   std::mutex mutex_;
-  std::shared_ptr<MemorySource> memory_;
+  std::shared_ptr<SegmentMemory> memory_;
 };
+
+MemoryOfNoTopic& of_process() {
+  static auto* const memory = new MemoryOfNoTopic;  // outlives every message
+  return *memory;
+}
 
 }  // namespace
 
@@ -52,8 +60,11 @@ void note_topic_with_memory() {
 
 std::shared_ptr<MemorySource> memory_of_no_topic() {
   if (!has_topics.load(std::memory_order_relaxed)) return nullptr;
-  static auto* const memory = new MemoryOfNoTopic;  // outlives every message
-  return memory->get();
+  return of_process().get();
+}
+
+std::optional<MemoryStats> stats_of_no_topic() {
+  return of_process().stats();
 }
 
 }  // namespace detail

@@ -152,6 +152,21 @@ class Monitor(MonitorCase):
                              not self.connection(look, "viewer")["stopped"], "both to run")
         self.finish(talker)
 
+    def test_memory_of_the_node_has_a_row(self):
+        self.listen(name="viewer")
+        self.start_talker("of_node", count=0, rate=50, subscribers=1, shared=1)
+        look = self.wait_until_seen(lambda look: look["shared"] > 0, "messages")
+        rows = []
+
+        def has_row():
+            nodes = json.loads(self.monitor("--json", "--interval", "0")[1])["nodes"]
+            rows.extend(row for node in nodes if node["pid"] == look["node"]["pid"] for row in node["topics"]
+                        if row["topic"] == "(no topic)")
+            return rows
+        self.ros.wait_until(has_row, 20, "the row")
+        self.assertEqual((look["copied_bytes"], look["memory"]["size"], rows[-1]["messages"]), (0, 0, 0))
+        self.assertGreater(rows[-1]["memory"]["size"], 100000)
+
     def test_memory_that_runs_out_is_counted(self):
         """A stopped subscriber takes nothing: its queue keeps every block that the memory has."""
         viewer = self.listen(name="viewer")
