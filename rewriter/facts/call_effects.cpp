@@ -182,7 +182,8 @@ CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr*
   }
   if (is_attached_publish(call)) return CallEffect::done;
   if (unit_.declares(passed.function)) return into_package(id, passed);
-  if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) return into_method(id, method);
+  const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
+  if (method && method->getMethodDecl()) return into_method(id, method);  // not through a pointer to member
   if (passed.function->isInStdNamespace() && carried_by(call->getType(), unit_.rules))
     return CallEffect::result;
   escape(id, name, passed.where);

@@ -17,9 +17,10 @@ const clang::Expr* filled_by(const Unit& unit, const clang::CallExpr* call) {
     if (rule) return rule->elements == LibraryCall::Elements::left ? nullptr : call->getArg(i);
   }
   const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
-  if (!member || call->getNumArgs() == 0) return nullptr;
-  const MethodCall* rule = unit.rules.find_method(qualified_name_of(member->getMethodDecl()->getParent()),
-                                                  function->getNameAsString(), written_arguments(call));
+  const clang::CXXMethodDecl* method = member ? member->getMethodDecl() : nullptr;
+  if (!method || call->getNumArgs() == 0) return nullptr;
+  const MethodCall* rule = unit.rules.find_method(qualified_name_of(method->getParent()),
+                                                  method->getNameAsString(), written_arguments(call));
   return rule && rule->role == MethodCall::Role::fills_message ? call->getArg(0) : nullptr;
 }
 

@@ -159,7 +159,8 @@ void GivenMessages::container_call(const clang::CXXMemberCallExpr* call) {
   static const std::set<std::string> takes_out = {"clear", "erase",  "pop_back", "pop_front",
                                                   "pop",   "assign", "reset",    "extract"};
   const clang::Expr* const object = call->getImplicitObjectArgument();
-  const std::string holder = holders_.of(object), name = call->getMethodDecl()->getNameAsString();
+  const clang::CXXMethodDecl* method = call->getMethodDecl();  // null: a pointer to one, which may be any
+  const std::string holder = holders_.of(object), name = method ? method->getNameAsString() : "assign";
   bool has_source = false;
   for (const clang::Expr* argument : call->arguments()) {
     give(argument, holder, "stored by '" + name + "'");

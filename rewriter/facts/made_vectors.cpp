@@ -56,9 +56,11 @@ const clang::Expr* elements_of(const clang::Expr* iterator) {
   iterator = iterator->IgnoreParens()->IgnoreUnlessSpelledInSource();
   if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(iterator); made && made->getNumArgs() == 1)
     return elements_of(made->getArg(0));
-  if (const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(iterator))
-    return names.count(call->getMethodDecl()->getNameAsString()) != 0 ? call->getImplicitObjectArgument()
-                                                                      : nullptr;
+  if (const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(iterator)) {
+    const clang::CXXMethodDecl* method = call->getMethodDecl();
+    return method && names.count(method->getNameAsString()) != 0 ? call->getImplicitObjectArgument()
+                                                                 : nullptr;
+  }
   if (const auto* sum = llvm::dyn_cast<clang::BinaryOperator>(iterator);
       sum && sum->getOpcode() == clang::BO_Add)
     return elements_of(sum->getLHS());

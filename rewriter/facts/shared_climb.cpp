@@ -163,7 +163,9 @@ SharedClimb::Next SharedClimb::into_library(const clang::CallExpr* call, unsigne
   const clang::FunctionDecl* function = call->getDirectCallee();
   const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
   const clang::Expr* object = method ? method->getImplicitObjectArgument() : nullptr;
-  if (object && leads_to_elements(object->getType()) && !method->getMethodDecl()->isConst()) {
+  const clang::CXXMethodDecl* called = method ? method->getMethodDecl() : nullptr;
+  if (method && !called) return write(at_);  // through a pointer to member
+  if (called && leads_to_elements(object->getType()) && !called->isConst()) {
     if (leads_to_elements(at_->getType())) elements_.hold_object(object);
     return done();
   }

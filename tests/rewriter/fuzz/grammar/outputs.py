@@ -135,6 +135,24 @@ def in_member_pointer(program, message):
     return Output(send)
 
 
+def in_template_argument(program, message):
+    """By a pointer that the compiler knows: its call has a callee, and no name."""
+    publisher = stored(program, message)
+    call = program.unique("call")
+    owner = "Object::*" if program.is_class else "*"
+    program.prelude += ["template <class Object, class Argument, void (OWNERfunction)(Argument)>".replace("OWNER", owner),
+                        f"void {call}(Object& object, Argument argument) {{",
+                        f"  {'(object.*function)' if program.is_class else '(void)object, function'}(argument);", "}"]
+
+    def send(argument, pointer=False):
+        name = program.helper("void", "send", f"const {message.cpp}& msg", publisher.publish("msg"))
+        kind, this = ("Node", "*this") if program.is_class else ("const int", "0")
+        function = f"&Node::{name}" if program.is_class else f"&{name}"
+        return [f"{call}<{kind}, const {message.cpp}&, {function}>({this}, {value_of(argument, pointer)});"]
+
+    return Output(send)
+
+
 def in_function_member(program, message):
     publisher = stored(program, message)
     kept = program.variable(f"std::function<void(const {message.cpp}&)>", "send")
@@ -238,8 +256,8 @@ def in_caught_copy(program, message):
 PLAIN = [directly, in_branch, in_loop_once, twice, two_publishers, either_publisher,
          beside_one_that_is_not_advertised, beside_a_null_pointer]
 HIDDEN = [in_closure_called_at_once, in_handler, in_thread, in_deleter, in_algorithm, in_foreign_call,
-          in_queued_callback, in_helper, in_helper_of_helper, in_bound_helper, in_member_pointer, in_function_member,
-          in_template, in_virtual_call, in_operator, in_base_template, in_destructor, in_end_of_element,
+          in_queued_callback, in_helper, in_helper_of_helper, in_bound_helper, in_member_pointer, in_template_argument,
+          in_function_member, in_template, in_virtual_call, in_operator, in_base_template, in_destructor, in_end_of_element,
           in_end_of_derived, in_cleanup, in_caught_copy]
 for name in ("in_branch", "in_closure_called_at_once", "in_handler", "in_loop_once", "in_thread", "in_deleter",
              "in_algorithm", "in_foreign_call"):
