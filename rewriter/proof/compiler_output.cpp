@@ -55,6 +55,7 @@ bool leads_to_error(const std::string& rest) {
 class Reader {
  public:
   void read(const std::string& text) {
+    if (text.rfind(' ', 0) == 0) return;  // a line of the source
     const std::optional<Line> line = located(text);
     if (!line) return;
     if (const auto error = behind(line->rest, {"fatal error: ", "error: "})) {

@@ -86,6 +86,14 @@ TEST_F(OwnCompilerTest, names_the_users_file_and_line) {
             "#pragma once\ninline int a() { return 1; }\n");
 }
 
+TEST_F(OwnCompilerTest, may_be_clang) {
+  compiler = "clang++-19";
+  put("src/node.cpp", "#include <demo/a.h>\nint main() { return a(); }\n");
+  EXPECT_EQ(check({{"include/demo/a.h", "#include <tzc/ros.h>\ninline int a() { return 2; }\n"}}), "");
+  EXPECT_EQ(check({{"include/demo/a.h", "\ninline int a() { return b; }\n"}}),
+            "demo/include/demo/a.h:2 use of undeclared identifier 'b'\n");
+}
+
 TEST_F(OwnCompilerTest, sees_the_branch_that_clang_does_not) {
   put("src/node.cpp", "int main() {}\n");
   EXPECT_THAT(check({{"src/node.cpp", "#ifndef __clang__\nint x = y;\n#endif\nint main() {}\n"}}),
