@@ -159,16 +159,18 @@ void GivenMessages::container_call(const clang::CXXMemberCallExpr* call) {
   static const std::set<std::string> takes_out = {"clear", "erase",  "pop_back", "pop_front",
                                                   "pop",   "assign", "reset",    "extract"};
   const clang::Expr* const object = call->getImplicitObjectArgument();
-  const clang::CXXMethodDecl* method = call->getMethodDecl();  // null: a pointer to one, which may be any
-  const std::string holder = holders_.of(object), name = method ? method->getNameAsString() : "assign";
+  const clang::CXXMethodDecl* method =
+      call->getMethodDecl();  // null: what a pointer leads to, which may be any
+  const std::string holder = holders_.of(object),
+                    name = method ? method->getNameAsString() : "a pointer to member";
   bool has_source = false;
   for (const clang::Expr* argument : call->arguments()) {
     give(argument, holder, "stored by '" + name + "'");
     has_source |= hand_on(argument, holder);
   }
   if (!holds_messages(object->getType()) || is_in_message(object)) return;
-  if (makes.count(name) != 0 && !has_source) make_in(holder, name, call);
-  if (takes_out.count(name) != 0) facts_.given.emptied.insert(holder);
+  if ((!method || makes.count(name) != 0) && !has_source) make_in(holder, name, call);
+  if (!method || takes_out.count(name) != 0) facts_.given.emptied.insert(holder);
 }
 
 /// A message that is assigned keeps its memory; what is moved, or a pointer, brings its own.

@@ -31,9 +31,11 @@ class MemoryOfNoTopic {
     if (made) {
       memory_ = *made;
     } else {
-      TZC_WARN_THROTTLED(
-          60, "TZC: messages of publishers that are not advertised are built without shared memory: "
-                  << made.error().text());
+      TZC_WARN_THROTTLED(60,
+                         "TZC: messages of no topic (tzc::allocate, publishers that are not advertised) are "
+                         "built without shared "
+                         "memory, and copied when they are published: "
+                             << made.error().text());
     }
     return memory_;
   }
