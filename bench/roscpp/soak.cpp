@@ -36,6 +36,12 @@ void start(SoakProcess& process) {
   process.pid = in_child([&process] { process.role->run(*process.counts); });
 }
 
+/// The master asks whoever listens at the address of a node that another one of its name replaces to shut down. After a kill
+/// that may be the other process that is killed, on the port that has become free: ROS's doing, as it would be on a robot.
+bool was_asked_to_end(const SoakProcess& process, int status) {
+  return process.role->fate == Fate::killed && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
 void print_progress(double seconds, const std::vector<SoakProcess>& processes) {
   std::uint64_t published = 0, received = 0, spoiled = 0;
   Needs largest;
@@ -93,7 +99,12 @@ bool Soak::run() {
 
 bool Soak::ended_by_itself() {
   for (SoakProcess& process : processes_) {
-    if (::waitpid(process.pid, nullptr, WNOHANG) != process.pid) continue;
+    int status = 0;
+    if (::waitpid(process.pid, &status, WNOHANG) != process.pid) continue;
+    if (was_asked_to_end(process, status)) {
+      start(process);
+      continue;
+    }
     std::fprintf(stderr, "tzc-bench soak: %s ended by itself\n", process.role->name);
     process.pid = -1;
     return true;

@@ -44,7 +44,7 @@ class Soak {
   double seconds() const;
 
  private:
-  bool ended_by_itself();
+  bool ended_by_itself();  ///< one did; one that ROS's master ended is started anew
   void replace_those_to_be_killed();
   void stop_or_continue();
   void look_at_all();
