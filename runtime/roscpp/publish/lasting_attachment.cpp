@@ -71,7 +71,7 @@ std::shared_ptr<Attachment> Attachment::lasting(const std::string& topic, const 
   if (!attachment) attachment = to(publication, codec(), PublisherOptions());
   ros::SubscriberCallbacksPtr owner;
   if (attachment)
-    owner = hook(*publication, [attachment](const ros::SubscriberLinkPtr& link) {
+    owner = hook(publication, [attachment](const ros::SubscriberLinkPtr& link) {
       attachment->endpoint_->on_connect(ros::SingleSubscriberPublisher(link));
       runtime().statistics.begin();
     });

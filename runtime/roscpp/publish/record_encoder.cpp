@@ -34,6 +34,13 @@ void write_sequence(std::uint8_t* bytes, std::size_t size, std::uint32_t sequenc
   if (size >= sizeof(sequence)) std::memcpy(bytes, &sequence, sizeof(sequence));
 }
 
+/// What roscpp wrote there, if the message has a header.
+std::uint32_t read_sequence(const std::uint8_t* bytes) {
+  std::uint32_t sequence;
+  std::memcpy(&sequence, bytes, sizeof sequence);
+  return sequence;
+}
+
 /// The message as TCPROS sends it, without the length in front.
 ros::SerializedMessage numbered_bytes(const MessageCodec& codec, const void* message,
                                       std::uint32_t sequence) {
@@ -154,15 +161,22 @@ OutgoingMessage RecordEncoder::inline_record(const std::uint8_t* bytes, std::siz
   return {record, false, size};
 }
 
+// Of a message that is not small, subscribers read the arrays where they lie, as if it had been published by pointer.
 OutgoingMessage RecordEncoder::of_bytes(const ros::SerializedMessage& message, std::size_t links) {
-  if (!by_bytes_.is(message.buf.get())) {
-    const std::size_t length_prefix = 4;
-    const boost::shared_ptr<void const> owner(message.buf.get(), [keep = message.buf](const void*) {});
-    const auto whole = [&] {
-      return whole_record(message.buf.get() + length_prefix, message.num_bytes - length_prefix);
-    };
-    by_bytes_.start(owner, unless_out_of_memory(whole), links);
-  }
+  if (by_bytes_.is(message.buf.get())) return by_bytes_.take();
+  const std::size_t length_prefix = 4;
+  const std::uint8_t* const bytes = message.buf.get() + length_prefix;
+  const std::size_t size = message.num_bytes - length_prefix;
+  const auto make = [&] {
+    const MessageCodec* const codec = codecs_.first();
+    message::Encoded encoded;
+    const bool is_encoded =
+        size > kInlineLimit && codec && codec->encode_serialized(bytes, size, memory_, encoded);
+    return is_encoded && fits(encoded) ? control_record(*codec, encoded, read_sequence(bytes))
+                                       : whole_record(bytes, size);
+  };
+  const boost::shared_ptr<void const> owner(message.buf.get(), [keep = message.buf](const void*) {});
+  by_bytes_.start(owner, unless_out_of_memory(make), links);
   return by_bytes_.take();
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Properties of partial serialization that hold for every message type, on random messages.
+#include <algorithm>
+#include <memory>
+
 #include "message_types.h"
 #include "random_message.h"
 #include "test_memory.h"
@@ -30,6 +33,38 @@ TYPED_TEST(StockMessage, view_and_copy_equal_the_original) {
     EXPECT_EQ(original, *copy);
     EXPECT_EQ(original, *callback_view(original, encoded));
   }
+}
+
+TYPED_TEST(StockMessage, what_roscpp_serialized_is_encoded_like_the_message) {
+  for (unsigned seed = 0; seed < this->seeds; ++seed) {
+    const auto original = test::random_message<TypeParam>(seed);
+    const ros::SerializedMessage wire = ros::serialization::serializeMessage(original);
+    Encoded encoded, by_bytes;
+    ASSERT_TRUE(encode(original, this->memory_, encoded));
+    ASSERT_TRUE(
+        encode_serialized<TypeParam>(wire.message_start, wire.num_bytes - 4, this->memory_, by_bytes));
+    EXPECT_EQ(encoded.control, by_bytes.control);
+    EXPECT_EQ(encoded.copied_bytes, by_bytes.copied_bytes);
+    EXPECT_EQ(original, *stock_view(original, by_bytes));
+  }
+}
+
+TYPED_TEST(StockMessage, bytes_that_roscpp_would_not_write_do_no_harm) {
+  const auto original = test::random_message<TypeParam>(5, 9);
+  const ros::SerializedMessage wire = ros::serialization::serializeMessage(original);
+  const std::size_t size = wire.num_bytes - 4;
+  const auto encodes = [&](std::size_t length, std::size_t place, std::uint8_t difference) {
+    const std::unique_ptr<std::uint8_t[]> exact(
+        new std::uint8_t[length]);  // a sanitizer sees what reads beyond
+    std::copy(wire.message_start, wire.message_start + length, exact.get());
+    if (place < length) exact[place] ^= difference;
+    Encoded encoded;
+    return encode_serialized<TypeParam>(exact.get(), length, this->memory_, encoded);
+  };
+  EXPECT_TRUE(encodes(size, size, 0));
+  for (std::size_t length = 0; length < size; ++length) EXPECT_FALSE(encodes(length, length, 0)) << length;
+  for (std::size_t place = 0; place < size; ++place)
+    for (const int difference : {1, 0x80, 0xff}) encodes(size, place, static_cast<std::uint8_t>(difference));
 }
 
 TYPED_TEST(StockMessage, arrays_are_copied_once_into_one_buffer) {

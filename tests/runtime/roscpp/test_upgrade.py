@@ -50,7 +50,7 @@ class Upgrade(TopicCase):
         self.assertEqual(counters["shared"], 0)
 
     def test_published_with_a_publisher_that_stays_roscpps(self):
-        for mode in ("foreign", "foreign_pointer", "foreign_twin"):
+        for mode in ("foreign", "foreign_pointer", "foreign_twin", "foreign_attached", "foreign_attached_pointer"):
             with self.subTest(mode):
                 first, plain = self.listen(), self.listen("plain")
                 talker = self.start_talker(mode, count=0, rate=50, subscribers=2, settle=0)
@@ -68,14 +68,18 @@ class Upgrade(TopicCase):
                     listener.process.stop()
 
     def test_a_publisher_that_stays_roscpps_ends_its_topic(self):
-        listener = self.listen()
-        talker = self.start_talker("foreign", count=0, rate=50, settle=0, give_up="true", linger=300)
-        self.wait_for_shared(listener, 20)
-        self.assertEqual(self.ros.publishers(self.name("image")), [self.name("talker")])
-        talker.popen.send_signal(signal.SIGUSR1)
-        self.ros.wait_until(lambda: "all published" in talker.log(), 20, "the end")
-        self.ros.wait_until(lambda: self.ros.publishers(self.name("image")) == [], 20, "the topic's end")
-        self.assertEqual(self.shared_transports(self.name("talker")), [])
+        for mode in ("foreign", "foreign_attached"):
+            with self.subTest(mode):
+                listener = self.listen()
+                talker = self.start_talker(mode, count=0, rate=50, settle=0, give_up="true", linger=300)
+                self.wait_for_shared(listener, 20)
+                self.assertEqual(self.ros.publishers(self.name("image")), [self.name("talker")])
+                talker.popen.send_signal(signal.SIGUSR1)
+                self.ros.wait_until(lambda: "all published" in talker.log(), 20, "the end")
+                self.ros.wait_until(lambda: self.ros.publishers(self.name("image")) == [], 20, "the topic's end")
+                self.assertEqual(self.shared_transports(self.name("talker")), [])
+                for process in (listener.process, talker):
+                    process.stop()
 
     def test_a_publisher_that_stays_roscpps_leaves_its_topic_to_another(self):
         first = self.listen()

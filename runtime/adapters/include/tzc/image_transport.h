@@ -5,6 +5,7 @@
 #include <image_transport/subscriber_filter.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
+#include <tzc/attach.h>
 #include <tzc/detail/publisher_base.h>
 #include <tzc/detail/shared_message.h>
 #include <tzc/subscribe.h>
@@ -200,6 +201,28 @@ inline Publisher attach_publisher(const ::image_transport::Publisher& publisher,
 inline CameraPublisher attach_publisher(const ::image_transport::CameraPublisher& publisher,
                                         std::size_t memory_size = 0) {
   return CameraPublisher(publisher, memory_size);
+}
+
+namespace detail {
+
+template <class Stock>
+Stock with_lasting_memory(const Stock& publisher) {
+  if (!publisher) return publisher;
+  const ros::NodeHandle node;  // resolves the topic once more, as the raw transport's own has
+  ::tzc::detail::lasting_attachment<::sensor_msgs::Image>(node.resolveName(publisher.getTopic()),
+                                                          std::true_type());
+  return publisher;
+}
+
+}  // namespace detail
+
+/// The same where the publisher must stay image_transport's, for example because a library's object gets a copy of it: the raw transport
+/// uses shared memory for as long as the program advertises the topic, with one copy of what is published. Returns the publisher. Thread-safe.
+inline ::image_transport::Publisher attached(const ::image_transport::Publisher& publisher) {
+  return detail::with_lasting_memory(publisher);
+}
+inline ::image_transport::CameraPublisher attached(const ::image_transport::CameraPublisher& publisher) {
+  return detail::with_lasting_memory(publisher);
 }
 
 namespace detail {

@@ -72,6 +72,12 @@ struct HasPartialForm<Message<std::allocator<void> > > : std::true_type {};
 template <class M>
 bool encode(const M& message, const std::shared_ptr<MemorySource>& memory, Encoded& encoded);
 
+/// The same for a message of a generated type S (stock) that roscpp has serialized, without the length in front: its arrays are copied from
+/// the bytes into shared memory, once. Returns false also when the bytes are not one S.
+template <class S>
+bool encode_serialized(const std::uint8_t* bytes, std::size_t size,
+                       const std::shared_ptr<MemorySource>& memory, Encoded& encoded);
+
 /// The message that a control part and its blocks describe, as type S (stock), without copying data arrays:
 /// their vectors point into the blocks, which must be readable as long as `hold` lives; the view keeps it.
 /// Const by contract: writing through the pointer is undefined. Copying the message is a deep copy, as ever.

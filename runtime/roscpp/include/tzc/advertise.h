@@ -146,18 +146,6 @@ Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32
                       latch);
 }
 
-/// Attaches shared memory to the topic of a publisher that other code advertised, for example a library's
-/// base class that keeps a copy of it. M: as for advertise. When the topic has another type, the result
-/// publishes as `publisher` does, without shared memory.
-template <class M>
-Publisher attach_publisher(const ros::Publisher& publisher, std::size_t memory_size = 0) {
-  if (!publisher) return Publisher(publisher, nullptr);
-  const ros::AdvertiseOptions options = detail::advertise_options<M>(publisher.getTopic(), 1);
-  PublisherOptions publisher_options;
-  publisher_options.memory_size = memory_size;
-  return Publisher(publisher, detail::Attach<M>::join(options, publisher_options));
-}
-
 /// Every form of advertise for a temporary node handle (`tzc::advertise<M>(getNodeHandle(), ...)`).
 template <class M, class... Args>
 Publisher advertise(ros::NodeHandle&& node, Args&&... args) {

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <ros/publisher.h>
-#include <tzc/advertise.h>
+#include <tzc/attach.h>
 #include <tzc/publisher.h>
 
 #include <boost/shared_ptr.hpp>
-#include <memory>
 #include <type_traits>
 
 namespace tzc {
@@ -21,20 +20,6 @@ template <class M>
 struct PublishedType<boost::shared_ptr<M> > {
   typedef typename std::remove_const<M>::type type;
 };
-
-template <class M>
-std::shared_ptr<Attachment> lasting_attachment(const ros::Publisher& publisher, std::true_type) {
-  typedef typename message::StockOf<M>::type Stock;
-  if (!publisher) return nullptr;
-  const std::shared_ptr<Attachment> attachment =
-      Attachment::lasting(publisher.getTopic(), ros::message_traits::md5sum<Stock>(), &make_codec<Stock>);
-  return attachment && !attachment->knows(typeid(M)) ? with_foreign_codec<M>(attachment) : attachment;
-}
-/// It has no partial form.
-template <class M>
-std::shared_ptr<Attachment> lasting_attachment(const ros::Publisher&, std::false_type) {
-  return nullptr;
-}
 }  // namespace detail
 
 /// `publisher.publish(message)`, through shared memory where subscribers can use it. For a publisher that other code advertised and
@@ -46,8 +31,7 @@ std::shared_ptr<Attachment> lasting_attachment(const ros::Publisher&, std::false
 template <class Message>
 void publish(const ros::Publisher& publisher, const Message& message) {
   typedef typename detail::PublishedType<Message>::type M;
-  Publisher(publisher, detail::lasting_attachment<M>(publisher, message::HasPartialForm<M>()))
-      .publish(message);
+  Publisher(publisher, detail::lasting_attachment<M>(publisher)).publish(message);
 }
 
 }  // namespace tzc

@@ -4,7 +4,7 @@
 /// Private parameters: role (camera, viewer, busy_camera: large stock images by reference, and on another thread
 /// something small on another topic; counts how often that began and ended while an image was published). Camera: count, subscribers (of each topic, waited for), stock
 /// (messages), pointer (publish by pointer), attached (to publishers that other code
-/// advertised). Viewer: plain (image_transport's own), transport (raw, compressed); its
+/// advertised), kept (publishers that stay image_transport's). Viewer: plain (image_transport's own), transport (raw, compressed); its
 /// lines tell which of its callbacks saw an image: "camera" (CameraSubscriber), "image" (Subscriber), "both"
 /// (two topics synchronized by message_filters).
 #include <message_filters/sync_policies/exact_time.h>
@@ -97,9 +97,46 @@ class Camera {
   const bool by_pointer_;
 };
 
-template <class Image>
+/// Its publishers stay image_transport's.
+class KeptCamera {
+ public:
+  KeptCamera(ros::NodeHandle& node, const ros::NodeHandle& options)
+      : transport_(node),
+        camera_(tzc::image_transport::attached(transport_.advertiseCamera("image", 100))),
+        second_(tzc::image_transport::attached(transport_.advertise("second", 100))),
+        by_pointer_(options.param("pointer", false)) {}
+
+  std::uint32_t subscribers() const {
+    return std::min(camera_.getNumSubscribers(), second_.getNumSubscribers());
+  }
+
+  void publish(std::uint32_t number) const {
+    const auto image = boost::make_shared<sensor_msgs::Image>();
+    tzc_test::fill_image(*image, number, 256 * 256);
+    image->height = image->width = image->step = 256;
+    const auto info = boost::make_shared<sensor_msgs::CameraInfo>();
+    info->header = image->header;
+    if (by_pointer_) {
+      camera_.publish(image, info);
+      second_.publish(image);
+    } else {
+      camera_.publish(*image, *info);
+      second_.publish(*image);
+    }
+  }
+
+  void report() const {}
+
+ private:
+  image_transport::ImageTransport transport_;
+  image_transport::CameraPublisher camera_;
+  image_transport::Publisher second_;
+  const bool by_pointer_;
+};
+
+template <class Kind>
 void run_camera(ros::NodeHandle& node, const ros::NodeHandle& options) {
-  Camera<Image> camera(node, options);
+  Kind camera(node, options);
   const auto wanted = static_cast<std::uint32_t>(options.param("subscribers", 1));
   while (ros::ok() && camera.subscribers() < wanted) ros::WallDuration(0.01).sleep();
   ros::WallDuration(1.0).sleep();
@@ -201,8 +238,10 @@ int main(int argc, char** argv) {
     run_viewer(node, options);
   else if (options.param<std::string>("role", "camera") == "busy_camera")
     run_busy_camera(node, options);
+  else if (options.param("kept", false))
+    run_camera<KeptCamera>(node, options);
   else if (options.param("stock", false))
-    run_camera<sensor_msgs::Image>(node, options);
+    run_camera<Camera<sensor_msgs::Image>>(node, options);
   else
-    run_camera<tzc::sensor_msgs::Image>(node, options);
+    run_camera<Camera<tzc::sensor_msgs::Image>>(node, options);
 }

@@ -47,6 +47,8 @@ class Talker {
     is_foreign_ = mode_.compare(0, 7, "foreign") == 0;
     if (mode_ == "plain" || mode_ == "handover" || attached || is_foreign_)
       plain_ = node.advertise<sensor_msgs::Image>(topic, queue, latch);
+    if (mode_ == "foreign_attached" || mode_ == "foreign_attached_pointer")
+      plain_ = tzc::attached<sensor_msgs::Image>(plain_);
     if (is_foreign_)
       advertise_again_ = [=]() mutable { return node.advertise<sensor_msgs::Image>(topic, queue, latch); };
     if (mode_ == "foreign_handover") second_ = advertise_again_();
@@ -67,6 +69,8 @@ class Talker {
     if (mode_ == "foreign_twin") return publish_foreign_twin(number);
     const auto image = boost::make_shared<sensor_msgs::Image>();
     fill(*image, number);
+    if (mode_ == "foreign_attached") return plain_.publish(*image);
+    if (mode_ == "foreign_attached_pointer") return plain_.publish(image);
     if (mode_ == "foreign_pointer") return tzc::publish(plain_, image);
     if (is_foreign_) return tzc::publish(plain_, *image);
     if (mode_ == "plain" || mode_ == "handover") return plain_.publish(*image);

@@ -6,6 +6,7 @@
 #include <tzc/detail/partial_output.h>
 #include <tzc/detail/placement.h>
 #include <tzc/detail/view.h>
+#include <tzc/detail/wire_input.h>
 
 #include <boost/make_shared.hpp>
 
@@ -17,9 +18,9 @@ namespace tzc {
 namespace message {
 namespace detail {
 
-/// Reads all of a control part into `message`; false when it does not fit exactly.
-template <class S>
-bool read(PartialInput& input, S& message) {
+/// Reads all of the input into `message`; false when it does not fit exactly.
+template <class Input, class S>
+bool read(Input& input, S& message) {
   try {
     Codec<S>::read(input, message);
     return input.remaining() == 0;
@@ -43,6 +44,14 @@ bool encode(const M& message, const std::shared_ptr<MemorySource>& memory, Encod
   detail::PartialOutput output(encoded);
   Codec<M>::write(output, message);
   return output.finish(memory);
+}
+
+template <class S>
+bool encode_serialized(const std::uint8_t* bytes, std::size_t size,
+                       const std::shared_ptr<MemorySource>& memory, Encoded& encoded) {
+  detail::View<S> view(nullptr);
+  detail::WireInput input(bytes, size, view.loan.borrowers());
+  return detail::read(input, view.message) && encode(view.message, memory, encoded);
 }
 
 template <class S>

@@ -3,6 +3,7 @@
 
 #include <tzc/detail/partial_output.h>
 #include <tzc/detail/vector_words.h>
+#include <tzc/detail/view.h>
 #include <tzc/generated_message_support.h>
 #include <tzc/memory.h>
 
@@ -95,7 +96,7 @@ class PartialInput : public ControlReader {
     const DataArray data = array(sizeof(T), alignof(T));
     const T* const first = reinterpret_cast<const T*>(data.data);
     if (borrowed_ != nullptr && tzc::detail::can_use_vector_words<Vector>()) {
-      if (data.count != 0) borrow(vector, first, data.count);
+      if (data.count != 0) borrow(vector, first, data.count, *borrowed_);
     } else {
       vector.assign(first, first + data.count);
     }
@@ -105,15 +106,6 @@ class PartialInput : public ControlReader {
     vector.resize(vector_size(least_control_size<typename Vector::value_type>()));
     for (auto& element : vector) next(element);
   }
-  template <class T>
-  void borrow(std::vector<T>& vector, const T* first, std::size_t count) {
-    borrowed_->push_back(&vector);
-    T* const begin = const_cast<T*>(first);
-    tzc::detail::VectorWords{begin, begin + count, begin + count}.write_to(&vector);
-  }
-  template <class Vector, class T>
-  void borrow(Vector&, const T*, std::size_t) {}  // other allocators: never called
-
   std::vector<void*>* borrowed_;
 };
 

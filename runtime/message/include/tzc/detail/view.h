@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <tzc/detail/vector_words.h>
+
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -33,6 +36,16 @@ class Loan {
   };
   std::uint64_t process_;
 };
+
+/// Makes a vector that is empty point at elements that it does not own. For vectors with VectorWords.
+template <class T>
+void borrow(std::vector<T>& vector, const T* first, std::size_t count, std::vector<void*>& borrowers) {
+  borrowers.push_back(&vector);
+  T* const begin = const_cast<T*>(first);
+  tzc::detail::VectorWords{begin, begin + count, begin + count}.write_to(&vector);
+}
+template <class Vector, class T>
+void borrow(Vector&, const T*, std::size_t, std::vector<void*>&) {}  // other allocators: never called
 
 /// A message whose vectors borrow. `loan` is declared last, so it is destroyed first.
 template <class S>

@@ -29,6 +29,10 @@ struct MessageCodec {
 
   /// Partial serialization of the message at `message` (of C++ type `*type`). False: no shared memory left.
   bool (*encode)(const void* message, const std::shared_ptr<MemorySource>& memory, message::Encoded& encoded);
+  /// The same from the stock wire format, without the length in front. False also when these bytes are no such message, and for types that
+  /// gencpp did not generate.
+  bool (*encode_serialized)(const std::uint8_t* bytes, std::size_t size,
+                            const std::shared_ptr<MemorySource>& memory, message::Encoded& encoded);
   /// The stock wire format, four bytes of length in front, as roscpp's own serializeMessage.
   ros::SerializedMessage (*serialize)(const void* message);
   /// A read-only message whose arrays borrow the shared bytes; null when the control part is malformed.
@@ -59,11 +63,21 @@ struct IsForeign : message::IsTwin<M> {};
 template <class M>
 struct IsForeign<M, typename Void<typename M::Stock>::type> : std::false_type {};
 
+/// True for what gencpp generates, whose wire format is known.
+template <class M>
+struct IsStock : std::false_type {};
+template <template <class> class Message>
+struct IsStock<Message<std::allocator<void> > > : std::true_type {};
+
 template <class M>
 struct CodecFunctions {
   static bool encode(const void* message, const std::shared_ptr<MemorySource>& memory,
                      message::Encoded& encoded) {
     return message::encode(*static_cast<const M*>(message), memory, encoded);
+  }
+  static bool encode_serialized(const std::uint8_t* bytes, std::size_t size,
+                                const std::shared_ptr<MemorySource>& memory, message::Encoded& encoded) {
+    return encode_bytes(bytes, size, memory, encoded, IsStock<M>());
   }
   static ros::SerializedMessage serialize(const void* message) {
     return ros::serialization::serializeMessage(*static_cast<const M*>(message));
@@ -86,6 +100,15 @@ struct CodecFunctions {
   }
 
  private:
+  static bool encode_bytes(const std::uint8_t* bytes, std::size_t size,
+                           const std::shared_ptr<MemorySource>& memory, message::Encoded& encoded,
+                           std::true_type) {
+    return message::encode_serialized<M>(bytes, size, memory, encoded);
+  }
+  static bool encode_bytes(const std::uint8_t*, std::size_t, const std::shared_ptr<MemorySource>&,
+                           message::Encoded&, std::false_type) {
+    return false;
+  }
   template <class P>
   static bool has_parameter(const ros::SubscriptionCallbackHelper& callback) {
     return typeid(callback) == typeid(ros::SubscriptionCallbackHelperT<P>);
@@ -112,6 +135,7 @@ MessageCodec make_codec() {
                       mt::md5sum<M>(),
                       mt::hasHeader<M>(),
                       &CodecFunctions<M>::encode,
+                      &CodecFunctions<M>::encode_serialized,
                       &CodecFunctions<M>::serialize,
                       &CodecFunctions<M>::view,
                       &CodecFunctions<M>::copy,
