@@ -43,8 +43,7 @@ const std::set<std::string> owners = {"ros::NodeHandle::",
 const std::map<std::string, SiteKind> on_behalf = {
     {"ros::topic::waitForMessage", SiteKind::subscribe},
     {"realtime_tools::RealtimePublisher::init", SiteKind::advertise},
-    {"realtime_tools::RealtimePublisher::unlockAndPublish", SiteKind::publish},
-    {"diagnostic_updater::DiagnosedPublisher::publish", SiteKind::publish}};
+    {"realtime_tools::RealtimePublisher::unlockAndPublish", SiteKind::publish}};
 
 const clang::TemplateArgumentList* template_arguments(const clang::FunctionDecl* function) {
   return function->getTemplateSpecializationArgs();
@@ -95,6 +94,7 @@ class ApiCalls : public AstVisitor {
     const auto behalf = on_behalf.find(owner + function->getNameAsString());
     if (behalf != on_behalf.end()) note_behalf(behalf->second, call, function);
     note_library_advertise(call, function);
+    if (owners.count(owner) == 0) note_library_publish(call, function);
     const auto kind = kinds.find(function->getNameAsString());
     if (kind == kinds.end() || written(call) == 0) return true;
     if (owner == "tzc::" && kind->second == SiteKind::publish)
@@ -140,6 +140,16 @@ class ApiCalls : public AstVisitor {
     const bool named = kind == SiteKind::advertise && arguments && arguments->size() > 0 &&
                        (*arguments)[0].getKind() == clang::TemplateArgument::Type;
     return named ? message_name((*arguments)[0].getAsType()) : "";
+  }
+
+  /// A member function publish...(M) of a class outside the package.
+  void note_library_publish(const clang::CallExpr* call, const clang::FunctionDecl* function) {
+    if (!llvm::isa<clang::CXXMemberCallExpr>(call) || !function->getName().starts_with("publish")) return;
+    const clang::FunctionDecl* pattern = function->getTemplateInstantiationPattern();
+    if (source_.in_package((pattern ? pattern : function)->getLocation())) return;
+    for (const clang::ParmVarDecl* parameter : function->parameters())
+      if (const std::string message = message_name(parameter->getType()); !message.empty())
+        return note(SiteKind::publish, call, message);
   }
 
   bool note_made_filter(const clang::CallExpr* call, const clang::FunctionDecl* function) {

@@ -3,6 +3,7 @@
 
 #include "facts/argument_order.h"
 #include "facts/ast_walk.h"
+#include "facts/attached_advertise.h"
 #include "facts/call_place.h"
 #include "facts/calls.h"
 #include "facts/library_advertise.h"
@@ -82,13 +83,13 @@ void AdvertiseCollector::describe_type(Advertise& site, clang::QualType type) co
   const std::optional<MessageType> twin = twin_message_of(type);
   if (const auto message = twin ? twin : message_of(type)) {
     set_message(site, *message);
-    site.no_twin = !message->has_data_part || message->service || !unit_.has_twin(site.type);
+    site.written.no_twin = !message->has_data_part || message->service || !unit_.has_twin(site.type);
   } else if (is_pcl_cloud(type)) {
     site.type = "sensor_msgs/PointCloud2";
-    site.no_twin = site.pcl = true;
+    site.written.no_twin = site.pcl = true;
   } else {
     site.type = type.getAsString();
-    site.no_twin = true;
+    site.written.no_twin = true;
     site.has_data_part = false;
   }
 }
@@ -98,9 +99,10 @@ void AdvertiseCollector::change(Advertise& site, const clang::CXXMemberCallExpr*
   std::string to = rule.to;
   if (rule.role == MethodCall::Role::advertise) {
     const std::string written = written_template_arguments(unit_, call);
-    site.stock_type = written.empty() ? stock_name(site.type) : written;
-    const bool as_written = site.no_twin || takes_template_parameter(call) || is_type_by_macro(unit_, call);
-    site.twin_type = as_written ? site.stock_type : twin_name(site.type);
+    site.written.stock = written.empty() ? stock_name(site.type) : written;
+    const bool as_written =
+        site.written.no_twin || takes_template_parameter(call) || is_type_by_macro(unit_, call);
+    site.written.twin = as_written ? site.written.stock : twin_name(site.type);
     to += "<$TYPE>";
   }
   site.changes = receiver_first(unit_, call, {to, rule.rule, rule.header});
@@ -142,6 +144,7 @@ Advertise AdvertiseCollector::of_call(const clang::CXXMemberCallExpr* call, cons
   site.queue = queue_size(unit_, call, 1);
   site.publisher = entities_.declare_temporary(call);
   change(site, call, rule);
+  describe_keeping(site, unit_, call);
   for (const Obstacle& obstacle : site.obstacles) entities_.add_obstacle(site.publisher, obstacle);
   return site;
 }
@@ -167,26 +170,22 @@ std::string AdvertiseCollector::attach_text(Advertise& site, const clang::CallEx
                                             const LibraryAdvertise& rule) const {
   if (!rule.is_template) return std::string(rule.to) + "(";
   const clang::TemplateArgumentLoc& written = written_arguments_of(call)[0];
-  site.stock_type = unit_.source.text(written.getSourceRange());
-  const bool as_written = site.no_twin || is_template_parameter(written.getArgument());
-  site.twin_type = as_written ? site.stock_type : twin_name(site.type);
+  site.written.stock = unit_.source.text(written.getSourceRange());
+  const bool as_written = site.written.no_twin || is_template_parameter(written.getArgument());
+  site.written.twin = as_written ? site.written.stock : twin_name(site.type);
   return std::string(rule.to) + "<$TYPE>(";
 }
 
 void AdvertiseCollector::attach(Advertise& site, const clang::CallExpr* call, const LibraryAdvertise& rule) {
-  const std::optional<Place> whole = unit_.source.place(call->getSourceRange());
-  if (!whole) {
+  Change before{{}, attach_text(site, call, rule), rule.rule, {rule.header}};
+  if (site.pcl) before.headers.push_back("tzc/pcl.h");
+  site.changes = put_around(unit_, call, before, rule.is_template ? "$MEM)" : ")");
+  if (site.changes.empty()) {
     const Obstacle obstacle{codes::TZC1006, "the advertise call comes from a macro", location_of(site.where)};
     site.obstacles.push_back(obstacle);
     entities_.add_obstacle(site.publisher, obstacle);
     return;
   }
-  Place begin = *whole, end = *whole;
-  begin.end = begin.begin;
-  end.begin = end.end;
-  site.changes = {{begin, attach_text(site, call, rule), rule.rule, {rule.header}},
-                  {end, rule.is_template ? "$MEM)" : ")", rule.rule, {}}};
-  if (site.pcl) site.changes[0].headers.push_back("tzc/pcl.h");
 }
 
 std::optional<AdvertiseCollector::LibraryCall> AdvertiseCollector::of_library_call(
@@ -203,6 +202,7 @@ std::optional<AdvertiseCollector::LibraryCall> AdvertiseCollector::of_library_ca
     site.memory = rule->is_template ? written_text(unit_, ported, 1).value_or("0") : "0";
   else
     attach(site, call, *rule);
+  if (!ported) describe_keeping(site, unit_, call);
   return LibraryCall{std::move(site), publisher};
 }
 

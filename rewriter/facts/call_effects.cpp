@@ -115,6 +115,14 @@ void CallEffects::use_rule(const EntityId& id, const clang::CXXMemberCallExpr* c
     entities_.add_obstacle(id, codes::TZC1006, macro_reason(unit_, call, "the call"), call->getBeginLoc());
 }
 
+/// tzc::publish(publisher, message) -> publisher.publish(message), when the publisher becomes one of TZC's.
+void CallEffects::publish_by_method(const EntityId& id, const clang::CallExpr* call) {
+  const std::vector<Change> changes = receiver_back(unit_, call, {"publish", "attached-publish", nullptr});
+  for (const Change& change : changes) entities_.add_use(id, change);
+  if (changes.empty())
+    entities_.add_obstacle(id, codes::TZC1006, "the call comes from a macro", call->getBeginLoc());
+}
+
 CallEffect CallEffects::into_package(const EntityId& id, const Passed& passed) {
   const std::string name = passed.function->getNameAsString();
   if (passed.argument >= passed.function->getNumParams()) {
@@ -180,7 +188,10 @@ CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr*
     use_rule(id, call, *rule);
     return CallEffect::done;
   }
-  if (is_attached_publish(call)) return CallEffect::done;
+  if (is_attached_publish(call)) {
+    if (!entities_.is_message(id)) publish_by_method(id, call);
+    return CallEffect::done;
+  }
   if (unit_.declares(passed.function)) return into_package(id, passed);
   const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
   if (method && method->getMethodDecl()) return into_method(id, method);  // not through a pointer to member

@@ -40,6 +40,7 @@ class CallEffects {
   CallEffect into_swap(const EntityId& id, const clang::CallExpr* call);
   void escape(const EntityId& id, const std::string& receiver, clang::SourceLocation where);
   void use_rule(const EntityId& id, const clang::CallExpr* call, const LibraryCall& rule);
+  void publish_by_method(const EntityId& id, const clang::CallExpr* call);
   void use_rule(const EntityId& id, const clang::CXXMemberCallExpr* call, const MethodCall& rule);
 
   const Unit& unit_;

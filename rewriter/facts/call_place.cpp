@@ -129,4 +129,19 @@ std::vector<Change> receiver_first(const Unit& unit, const clang::CXXMemberCallE
           {head, separator + (last.empty() ? "" : (count > 0 ? "" : " ") + last), callee.rule, {}}};
 }
 
+std::vector<Change> receiver_back(const Unit& unit, const clang::CallExpr* call, const Callee& method) {
+  const std::optional<Place> whole = unit.source.place(call->getSourceRange());
+  const auto object = argument_place(unit, call, 0), first = argument_place(unit, call, 1);
+  if (!whole || !object || !first) return {};
+  const clang::Expr* expr = call->getArg(0)->IgnoreImplicit();
+  const bool is_postfix =
+      llvm::isa<clang::DeclRefExpr, clang::MemberExpr, clang::ParenExpr, clang::ArraySubscriptExpr>(expr) ||
+      unit.source.text(*object).back() == ']';
+  return {{span(*whole, whole->begin, object->begin), is_postfix ? "" : "(", method.rule, {}},
+          {span(*whole, object->end, first->begin),
+           std::string(is_postfix ? "." : ").") + method.to + "(",
+           method.rule,
+           {}}};
+}
+
 }  // namespace tzc::rewriter

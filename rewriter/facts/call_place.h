@@ -32,7 +32,7 @@ bool is_type_by_macro(const Unit& unit, const clang::CXXMemberCallExpr* call);
 /// Why there is no place for a call, or for an argument of it.
 std::string macro_reason(const Unit& unit, const clang::CXXMemberCallExpr* call, const std::string& name);
 
-/// A call that replaces another: its name, the rule that asks for it, the header that declares it.
+/// A call that replaces another: its name, the rule that asks for it, the header that declares it, or null.
 struct Callee {
   std::string to;
   const char* rule;
@@ -41,5 +41,8 @@ struct Callee {
 /// The edits that turn `object.method<T>(a)` into `to<T>(object, a, last)`; empty: they cannot be made.
 std::vector<Change> receiver_first(const Unit& unit, const clang::CXXMemberCallExpr* call,
                                    const Callee& callee, const std::string& last = "");
+
+/// The edits that turn `f(object, a)` into `object.method(a)`; empty: they cannot be made.
+std::vector<Change> receiver_back(const Unit& unit, const clang::CallExpr* call, const Callee& method);
 
 }  // namespace tzc::rewriter

@@ -61,8 +61,9 @@ unsigned written_arguments(const clang::CXXConstructExpr* construct) {
 
 bool passes_through(const clang::FunctionDecl* function) {
   static const std::set<std::string> names = {
-      "std::move",      "std::forward", "std::ref",    "std::cref",      "boost::move",
-      "boost::forward", "boost::ref",   "boost::cref", "std::addressof", "boost::addressof"};
+      "std::move",      "std::forward",     "std::ref",      "std::cref",
+      "boost::move",    "boost::forward",   "boost::ref",    "boost::cref",
+      "std::addressof", "boost::addressof", "tzc::attached", "tzc::image_transport::attached"};
   return function && names.count(qualified_name_of(function)) != 0;
 }
 

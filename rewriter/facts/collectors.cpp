@@ -119,6 +119,8 @@ void Collectors::object(const clang::Expr* expr, const clang::TypeSourceInfo* ty
 void Collectors::construction(const clang::CXXConstructExpr* construct) {
   if (!unit_.source.in_package(construct->getBeginLoc())) return;
   hidden_.note(construct->getType(), {construct->getArgs(), construct->getNumArgs()});
+  note_given_publishers(unit_, flow_, {construct->getType(), {construct->getArgs(), construct->getNumArgs()}},
+                        facts_);
   add_site(facts_.advertises, library_advertise(unit_, construct));
   add_site(facts_.subscribes, filters_.of_construction(construct));
 }
@@ -154,7 +156,11 @@ void Collectors::call(const clang::CallExpr* call) {
     facts_.effects[window_callbacks].push_back(call_of(callback));
     if (callback.empty()) facts_.locking.insert(window_callbacks);
   }
-  if (makes_object(call)) made_object(call);
+  if (makes_object(call)) {
+    note_given_publishers(unit_, flow_, {pointee_of(call->getType()), {call->getArgs(), call->getNumArgs()}},
+                          facts_);
+    made_object(call);
+  }
   if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
   library_call(call);
   for (PublisherMention& mention : publisher_arguments(unit_, flow_, call))
@@ -198,6 +204,11 @@ void Collectors::member_call(const clang::CXXMemberCallExpr* call) {
     hidden_.note(call->getImplicitObjectArgument()->getType(), {call->getArgs(), call->getNumArgs()});
   add_site(facts_.advertises, library_advertise(unit_, call));
   add_site(facts_.publishes, library_publish(unit_, call));
+  if (llvm::StringRef(name).starts_with("emplace"))
+    note_given_publishers(unit_, flow_,
+                          {first_argument(unit_.ast().getRecordType(method->getParent())),
+                           {call->getArgs(), call->getNumArgs()}},
+                          facts_);
   if (name == "registerCallback") filters_.add_callbacks(call, facts_.filter_callbacks);
   add_site(facts_.subscribes, filters_.of_emplaced(call));
   if (filters_.is_filter(method->getParent()) && name == "subscribe")

@@ -9,23 +9,21 @@
 namespace tzc::rewriter {
 namespace {
 
-struct PublishingClass {
-  const char* name;       ///< a template of the message
-  const char* publish;    ///< the member function that publishes
-  const char* advertise;  ///< that advertises, besides the constructor; null: it is given a publisher
-};
+/// Advertises and publishes a message that it keeps, so that no parameter shows it.
+constexpr char realtime_publisher[] = "realtime_tools::RealtimePublisher";
 
-constexpr PublishingClass publishing_classes[] = {
-    {"realtime_tools::RealtimePublisher", "unlockAndPublish", "init"},
-    {"diagnostic_updater::DiagnosedPublisher", "publish", nullptr},
-};
+bool is_realtime_publisher(const clang::CXXRecordDecl* record) {
+  return record && qualified_name_of(record) == realtime_publisher;
+}
 
-const PublishingClass* publishing_class(const clang::CXXRecordDecl* record) {
-  if (!record) return nullptr;
-  const std::string name = qualified_name_of(record);
-  for (const PublishingClass& one : publishing_classes)
-    if (name == one.name) return &one;
-  return nullptr;
+/// publish(M), publish(M::ConstPtr), publishCloud(M): the first message that such a function takes.
+std::optional<MessageType> message_taken(const clang::CXXMethodDecl* method) {
+  for (const clang::ParmVarDecl* parameter : method->parameters()) {
+    const clang::QualType type = parameter->getType().getNonReferenceType();
+    const clang::QualType pointee = type->isPointerType() ? clang::QualType() : pointee_of(type);
+    if (const auto message = message_of(pointee.isNull() ? type : pointee)) return message;
+  }
+  return {};
 }
 
 std::optional<MessageType> first_message(const clang::TemplateArgumentList* arguments) {
@@ -37,6 +35,12 @@ std::optional<MessageType> first_message(const clang::TemplateArgumentList* argu
 std::optional<MessageType> message_of_class(const clang::CXXRecordDecl* record) {
   const auto* templated = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(record);
   return templated ? first_message(&templated->getTemplateArgs()) : std::nullopt;
+}
+
+/// The class of such an object, as Facts::library_publishers names it.
+std::string library_class(const clang::CXXRecordDecl* record) {
+  const clang::ASTContext& context = record->getASTContext();
+  return context.getRecordType(record).getAsString();
 }
 
 /// What all three kinds of sites have.
@@ -62,27 +66,43 @@ std::optional<Advertise> advertise(const Unit& unit, const Call* call, const cla
 
 std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXConstructExpr* construct) {
   const clang::CXXRecordDecl* record = construct->getConstructor()->getParent();
-  const PublishingClass* known = publishing_class(record);
-  return known && known->advertise ? advertise(unit, construct, record) : std::nullopt;
+  return is_realtime_publisher(record) ? advertise(unit, construct, record) : std::nullopt;
 }
 
 std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXMemberCallExpr* call) {
-  const clang::CXXRecordDecl* record = call->getMethodDecl()->getParent();
-  const PublishingClass* known = publishing_class(record);
-  if (!known || !known->advertise || call->getMethodDecl()->getNameAsString() != known->advertise) return {};
-  return advertise(unit, call, record);
+  const clang::CXXMethodDecl* method = call->getMethodDecl();
+  const bool advertises = is_realtime_publisher(method->getParent()) && method->getNameAsString() == "init";
+  return advertises ? advertise(unit, call, method->getParent()) : std::nullopt;
 }
 
 std::optional<Publish> library_publish(const Unit& unit, const clang::CXXMemberCallExpr* call) {
-  const clang::CXXRecordDecl* record = call->getMethodDecl()->getParent();
-  const PublishingClass* known = publishing_class(record);
-  const auto message = known ? message_of_class(record) : std::nullopt;
-  if (!message || call->getMethodDecl()->getNameAsString() != known->publish) return {};
+  const clang::CXXMethodDecl* method = call->getMethodDecl();
+  const std::string name = method->getNameAsString();
+  std::optional<MessageType> message;
+  if (is_realtime_publisher(method->getParent()) && name == "unlockAndPublish")
+    message = message_of_class(method->getParent());
+  else if (llvm::StringRef(name).starts_with("publish") && !unit.declares(method) && !is_publish(call))
+    message = message_taken(method);
+  if (!message) return {};
   Publish site;
   describe(site, unit, call, *message);
-  site.obstacles.push_back(
-      {codes::TZC1021, "'" + qualified_name_of(record) + "' publishes it", location_of(site.where)});
+  site.library_class = library_class(method->getParent());
+  site.obstacles.push_back({codes::TZC1021, "'" + qualified_name_of(method->getParent()) + "' publishes it",
+                            location_of(site.where)});
   return site;
+}
+
+void note_given_publishers(const Unit& unit, ValueFlow& flow, const MadeObject& object, Facts& facts) {
+  const clang::CXXRecordDecl* record = object.type.isNull() ? nullptr : object.type->getAsCXXRecordDecl();
+  if (!record || unit.source.in_package(record->getLocation()) || carried_by(object.type, unit.rules)) return;
+  for (const clang::Expr* argument : object.arguments) {
+    const auto carried = carried_by(argument->getType(), unit.rules);
+    if (!carried || carried->role != EntityRole::publisher) continue;
+    const FlowSources sources = flow.sources_of(argument);
+    std::set<EntityId>& given = facts.library_publishers[library_class(record)];
+    given.insert(sources.entities.begin(), sources.entities.end());
+    if (sources.entities.empty() || sources.foreign) given.insert(EntityId());
+  }
 }
 
 std::optional<Subscribe> library_subscribe(const Unit& unit, const clang::CallExpr* call) {

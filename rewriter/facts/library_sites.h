@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "facts/unit.h"
+#include "facts/value_flow.h"
 #include "model/facts.h"
 
 namespace tzc::rewriter {
@@ -17,8 +18,15 @@ namespace tzc::rewriter {
 std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXConstructExpr* construct);
 /// publisher.init(nh, "topic", 1)
 std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXMemberCallExpr* call);
-/// publisher.unlockAndPublish()
+/// publisher.unlockAndPublish(), and whatever else of a library publishes a message with large arrays that it is given
 std::optional<Publish> library_publish(const Unit& unit, const clang::CXXMemberCallExpr* call);
+/// An object that is made, and what with.
+struct MadeObject {
+  clang::QualType type;
+  llvm::ArrayRef<const clang::Expr*> arguments;
+};
+/// Adds the publishers that an object of a library is made with to Facts::library_publishers. One without a name: it is not known which.
+void note_given_publishers(const Unit& unit, ValueFlow& flow, const MadeObject& object, Facts& facts);
 /// ros::topic::waitForMessage<M>("topic")
 std::optional<Subscribe> library_subscribe(const Unit& unit, const clang::CallExpr* call);
 

@@ -120,10 +120,10 @@ void describe_attaching(Publish& site, const Unit& unit, const clang::CXXMemberC
   const MethodCall* rule = unit.rules.find_method(qualified_name_of(call->getMethodDecl()->getParent()),
                                                   "publish", written_arguments(call));
   if (!rule) return;
-  site.why_not_attached = why_not_attached(unit, call);
-  if (!site.why_not_attached.empty()) return;
-  site.changes = receiver_first(unit, call, {rule->to, rule->rule, rule->header});
-  if (site.changes.empty()) site.why_not_attached = "the call comes from a macro";
+  site.attaching.why_not = why_not_attached(unit, call);
+  if (!site.attaching.why_not.empty()) return;
+  site.attaching.changes = receiver_first(unit, call, {rule->to, rule->rule, rule->header});
+  if (site.attaching.changes.empty()) site.attaching.why_not = "the call comes from a macro";
 }
 
 std::vector<EntityId> messages_among(const Unit& unit, ValueFlow& flow, const clang::CallExpr* call) {
@@ -167,7 +167,7 @@ std::optional<PublishCall> publish_call(const Unit& unit, ValueFlow& flow,
 
 Publish attached_publish(const Unit& unit, ValueFlow& flow, const clang::CallExpr* call) {
   Publish site;
-  site.attached = true;
+  site.attaching.is_done = true;
   site.where = unit.source.where(call->getExprLoc());
   site.function = enclosing_function_name(unit.ast(), *call);
   describe_message(site, unit, flow, written(call->getArg(1)));

@@ -181,6 +181,7 @@ void Facts::merge(Facts&& other) {
   }
   std::move(other.element_uses.begin(), other.element_uses.end(), std::back_inserter(element_uses));
   advertises.merge(other.advertises);
+  for (auto& [name, publishers] : other.library_publishers) library_publishers[name].merge(publishers);
   publishes.merge(other.publishes);
   unite(subscribes, other.subscribes);
   unite(bases, other.bases);

@@ -155,6 +155,20 @@ struct SiteFact {
   SiteId id() const { return {where.file, where.begin, type}; }
 };
 
+/// How a call attaches shared memory to its topic.
+struct Attaching {
+  bool is_done = false;         ///< by an earlier run
+  std::vector<Change> changes;  ///< that make it so; empty: it cannot be, or is
+  std::string why_not;          ///< empty: it can be, or is, or no class of TZC's does that
+};
+
+/// The type that an advertise call names.
+struct AdvertisedType {
+  std::string stock;     ///< as it is written
+  std::string twin;      ///< the same where the call must keep it
+  bool no_twin = false;  ///< there is none
+};
+
 struct Advertise : SiteFact {
   /// function_for_callers: exported, returns the publisher, and stays as it is.
   enum class Around { function, template_instance, function_for_callers };
@@ -162,12 +176,11 @@ struct Advertise : SiteFact {
   std::optional<std::string> queue;  ///< its number where it is known, else as written
   EntityId publisher;                ///< empty: kept in no entity
   std::vector<Change> changes;  ///< `$TYPE` stands for one of the types, `$MEM` for the memory size argument
-  std::string stock_type;       ///< as it is written
-  std::string twin_type;        ///< the same where the call must keep it
-  bool no_twin = false;
+  AdvertisedType written;
   bool needs_memory = false;          ///< the argument that follows could be taken for a memory size
   std::optional<std::string> memory;  ///< as written; set where the call is ported already
   bool pcl = false;                   ///< advertised as a cloud of PCL
+  Attaching attaching;                ///< while the publisher keeps its class
   Around around = Around::function;
   std::string rule;
 };
@@ -194,11 +207,10 @@ struct Publish : SiteFact {
   std::vector<EntityId> messages;  ///< what the first argument denotes
   bool pcl = false;                ///< a cloud of PCL or a cv_bridge::CvImage is published as such
   bool nested_only = false;
-  bool twin = false;      ///< a tzc:: message is published
-  bool attached = false;  ///< by tzc::publish, which attaches shared memory to a publisher of other code
-  std::vector<Change> changes;         ///< that make it so; empty: it cannot be, or is
-  std::string why_not_attached;        ///< empty: it can be, or is, or no class of TZC's does that
+  bool twin = false;                   ///< a tzc:: message is published
+  Attaching attaching;                 ///< to the topic of a publisher that keeps its class
   std::optional<LocalObject> part_of;  ///< none: of no object, or of one that lasts
+  std::string library_class;           ///< of a library, which publishes for the package; empty: none does
 };
 
 struct Subscribe : SiteFact {
@@ -275,6 +287,8 @@ struct Facts : EntityFacts, EscapeFacts, ThreadFacts, ClassFacts {
   std::map<SiteId, Advertise> advertises;
   std::map<SiteId, Publish> publishes;
   std::map<SiteId, Subscribe> subscribes;
+  std::map<std::string, std::set<EntityId>>
+      library_publishers;  ///< class of a library -> publishers that its objects are given
   std::map<FilterCallback, FilterCallbackUse> filter_callbacks;
   std::set<std::string> hidden_code;  ///< that is shown, by name
   std::set<std::string> bodies;       ///< USRs of the functions whose bodies were seen

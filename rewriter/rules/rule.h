@@ -62,12 +62,23 @@ struct LibraryAdvertise {
   const char* header;
 };
 
+/// A publisher that cannot become one of TZC's: the advertise call is passed to a function that attaches shared memory to the topic
+/// and returns the publisher as it is.
+struct AttachedAdvertise {
+  const char* rule;
+  const char* publisher;  ///< qualified name of its class
+  bool is_template;       ///< of the message; else it is an image
+  const char* to;
+  const char* header;
+};
+
 /// The rules of a run. Tests remove single ones to show that each is needed.
 struct RuleSet {
   std::vector<const ClassRename*> classes;
   std::vector<const LibraryCall*> calls;
   std::vector<const MethodCall*> methods;
   std::vector<const LibraryAdvertise*> advertisers;
+  std::vector<const AttachedAdvertise*> attached;
 
   const ClassRename* find_class(const std::string& name) const;
   /// The publisher or filter class that an earlier run wrote.
@@ -80,6 +91,7 @@ struct RuleSet {
   /// The names of those that write another function in place of this one.
   std::set<std::string> replacing(const std::string& function) const;
   const LibraryAdvertise* find_advertiser(const std::string& result) const;
+  const AttachedAdvertise* find_attached(const std::string& publisher) const;
   /// The function that an earlier run wrote to advertise, publish or subscribe.
   const MethodCall* find_ported_function(const std::string& function) const;
 };

@@ -34,6 +34,12 @@ const LibraryAdvertise* const advertisers[] = {
     &rules::library_camera_advertise,
 };
 
+const AttachedAdvertise* const attached[] = {
+    &rules::attached_advertise,
+    &rules::attached_image_advertise,
+    &rules::attached_camera_advertise,
+};
+
 template <class Rule, std::size_t count>
 std::vector<const Rule*> select(const Rule* const (&all)[count], const std::set<std::string>& without) {
   std::vector<const Rule*> selected;
@@ -91,6 +97,12 @@ const LibraryAdvertise* RuleSet::find_advertiser(const std::string& result) cons
   return nullptr;
 }
 
+const AttachedAdvertise* RuleSet::find_attached(const std::string& publisher) const {
+  for (const AttachedAdvertise* rule : attached)
+    if (publisher == rule->publisher) return rule;
+  return nullptr;
+}
+
 const MethodCall* RuleSet::find_ported_function(const std::string& function) const {
   for (const MethodCall* rule : methods)
     if (function == rule->to && rule->role != MethodCall::Role::builds_message &&
@@ -101,7 +113,7 @@ const MethodCall* RuleSet::find_ported_function(const std::string& function) con
 
 RuleSet all_rules(const std::set<std::string>& without) {
   return {select(classes, without), select(calls, without), select(methods, without),
-          select(advertisers, without)};
+          select(advertisers, without), select(attached, without)};
 }
 
 }  // namespace tzc::rewriter

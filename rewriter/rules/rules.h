@@ -13,5 +13,6 @@ extern const LibraryCall pcl_to_ros_msg, pcl_from_pcl, pcl_move_from_pcl, fill_i
 extern const MethodCall advertise, image_advertise, camera_advertise, attached_publish, subscribe,
     image_subscribe, camera_subscribe, cv_image_to_message, cv_image_into_message;
 extern const LibraryAdvertise library_advertise, library_image_advertise, library_camera_advertise;
+extern const AttachedAdvertise attached_advertise, attached_image_advertise, attached_camera_advertise;
 
 }  // namespace tzc::rewriter::rules

@@ -120,7 +120,7 @@ bool Binder::is_nameable(const PublisherName& name, const AllocationSite& site) 
   const Component* publisher = components_.of(name.publisher);
   // An adapter or a factory takes a reference to the publisher, which must be there.
   const bool takes_reference = !std::holds_alternative<InsertedAllocation>(site.how);
-  return publisher && publishers_.count(publisher->id) && !(name.guarded && takes_reference) &&
+  return publisher && senders_.ported.count(publisher->id) && !(name.guarded && takes_reference) &&
          !may_wait(name) && !may_be_missing(site, facts_.entities.at(name.publisher));
 }
 
@@ -129,7 +129,7 @@ bool Binder::is_nameable(const PublisherName& name, const AllocationSite& site) 
 std::optional<BoundAllocation> Binder::named_at(const AllocationSite& site, int wanted) {
   std::optional<BoundAllocation> by_pointers;
   std::set<std::string> guards;
-  std::set<ComponentId> others = publishers_;
+  std::set<ComponentId> others = senders_.ported;
   for (const PublisherName& name : site.publishers) {
     if (closeness(name, site) < wanted || !is_nameable(name, site)) continue;
     const Entity* publisher = &facts_.entities.at(name.publisher);
@@ -141,7 +141,7 @@ std::optional<BoundAllocation> Binder::named_at(const AllocationSite& site, int 
     else
       by_pointers = bound(site, name, publisher);
   }
-  if (by_pointers && !others.empty()) {
+  if (by_pointers && (senders_.has_kept || !others.empty())) {
     by_pointers->calls.emplace_back("tzc::allocate");
     by_pointers->is_of_node = true;
   }
@@ -153,7 +153,7 @@ std::optional<BoundAllocation> Binder::available_at(const AllocationSite& site) 
   // becomes.
   for (const int wanted : {2, 1, 0})
     if (std::optional<BoundAllocation> named = named_at(site, wanted)) return named;
-  for (const ComponentId id : publishers_)
+  for (const ComponentId id : senders_.ported)
     for (const Entity* entity : components_[id].entities)
       if (entity->form == Form::itself && visible(site, *entity) && !may_change_under_lock(id))
         return bound(site, {entity->id, entity->name, false, false, {}, {}}, entity);

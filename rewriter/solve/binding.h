@@ -10,17 +10,21 @@
 
 namespace tzc::rewriter {
 
+/// The publishers that send a message.
+struct Senders {
+  std::set<ComponentId> ported;
+  bool has_kept = false;  ///< also one that keeps its class, and gives no memory
+};
+
 /// Finds, for each allocation site of a message component, a publisher that is available there.
 class Binder {
  public:
-  /// publishers: components that publish the message and are ported.
-  Binder(const Facts& facts, const Components& components, const Component& component,
-         std::set<ComponentId> publishers)
+  Binder(const Facts& facts, const Components& components, const Component& component, Senders senders)
       : facts_(facts),
         components_(components),
         component_(component),
         locks_(facts),
-        publishers_(std::move(publishers)) {}
+        senders_(std::move(senders)) {}
 
   /// Why a site has none; nothing: each has one.
   std::optional<Decision> bind(const std::vector<const AllocationSite*>& sites);
@@ -50,7 +54,7 @@ class Binder {
   const Components& components_;
   const Component& component_;
   Locks locks_;
-  std::set<ComponentId> publishers_;
+  Senders senders_;
   std::optional<std::set<std::string>> early_;
   std::set<EntityId> given_;      // results of factories
   bool lacks_publisher_ = false;  // at a site, none can be named

@@ -108,9 +108,15 @@ Components::Components(const Facts& facts, bool all_or_nothing) {
     of_site_.emplace(id, component.id);
   }
   for (const auto& [id, site] : facts.publishes) {
-    if (site.changes.empty()) continue;
+    if (site.attaching.changes.empty()) continue;
     Component& component = add(ComponentKind::publish_call);
     component.publish_call = &site;
+    of_site_.emplace(id, component.id);
+  }
+  for (const auto& [id, site] : facts.advertises) {
+    if (site.attaching.changes.empty()) continue;
+    Component& component = add(ComponentKind::advertise_call);
+    component.advertise_call = &site;
     of_site_.emplace(id, component.id);
   }
 }

@@ -10,16 +10,17 @@
 
 namespace tzc::rewriter {
 
-enum class ComponentKind { message, publisher, filter, subscription, publish_call };
+enum class ComponentKind { message, publisher, filter, subscription, publish_call, advertise_call };
 
 /// Is ported as a whole or not at all: entities that flows connect or that one type declares, one subscription, or one call that
-/// can publish with a publisher of other code.
+/// can publish or advertise with a publisher that keeps its class.
 struct Component {
   ComponentId id{};
   ComponentKind kind = ComponentKind::message;
-  std::vector<const Entity*> entities;      ///< in the order of their ids; none: a subscription or a call
-  const Subscribe* subscription = nullptr;  ///< null: something else
-  const Publish* publish_call = nullptr;    ///< null: something else
+  std::vector<const Entity*> entities;        ///< in the order of their ids; none: a subscription or a call
+  const Subscribe* subscription = nullptr;    ///< null: something else
+  const Publish* publish_call = nullptr;      ///< null: something else
+  const Advertise* advertise_call = nullptr;  ///< null: something else
 
   /// One that no function makes. Its first publish binds it to the publisher's memory.
   bool has_lasting_message() const;
@@ -28,7 +29,7 @@ struct Component {
 /// Variables that can part from those declared in front of them, because the whole declaration can be cut.
 std::set<EntityId> separable(const Facts& facts);
 
-/// The partition of the flow graph, the subscriptions and the publish calls into components. The facts must outlive it.
+/// The partition of the flow graph, the subscriptions and the calls into components. The facts must outlive it.
 class Components {
  public:
   /// `all_or_nothing` false, for tests: every entity on its own.

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "model/codes.h"
+#include "solve/attached_topics.h"
 #include "solve/copied_elements.h"
 #include "solve/flow_graph.h"
 #include "solve/memory_size.h"
@@ -67,6 +68,7 @@ class SiteDescriber {
         options_(options),
         solution_(solution),
         flow_graph_(facts.flows),
+        attached_(facts, components, solution),
         received_(facts),
         copied_(facts),
         unbound_(facts) {}
@@ -87,6 +89,8 @@ class SiteDescriber {
   Site describe(const SiteId& id, const Subscribe& fact) const;
   void describe_message(const Publish& fact, Site& site) const;
   void describe_origins(const Publish& fact, Site& site) const;
+  void describe_kept_publisher(const Publish& fact, const Decision* publisher, Site& site) const;
+  void describe_kept_publisher(const Advertise& fact, const Decision& publisher, Site& site) const;
   bool publishes_without_copy(const Advertise& fact) const;
   std::optional<std::string> why_copied(const Subscribe& fact) const;
   std::string trust_of(const Publish& fact) const;
@@ -98,6 +102,7 @@ class SiteDescriber {
   const SolveOptions& options_;
   const Solution& solution_;
   FlowGraph flow_graph_;
+  AttachedTopics attached_;
   ReceivedWrites received_;
   CopiedElements copied_;
   UnboundMessages unbound_;
@@ -184,12 +189,28 @@ Site SiteDescriber::describe(const Publish& fact) const {
   const Decision* publisher = decision_of(fact.publisher);
   describe_message(fact, site);
   if (is(publisher, Outcome::ported) || site.level == Level::not_needed) return site;
-  site.rule.clear();
+  if (attached_.attaches(fact)) {
+    site.rule = "attached-publish";
+    return site;
+  }
+  describe_kept_publisher(fact, publisher, site);
+  return site;
+}
+
+/// What a message goes out with that is no publisher of TZC's, nor becomes one.
+void SiteDescriber::describe_kept_publisher(const Publish& fact, const Decision* publisher,
+                                            Site& site) const {
+  const bool attached = attached_.reach(fact.publisher) || attached_.reach_class(fact.library_class);
+  // Otherwise the publisher is why the message stays what it is.
+  if (attached && site.code != codes::TZC1009 && site.level == Level::one_copy &&
+      is(publisher, Outcome::refused)) {
+    site.rule = "attached-advertise";
+    return;
+  }
+  site.rule = attached ? "attached-advertise" : "";
   site.flow_path.clear();
-  const bool attached = fact.attached || is(decision_of(fact.id()), Outcome::ported);
   const Level level = attached ? Level::one_copy : Level::plain;
-  if (attached) site.rule = "attached-publish";
-  if (!publisher && !fact.obstacles.empty() && !attached) {
+  if (!publisher && !fact.obstacles.empty()) {
     refuse(site, fact.obstacles.front(), level);
   } else if (is(publisher, Outcome::refused)) {
     site.flow_path = flow_graph_.path(fact.publisher, publisher->at);
@@ -197,9 +218,19 @@ Site SiteDescriber::describe(const Publish& fact) const {
   } else {
     refuse(site, {codes::TZC1017, "the publisher is not one of the package", site.where}, level);
   }
-  if (level == Level::plain && site.code == codes::TZC1017 && !fact.why_not_attached.empty())
-    site.reason += ", and " + fact.why_not_attached;
-  return site;
+  if ((attached || site.code == codes::TZC1017) && !fact.attaching.why_not.empty())
+    site.reason += ", and " + fact.attaching.why_not;
+}
+
+void SiteDescriber::describe_kept_publisher(const Advertise& fact, const Decision& publisher,
+                                            Site& site) const {
+  const bool by_call = attached_.is_attached(fact);
+  const bool attached = by_call || attached_.is_attached_by_calls(fact.publisher);
+  if (attached) site.rule = by_call ? "attached-advertise" : "attached-publish";
+  site.level = !attached ? Level::plain : publishes_without_copy(fact) ? Level::zero_copy : Level::one_copy;
+  if (site.level == Level::zero_copy) return;
+  site.flow_path = flow_graph_.path(fact.publisher, publisher.at);
+  refuse(site, publisher.why_not, site.level);
 }
 
 bool SiteDescriber::publishes_without_copy(const Advertise& fact) const {
@@ -223,8 +254,7 @@ Site SiteDescriber::describe(const Advertise& fact) const {
     site.level = Level::not_needed;
     site.reason = "who calls this function attaches shared memory to what it returns";
   } else if (publisher) {
-    site.flow_path = flow_graph_.path(fact.publisher, publisher->at);
-    refuse(site, publisher->why_not, Level::plain);
+    describe_kept_publisher(fact, *publisher, site);
   } else {
     const Obstacle not_kept{codes::TZC1010, "the publisher is not kept", site.where};
     refuse(site, fact.obstacles.empty() ? not_kept : fact.obstacles.front(), Level::plain);

@@ -30,6 +30,12 @@ void leave_light_types(Facts& facts, std::uint64_t small) {
   leave(facts.subscribes, small);
 }
 
+bool publishes_light_message(const Publish& site, const Components& components, const Solution& solution) {
+  const Component* message = site.messages.empty() ? nullptr : components.of(site.messages[0]);
+  const Decision* decision = message ? solution.of(message->id) : nullptr;
+  return (!site.has_data_part && !site.pcl) || (decision && decision->outcome == Outcome::not_needed);
+}
+
 LightMessages::LightMessages(const Facts& facts, const Components& components) {
   for (const DataUse& use : facts.data_uses)
     if (const Component* message = components.of(use.entity)) uses_[message->id].push_back(&use);

@@ -8,11 +8,15 @@
 #include <vector>
 
 #include "solve/components.h"
+#include "solve/solution.h"
 
 namespace tzc::rewriter {
 
 /// Treats sites of types whose arrays hold fewer than `small` bytes as if they had no array.
 void leave_light_types(Facts& facts, std::uint64_t small);
+
+/// Whether what a site publishes needs no shared memory, by its type or by what was decided on its message.
+bool publishes_light_message(const Publish& site, const Components& components, const Solution& solution);
 
 /// Messages whose arrays are shown to stay small by every use that the package makes of them.
 class LightMessages {

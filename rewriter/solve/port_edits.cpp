@@ -55,7 +55,10 @@ class PortEditor {
         for (const Change& change : component.subscription->changes) add(change, component.id);
     for (const Component& component : components_.all())
       if (component.publish_call && is_ported(component))
-        for (const Change& change : component.publish_call->changes) add(change, component.id);
+        for (const Change& change : component.publish_call->attaching.changes) add(change, component.id);
+    for (const Component& component : components_.all())
+      if (component.advertise_call && is_ported(component))
+        for (const Change& change : component.advertise_call->attaching.changes) add(change, component.id);
     for (const auto& item : facts_.publishes) {
       add_condition(item.second);
       add_cloud_adapter(item.second);
@@ -162,12 +165,12 @@ void PortEditor::add_advertise(const Advertise& site) {
   const bool twin = publishes_twin(site, *publisher);
   const std::string memory = memory_size(site, options_).text;
   for (Change change : site.changes) {
-    replace_all(change.text, "$TYPE", twin ? site.twin_type : site.stock_type);
+    replace_all(change.text, "$TYPE", twin ? site.written.twin : site.written.stock);
     replace_all(change.text, "$MEM", memory != "0" || site.needs_memory ? ", " + memory : "");
     if (change.text.empty() && change.where.begin == change.where.end) continue;
     add(change, publisher->id);
   }
-  if (twin && !site.no_twin && !site.twin_type.empty() && !site.changes.empty())
+  if (twin && !site.written.no_twin && !site.written.twin.empty() && !site.changes.empty())
     edits_.headers[site.changes[0].where.file].insert("tzc/" + site.type + ".h");
 }
 

@@ -7,6 +7,7 @@
 #include "model/codes.h"
 #include "solve/binding.h"
 #include "solve/flow_graph.h"
+#include "solve/kept_publishers.h"
 #include "solve/light_messages.h"
 #include "solve/received_writes.h"
 #include "solve/site_index.h"
@@ -28,7 +29,8 @@ class Solver {
         flow_graph_(facts.flows),
         received_(facts),
         light_(facts, components),
-        soundness_(facts, components) {}
+        soundness_(facts, components),
+        kept_(facts, components, options, solution_) {}
 
   Solution run() {
     decide_all(ComponentKind::publisher, &Solver::decide_publisher);
@@ -39,6 +41,7 @@ class Solver {
     leave_idle_publishers();
     decide_all(ComponentKind::subscription, &Solver::decide_subscription);
     decide_all(ComponentKind::publish_call, &Solver::decide_publish_call);
+    decide_all(ComponentKind::advertise_call, &Solver::decide_advertise_call);
     return std::move(solution_);
   }
 
@@ -49,12 +52,13 @@ class Solver {
   Decision decide_message(const Component& component);
   Decision decide_subscription(const Component& component) const;
   Decision decide_publish_call(const Component& component) const;
-  bool has_foreign_publisher(const Publish& site) const;
-  bool is_light(const Publish& site) const;
+  Decision decide_advertise_call(const Component& component) const;
+  std::optional<Decision> demoted(const Component* component) const;
   void leave_idle_publishers();
   std::optional<Decision> blocked(const Component& component) const;
   std::optional<Decision> unwanted(const Component& component) const;
   std::optional<Decision> contradicted(const Component& component) const;
+  static std::optional<Decision> of_several_types(const Component& component);
   std::optional<Decision> wrong_shape(const Component& component) const;
   Decision bind_allocations(const Component& component);
   bool has_data_part(const Component& publisher) const;
@@ -72,6 +76,7 @@ class Solver {
   LightMessages light_;
   Soundness soundness_;
   Solution solution_;
+  KeptPublishers kept_;
 };
 
 void Solver::decide_all(ComponentKind kind, Decision (Solver::*decide)(const Component&) const) {
@@ -82,9 +87,15 @@ void Solver::decide_all(ComponentKind kind, Decision (Solver::*decide)(const Com
 std::optional<Decision> Solver::blocked(const Component& component) const {
   for (const Entity* entity : component.entities)
     if (!entity->obstacles.empty() && !entity->ported) return refused(entity->obstacles.front(), entity->id);
-  const auto demoted = demotions_.find(component.id);
-  if (demoted == demotions_.end()) return {};
-  return refused(demoted->second, component.entities.front()->id);
+  auto decision = demoted(&component);
+  if (decision) decision->at = component.entities.front()->id;
+  return decision;
+}
+
+std::optional<Decision> Solver::demoted(const Component* component) const {
+  if (!component) return {};
+  const auto found = demotions_.find(component->id);
+  return found == demotions_.end() ? std::nullopt : std::optional(refused(found->second));
 }
 
 std::optional<Decision> Solver::unwanted(const Component& component) const {
@@ -153,7 +164,7 @@ std::optional<Decision> Solver::contradicted(const Component& component) const {
   std::map<std::tuple<std::string, unsigned, unsigned>, std::string> texts;
   for (const Advertise* site : sites_.advertised(component))
     for (const Change& change : site->changes) {
-      const std::string text = change.text + site->stock_type + site->twin_type;
+      const std::string text = change.text + site->written.stock + site->written.twin;
       const auto [known, is_new] =
           texts.emplace(std::make_tuple(change.where.file, change.where.begin, change.where.end), text);
       if (is_new || known->second == text) continue;
@@ -170,21 +181,38 @@ Decision Solver::decide_filter(const Component& component) const {
   return blocked(component).value_or(Decision{Outcome::ported, {}, {}});
 }
 
-bool Solver::is_light(const Publish& site) const {
-  const Component* message = site.messages.empty() ? nullptr : components_.of(site.messages[0]);
-  const Decision* decision = message ? solution_.of(message->id) : nullptr;
-  return (!site.has_data_part && !site.pcl) || (decision && decision->outcome == Outcome::not_needed);
+/// Its messages do not matter: the user left it out, or code outside the package publishes with it.
+bool stays_as_told(const std::string& code) {
+  return code == codes::TZC1010 || code == codes::TZC1015 || code == codes::TZC1016;
 }
 
 /// A publisher all of whose messages are light stays as it is.
 void Solver::leave_idle_publishers() {
   for (const Component& publisher : components_.all()) {
     const auto& sites = sites_.published_by(publisher);
-    const bool idle = !sites.empty() && std::all_of(sites.begin(), sites.end(),
-                                                    [&](const Publish* site) { return is_light(*site); });
-    if (idle && solution_.ports(publisher.id))
+    const bool idle = !sites.empty() && std::all_of(sites.begin(), sites.end(), [&](const Publish* site) {
+      return publishes_light_message(*site, components_, solution_);
+    });
+    const Decision* decision = solution_.of(publisher.id);
+    if (idle && decision && !stays_as_told(decision->why_not.code))
       solution_.decisions[publisher.id] = not_needed("what is published with it needs no shared memory");
   }
+}
+
+/// One declaration that would have to be written in several ways.
+std::optional<Decision> Solver::of_several_types(const Component& component) {
+  std::map<std::pair<std::string, unsigned>, std::string> texts;
+  for (const Entity* entity : component.entities)
+    for (const Change& change : entity->changes) {
+      const auto [known, is_new] =
+          texts.emplace(std::make_pair(change.where.file, change.where.begin), change.text);
+      if (is_new || known->second == change.text) continue;
+      return refused(
+          {codes::TZC1007, "the file is compiled in several ways, which give it different types here",
+           entity->where},
+          entity->id);
+    }
+  return {};
 }
 
 std::optional<Decision> Solver::wrong_shape(const Component& component) const {
@@ -205,6 +233,7 @@ Decision Solver::decide_message(const Component& component) {
   if (std::none_of(sites.begin(), sites.end(), [](const Publish* site) { return site->has_data_part; }))
     return {};
   if (auto refusal = blocked(component)) return *refusal;
+  if (auto refusal = of_several_types(component)) return *refusal;
   const std::optional<std::uint64_t> bytes = known_bytes(component);
   const bool mentioned = light_.mentions_arrays(component);
   if (bytes && !mentioned && all_local(component))
@@ -235,13 +264,17 @@ std::optional<std::uint64_t> Solver::known_bytes(const Component& component) con
 }
 
 Decision Solver::bind_allocations(const Component& component) {
-  std::set<ComponentId> publishers;
-  for (const Publish* site : sites_.publishes_of(component))
-    if (const Component* publisher = components_.of(site->publisher))
-      if (solution_.ports(publisher->id)) publishers.insert(publisher->id);
-  if (publishers.empty())
+  Senders senders;
+  for (const Publish* site : sites_.publishes_of(component)) {
+    const Component* publisher = components_.of(site->publisher);
+    if (publisher && solution_.ports(publisher->id))
+      senders.ported.insert(publisher->id);
+    else if (kept_.take_ported_message(*site) && !demoted(components_.of(site->id())))
+      senders.has_kept = true;
+  }
+  if (senders.ported.empty() && !senders.has_kept)
     return refused({codes::TZC1009, "its publisher stays on TCPROS", component.entities.front()->where});
-  Binder binder(facts_, components_, component, std::move(publishers));
+  Binder binder(facts_, components_, component, std::move(senders));
   if (auto refusal = binder.bind(sites_.allocations(component))) return *refusal;
   solution_.allocations.insert(solution_.allocations.end(), binder.allocations().begin(),
                                binder.allocations().end());
@@ -253,8 +286,7 @@ Decision Solver::decide_subscription(const Component& component) const {
   const Subscribe& site = *component.subscription;
   if (!site.has_data_part) return {};
   if (!site.obstacles.empty()) return refused(site.obstacles.front());
-  if (const auto demoted = demotions_.find(component.id); demoted != demotions_.end())
-    return refused(demoted->second);
+  if (const auto decision = demoted(&component)) return *decision;
   const bool left_out = options_.max_level == Level::plain ||
                         (options_.wanted && !options_.wanted(site_of(site, options_.packages)));
   if (!site.ported && left_out)
@@ -268,28 +300,14 @@ Decision Solver::decide_subscription(const Component& component) const {
   return {Outcome::ported, {}, {}};
 }
 
-/// One that nothing in the package advertises.
-bool Solver::has_foreign_publisher(const Publish& site) const {
-  const Component* publisher = components_.of(site.publisher);
-  const Decision* decision = publisher ? solution_.of(publisher->id) : nullptr;
-  return !publisher ||
-         (decision && decision->outcome == Outcome::refused && decision->why_not.code == codes::TZC1017);
+Decision Solver::decide_publish_call(const Component& component) const {
+  const Decision decision = kept_.decide_publish_call(component);
+  return decision.outcome == Outcome::ported ? demoted(&component).value_or(decision) : decision;
 }
 
-/// The publisher stays what it is. Shared memory is attached to its topic where the package publishes.
-Decision Solver::decide_publish_call(const Component& component) const {
-  const Publish& site = *component.publish_call;
-  if (!has_foreign_publisher(site) || is_light(site)) return {};
-  const Location here = location_of(site.where);
-  for (const Obstacle& obstacle : site.obstacles)
-    if (obstacle.code == codes::TZC1012 || obstacle.code == codes::TZC1014) return refused(obstacle);
-  if (options_.max_level == Level::plain)
-    return refused({codes::TZC1015, "this run leaves everything on TCPROS", here});
-  if (options_.wanted && !options_.wanted(site_of(site, options_.packages)))
-    return refused({codes::TZC1016, "left out by --only or --except", here});
-  if (const auto demoted = demotions_.find(component.id); demoted != demotions_.end())
-    return refused(demoted->second);
-  return {Outcome::ported, {}, {}};
+Decision Solver::decide_advertise_call(const Component& component) const {
+  const Decision decision = kept_.decide_advertise_call(component);
+  return decision.outcome == Outcome::ported ? demoted(&component).value_or(decision) : decision;
 }
 
 }  // namespace

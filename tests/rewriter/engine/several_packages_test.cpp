@@ -12,6 +12,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Pair;
 
 const char* const header = "lib/include/lib/fill.h";
 const std::string ros_headers = "#include <ros/ros.h>\n#include <sensor_msgs/Image.h>\n";
@@ -146,8 +147,9 @@ TEST_F(SeveralPackages, a_definition_that_another_package_holds_too_stays_with_w
   copied["node/src/holder.h"] = holder;
   const auto kept = plan({"node"});
   ASSERT_TRUE(kept) << to_string(kept.error());
-  EXPECT_EQ(level(kept->at(folder("node"))), Level::plain);
-  EXPECT_THAT(kept->at(folder("node")).contents, IsEmpty());
+  EXPECT_EQ(level(kept->at(folder("node"))), Level::one_copy);
+  EXPECT_THAT(kept->at(folder("node")).contents,
+              ElementsAre(Pair(folder("node/src/node.cpp"), HasSubstr("holder.pub = tzc::attached<"))));
   EXPECT_THAT(kept->at(folder("node")).report.sites.back().reason, HasSubstr("/ws/src/copy.h"));
 }
 

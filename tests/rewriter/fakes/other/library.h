@@ -47,6 +47,13 @@ class Server {
   std::vector<ros::Publisher> map_pubs_;
   ros::Publisher* shared_pub_ = nullptr;
 };
+/// Publishes with publishers of its own.
+class Recorder {
+ public:
+  void publish(const sensor_msgs::Image&, double) {}
+  void publishCloud(const boost::shared_ptr<const sensor_msgs::PointCloud2>&) {}
+  void publish(int) {}
+};
 class Source {
  public:
   virtual ~Source() {}

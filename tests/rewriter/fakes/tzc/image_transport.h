@@ -34,6 +34,12 @@ inline Publisher attach_publisher(const ::image_transport::Publisher&) {
 inline CameraPublisher attach_publisher(const ::image_transport::CameraPublisher&) {
   return {};
 }
+inline ::image_transport::Publisher attached(const ::image_transport::Publisher& publisher) {
+  return publisher;
+}
+inline ::image_transport::CameraPublisher attached(const ::image_transport::CameraPublisher& publisher) {
+  return publisher;
+}
 template <class... A>
 ::image_transport::Subscriber subscribe(::image_transport::ImageTransport it, A&&... a) {
   return it.subscribe(std::forward<A>(a)...);

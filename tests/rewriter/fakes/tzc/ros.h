@@ -61,6 +61,10 @@ Publisher attach_publisher(const ros::Publisher&, std::size_t = 0) {
   return {};
 }
 template <class M>
+ros::Publisher attached(const ros::Publisher& publisher) {
+  return publisher;
+}
+template <class M>
 void publish(const ros::Publisher&, const M&) {}
 template <class... A>
 ros::Subscriber subscribe(ros::NodeHandle nh, A&&... a) {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/attached_advertise.h"
+
+#include "facts/ast_walk.h"
+
+namespace tzc::rewriter {
+namespace {
+
+const AttachedAdvertise* rule_for(const Unit& unit, const clang::CallExpr* call) {
+  const clang::CXXRecordDecl* publisher = call->getType().getCanonicalType()->getAsCXXRecordDecl();
+  return publisher ? unit.rules.find_attached(qualified_name_of(publisher)) : nullptr;
+}
+
+/// tzc::attached<M>(call); null: it is not there.
+const clang::CallExpr* attached_call(const Unit& unit, const clang::CallExpr* call,
+                                     const AttachedAdvertise& rule) {
+  for (const clang::DynTypedNode& node : ancestors(unit.ast(), *call)) {
+    const auto* parent = node.get<clang::Expr>();
+    if (!parent) return nullptr;
+    if (const auto* outer = llvm::dyn_cast<clang::CallExpr>(parent)) {
+      const clang::FunctionDecl* function = outer->getDirectCallee();
+      return function && qualified_name_of(function) == rule.to ? outer : nullptr;
+    }
+    if (!is_implicit_wrapper(parent)) return nullptr;
+  }
+  return nullptr;
+}
+
+std::vector<Change> take_away(const Unit& unit, const clang::CallExpr* outer, const clang::CallExpr* inner,
+                              const char* rule) {
+  const auto whole = unit.source.place(outer->getSourceRange()),
+             kept = unit.source.place(inner->getSourceRange());
+  if (!whole || !kept) return {};
+  Place before = *whole, behind = *whole;
+  before.end = kept->begin;
+  behind.begin = kept->end;
+  return {{before, "", rule, {}}, {behind, "", rule, {}}};
+}
+
+}  // namespace
+
+std::vector<Change> put_around(const Unit& unit, const clang::Expr* expr, const Change& before,
+                               const std::string& behind) {
+  const std::optional<Place> whole = unit.source.place(expr->getSourceRange());
+  if (!whole) return {};
+  Change first = before;
+  first.where = *whole;
+  first.where.end = whole->begin;
+  Place end = *whole;
+  end.begin = whole->end;
+  return {first, {end, behind, before.rule, {}}};
+}
+
+void describe_keeping(Advertise& site, const Unit& unit, const clang::CallExpr* call) {
+  const AttachedAdvertise* rule = rule_for(unit, call);
+  if (!rule || !site.has_data_part || site.around == Advertise::Around::function_for_callers) return;
+  if (const clang::CallExpr* outer = attached_call(unit, call, *rule)) {
+    site.attaching.is_done = true;
+    const std::vector<Change> away = take_away(unit, outer, call, rule->rule);
+    site.changes.insert(site.changes.end(), away.begin(), away.end());
+    return;
+  }
+  if (rule->is_template && site.written.stock.empty()) return;
+  std::string text = rule->to;
+  if (rule->is_template) text += "<" + site.written.stock + ">";
+  Change before{{}, text + "(", rule->rule, {rule->header}};
+  if (site.pcl) before.headers.push_back("tzc/pcl.h");
+  site.attaching.changes = put_around(unit, call, before, ")");
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,42 @@
+// A public map of publishers of an exported class.
+#include <node/node.h>
+
+void Node::run() {
+  pubs_[0] = nh_.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  pubs_[0].publish(image);
+}
+//--- include/node/node.h
+#pragma once
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+#include <map>
+class Node {
+ public:
+  void run();
+  std::map<int, ros::Publisher> pubs_;
+
+ private:
+  ros::NodeHandle nh_;
+};
+//--- CMakeLists.txt
+cmake_minimum_required(VERSION 3.5)
+project(node)
+find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs)
+catkin_package(INCLUDE_DIRS include)
+include_directories(include)
+add_library(node src/node.cpp)
+//--- expected
+// advertise src/node.cpp:5 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:8 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  sensor_msgs::Image image;
+// +  tzc::sensor_msgs::Image image;
+// +  tzc::allocate(image);
+// -  pubs_[0].publish(image);
+// +  tzc::publish(pubs_[0], image);

@@ -1,0 +1,35 @@
+// A global publisher of an exported header.
+#include <node/node.h>
+
+ros::Publisher pub;
+void run(ros::NodeHandle& nh) {
+  pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  sensor_msgs::Image image;
+  image.data.resize(100);
+  pub.publish(image);
+}
+//--- include/node/node.h
+#pragma once
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+extern ros::Publisher pub;
+//--- CMakeLists.txt
+cmake_minimum_required(VERSION 3.5)
+project(node)
+find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs)
+catkin_package(INCLUDE_DIRS include)
+include_directories(include)
+add_library(node src/node.cpp)
+//--- expected
+// advertise src/node.cpp:6 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:9 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  sensor_msgs::Image image;
+// +  tzc::sensor_msgs::Image image;
+// +  tzc::allocate(image);
+// -  pub.publish(image);
+// +  tzc::publish(pub, image);
