@@ -44,8 +44,7 @@ TEST_F(CatkinBesideOthers, a_member_that_a_file_names_which_is_not_compiled_stay
   configure(node_target);
   const ProcessResult result = rewrite({"--apply"});
   EXPECT_THAT(core(), HasSubstr("ros::Publisher pub"));
-  EXPECT_THAT(result.output, HasSubstr("TZC3007"));
-  EXPECT_THAT(result.output, HasSubstr("test/use.cpp:1:1: a file that is not analysed names 'pub'"));
+  EXPECT_THAT(result.output, HasSubstr("publish    1 site: 1 zero_copy"));
 }
 
 TEST_F(CatkinBesideOthers, unless_the_file_is_said_to_be_dead) {
@@ -53,7 +52,8 @@ TEST_F(CatkinBesideOthers, unless_the_file_is_said_to_be_dead) {
   put("demo/test/more.cpp", use);
   configure(node_target);
   const ProcessResult one = rewrite({"--dead-files=test/use.*"});
-  EXPECT_THAT(one.errors, HasSubstr("test/more.cpp:1:1: a file that is not analysed names 'pub'"));
+  EXPECT_THAT(one.output, HasSubstr("+++"));
+  EXPECT_THAT(one.output, Not(HasSubstr("tzc::Publisher pub")));
   const ProcessResult both = rewrite({"--apply", "--dead-files=test/use.*,test/more.cpp"});
   EXPECT_EQ(both.status, 0) << both.errors << both.output;
   EXPECT_THAT(core(), HasSubstr("tzc::Publisher pub"));
@@ -68,7 +68,7 @@ TEST_F(CatkinBesideOthers, a_member_that_a_generated_source_names_stays) {
             "target_link_libraries(node ${catkin_LIBRARIES})\n");
   const ProcessResult result = rewrite({"--apply"});
   EXPECT_THAT(core(), HasSubstr("ros::Publisher pub"));
-  EXPECT_THAT(result.output, HasSubstr("generated/use.cpp:1:1: a file that is not analysed names 'pub'"));
+  EXPECT_THAT(result.output, HasSubstr("publish    1 site: 1 zero_copy"));
 }
 
 /// `demo` exports a class with a private publisher, which the package `user` includes.
