@@ -195,14 +195,15 @@ std::optional<AdvertiseCollector::LibraryCall> AdvertiseCollector::of_library_ca
   Advertise site = site_at(call, rule->rule);
   if (rule->is_template) describe_type(site, library_advertised_type(call));
   describe_topic(site, call);
-  const clang::CallExpr* ported = attaching_call(unit_, call, *rule);
+  const clang::CallExpr* ported = attaching_call(unit_, call, rule->to);
   const clang::CallExpr* publisher = ported ? ported : call;
   site.publisher = entities_.declare_temporary(publisher);
-  if (ported)
+  if (ported) {
     site.memory = rule->is_template ? written_text(unit_, ported, 1).value_or("0") : "0";
-  else
+  } else {
     attach(site, call, *rule);
-  if (!ported) describe_keeping(site, unit_, call);
+    describe_keeping(site, unit_, call);
+  }
   return LibraryCall{std::move(site), publisher};
 }
 

@@ -2,6 +2,7 @@
 #include "facts/attached_advertise.h"
 
 #include "facts/ast_walk.h"
+#include "facts/library_advertise.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -9,21 +10,6 @@ namespace {
 const AttachedAdvertise* rule_for(const Unit& unit, const clang::CallExpr* call) {
   const clang::CXXRecordDecl* publisher = call->getType().getCanonicalType()->getAsCXXRecordDecl();
   return publisher ? unit.rules.find_attached(qualified_name_of(publisher)) : nullptr;
-}
-
-/// tzc::attached<M>(call); null: it is not there.
-const clang::CallExpr* attached_call(const Unit& unit, const clang::CallExpr* call,
-                                     const AttachedAdvertise& rule) {
-  for (const clang::DynTypedNode& node : ancestors(unit.ast(), *call)) {
-    const auto* parent = node.get<clang::Expr>();
-    if (!parent) return nullptr;
-    if (const auto* outer = llvm::dyn_cast<clang::CallExpr>(parent)) {
-      const clang::FunctionDecl* function = outer->getDirectCallee();
-      return function && qualified_name_of(function) == rule.to ? outer : nullptr;
-    }
-    if (!is_implicit_wrapper(parent)) return nullptr;
-  }
-  return nullptr;
 }
 
 std::vector<Change> take_away(const Unit& unit, const clang::CallExpr* outer, const clang::CallExpr* inner,
@@ -54,7 +40,7 @@ std::vector<Change> put_around(const Unit& unit, const clang::Expr* expr, const 
 void describe_keeping(Advertise& site, const Unit& unit, const clang::CallExpr* call) {
   const AttachedAdvertise* rule = rule_for(unit, call);
   if (!rule || !site.has_data_part || site.around == Advertise::Around::function_for_callers) return;
-  if (const clang::CallExpr* outer = attached_call(unit, call, *rule)) {
+  if (const clang::CallExpr* outer = attaching_call(unit, call, rule->to)) {
     site.attaching.is_done = true;
     const std::vector<Change> away = take_away(unit, outer, call, rule->rule);
     site.changes.insert(site.changes.end(), away.begin(), away.end());

@@ -46,13 +46,12 @@ const LibraryAdvertise* library_advertise_rule(const Unit& unit, const clang::Ca
   return !rule->is_template || !library_advertised_type(call).isNull() ? rule : nullptr;
 }
 
-const clang::CallExpr* attaching_call(const Unit& unit, const clang::CallExpr* call,
-                                      const LibraryAdvertise& rule) {
+const clang::CallExpr* attaching_call(const Unit& unit, const clang::CallExpr* call, const std::string& to) {
   for (const clang::DynTypedNode& node : ancestors(unit.ast(), *call)) {
     const auto* parent = node.get<clang::Expr>();
     if (const auto* outer = llvm::dyn_cast_or_null<clang::CallExpr>(parent)) {
       const clang::FunctionDecl* function = outer->getDirectCallee();
-      return function && qualified_name_of(function) == rule.to ? outer : nullptr;
+      return function && qualified_name_of(function) == to ? outer : nullptr;
     }
     if (!parent || !is_implicit_wrapper(parent)) return nullptr;
   }

@@ -19,9 +19,8 @@ bool advertises_for_callers(const Unit& unit, const clang::FunctionDecl* functio
 llvm::ArrayRef<clang::TemplateArgumentLoc> written_arguments_of(const clang::CallExpr* call);
 /// M of advertise<M>(...), when that is what a library can advertise; null otherwise.
 clang::QualType library_advertised_type(const clang::CallExpr* call);
-/// The call that an earlier run has put around it; null: none.
-const clang::CallExpr* attaching_call(const Unit& unit, const clang::CallExpr* call,
-                                      const LibraryAdvertise& rule);
+/// The call of `to` that an earlier run has put around it; null: none.
+const clang::CallExpr* attaching_call(const Unit& unit, const clang::CallExpr* call, const std::string& to);
 /// tzc::attach_publisher<M>(...), as a rule writes it.
 bool attaches_publisher(const Unit& unit, const clang::CallExpr* call);
 
