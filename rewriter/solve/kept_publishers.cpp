@@ -90,7 +90,8 @@ bool KeptPublishers::needs_memory_beside_calls(const Component& publisher) const
 
 bool KeptPublishers::needs_memory(const Advertise& site) const {
   const Component* publisher = components_.of(site.publisher);
-  return publisher && is_kept(site.publisher) && needs_memory_beside_calls(*publisher);
+  const bool is_wanted = !options_.wanted || options_.wanted(site_of(site, options_.packages));
+  return is_wanted && publisher && is_kept(site.publisher) && needs_memory_beside_calls(*publisher);
 }
 
 Decision KeptPublishers::decide_advertise_call(const Component& call) const {
