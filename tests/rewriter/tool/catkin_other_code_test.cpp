@@ -8,6 +8,7 @@
 namespace tzc::rewriter {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -89,12 +90,16 @@ class CatkinWithUser : public test::Catkin {
         "  pub_ = nh_.advertise<sensor_msgs::Image>(\"image\", 10);\n  sensor_msgs::Image image;\n"
         "  image.data.resize(640 * 480);\n  pub_.publish(image);\n}\n");
   }
-  void configure_both(const std::string& standard_of_user) const {
+  void put_user(const std::string& standard) const {
     put("user/CMakeLists.txt",
-        "cmake_minimum_required(VERSION 3.0.2)\nproject(user)\nadd_compile_options(" + standard_of_user +
+        "cmake_minimum_required(VERSION 3.0.2)\nproject(user)\nadd_compile_options(" + standard +
             ")\nfind_package(catkin REQUIRED COMPONENTS roscpp demo)\ncatkin_package()\n"
             "include_directories(${catkin_INCLUDE_DIRS})\nadd_executable(user src/user.cpp)\n"
-            "target_link_libraries(user ${catkin_LIBRARIES})\n");
+            "target_link_libraries(user ${catkin_LIBRARIES})\n"
+            "if(catkin_EXPORTED_TARGETS)\n  add_dependencies(user ${catkin_EXPORTED_TARGETS})\nendif()\n");
+  }
+  void configure_both(const std::string& standard_of_user) const {
+    put_user(standard_of_user);
     configure(
         "find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs)\n"
         "catkin_package(INCLUDE_DIRS include LIBRARIES driver CATKIN_DEPENDS roscpp sensor_msgs)\n"
@@ -177,15 +182,21 @@ class CatkinWithMessages : public CatkinWithUser {
   }
 };
 
+/// Everybody has what tzc::attached needs, whatever the message: the ported package exports that it depends on tzc_roscpp.
 TEST_F(CatkinWithMessages, an_exported_header_does_not_include_what_others_do_not_have) {
-  test::fs::remove_all(folder_ / "ws/src/user");
   put("demo/include/demo/blobs.h", publisher_class());
   put("demo/src/node.cpp", "#include <demo/blobs.h>\n\nint main() { Blobs().step(); }\n");
+  put("user/src/user.cpp", "#include <demo/blobs.h>\n\nint main() { Blobs().step(); }\n");
+  put_user("-std=c++14");
   configure_demo();
-  const ProcessResult result = rewrite({"--apply"});
-  EXPECT_THAT(folder_.read("ws/src/demo/include/demo/blobs.h"), Not(HasSubstr("tzc")));
+  const ProcessResult result = rewrite({"--apply", "--verify=build"});
+  EXPECT_EQ(result.status, 0) << result.errors << result.output;
+  EXPECT_THAT(folder_.read("ws/src/demo/include/demo/blobs.h"),
+              AllOf(Not(HasSubstr("<tzc/blobs")), HasSubstr("ros::Publisher pub_"),
+                    HasSubstr("tzc::attached<blobs::Blob>(")));
   EXPECT_THAT(result.output,
-              HasSubstr("<tzc/blobs/Blob.h> would be generated in this package's build folder only"));
+              AllOf(HasSubstr("<tzc/blobs/Blob.h> would be generated in this package's build folder only"),
+                    HasSubstr("publish    1 site: 1 one_copy")));
 }
 
 TEST_F(CatkinWithMessages, a_header_of_its_own_does) {

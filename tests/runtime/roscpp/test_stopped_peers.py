@@ -65,18 +65,19 @@ class Hoarders(TopicCase):
         self.assertEqual((counters["exhausted"], counters["serialized"], counters["dropped"]), (0, 0, 0))
 
     def test_serialized_messages_that_wait_for_a_callback_take_the_memory_from_nobody(self):
-        """A program that is not ported publishes by reference: each message is one block."""
+        """A program that is not ported publishes by reference: what roscpp serialized is copied once, and shared."""
         waiting, listener = self.listen(spinner="afterwards", queue=1000), self.listen(queue=1000)
         counters = os.path.join(self.scratch, f"counters{self.ns[1:]}")
         talker = self.start_talker("plain", count=120, rate=100, subscribers=2, bytes=100000, runner=TZC_RUN, settle=2,
                                    env={"TZC_STATISTICS": counters}, **{"tzc/memory_size": 64 * 105000})
         self.assertEqual(talker.wait(60), 0, talker.tail())
-        self.assert_got(listener, range(120))
+        self.assert_got(listener, range(120), shared=True)
         self.assert_got(waiting, range(120))
+        held = sum(m["shared"] for m in waiting.messages())
+        self.assertTrue(20 <= held <= 40, held)
         with open(counters) as lines:
             mine = [line for line in map(json.loads, lines) if line["topic"] == self.name("image")][0]
-        self.assertGreater(mine["copied_bytes"], 120 * 100000)
-        self.assertEqual((mine["exhausted"], mine["dropped"]), (0, 0))
+        self.assertEqual((mine["copied_bytes"], mine["exhausted"], mine["dropped"]), (120 * 100000, 0, 0))
 
     def test_one_that_keeps_everything_of_two_topics_warns_of_each(self):
         """Though one place in the code warns of both, and at most once a minute."""
