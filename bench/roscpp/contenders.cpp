@@ -61,6 +61,16 @@ class NodeContender : public Contender {
   virtual void spin() { ros::spin(); }
 };
 
+/// Publishes one message by reference, again and again.
+std::function<void(std::uint64_t)> publish_by_reference(const ros::Publisher& publisher, const Setup& setup) {
+  const auto image = std::make_shared<::sensor_msgs::Image>();
+  image->data.resize(setup.size_bytes);
+  return [publisher, image, setup](std::uint64_t index) {
+    fill_and_stamp(*image, Span(setup, index));
+    publisher.publish(*image);
+  };
+}
+
 class TcprosContender final : public NodeContender {
  public:
   const char* name() const override { return "tcpros"; }
@@ -68,14 +78,9 @@ class TcprosContender final : public NodeContender {
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
     start_node(setup, "publisher");
     const auto node = std::make_shared<ros::NodeHandle>();
-    ros::Publisher publisher = node->advertise<::sensor_msgs::Image>(topic_of(setup), queue_size);
+    const ros::Publisher publisher = node->advertise<::sensor_msgs::Image>(topic_of(setup), queue_size);
     wait_for([&] { return publisher.getNumSubscribers() >= setup.subscribers; });
-    const auto image = std::make_shared<::sensor_msgs::Image>();
-    image->data.resize(setup.size_bytes);
-    return [node, publisher, image, setup](std::uint64_t index) {
-      fill_and_stamp(*image, Span(setup, index));
-      publisher.publish(*image);
-    };
+    return [node, publish = publish_by_reference(publisher, setup)](std::uint64_t index) { publish(index); };
   }
 
  protected:
@@ -83,6 +88,30 @@ class TcprosContender final : public NodeContender {
                                  const Callback& callback) override {
     return node.subscribe<::sensor_msgs::Image>(topic, queue_size, callback, ros::VoidConstPtr(),
                                                 ros::TransportHints().tcpNoDelay());
+  }
+};
+
+class AttachedContender final : public NodeContender {
+ public:
+  const char* name() const override { return "tzc-attached"; }
+  std::size_t memory_bytes(const Setup& setup) const override { return shared_memory_bytes(setup, false); }
+
+  std::function<void(std::uint64_t)> publish(const Setup& setup) override {
+    start_node(setup, "publisher");
+    const auto node = std::make_shared<ros::NodeHandle>();
+    const ros::Publisher publisher =
+        attached<::sensor_msgs::Image>(node->advertise<::sensor_msgs::Image>(topic_of(setup), queue_size));
+    {
+      const Publisher topic = attach_publisher<::sensor_msgs::Image>(publisher);
+      wait_for([&] { return topic.statistics().shared_subscribers >= setup.subscribers; });
+    }
+    return [node, publish = publish_by_reference(publisher, setup)](std::uint64_t index) { publish(index); };
+  }
+
+ protected:
+  ros::Subscriber subscribe_node(ros::NodeHandle& node, const std::string& topic,
+                                 const Callback& callback) override {
+    return tzc::subscribe<::sensor_msgs::Image>(node, topic, queue_size, callback);
   }
 };
 
@@ -173,6 +202,9 @@ class IntraprocessContender final : public Contender {
 
 std::unique_ptr<Contender> tcpros_contender() {
   return std::make_unique<TcprosContender>();
+}
+std::unique_ptr<Contender> tzc_attached_contender() {
+  return std::make_unique<AttachedContender>();
 }
 std::unique_ptr<Contender> tzc_queue_contender() {
   return std::make_unique<TzcNodeContender>(TzcNodeContender::Dispatch::queue);

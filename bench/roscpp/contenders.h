@@ -11,6 +11,8 @@ namespace bench {
 
 /// ros::Publisher to ros::Subscriber, with tcpNoDelay, called back by ros::spin.
 std::unique_ptr<Contender> tcpros_contender();
+/// The same publisher, which publishes by reference, with its topic attached (tzc::attached); ported subscribers.
+std::unique_ptr<Contender> tzc_attached_contender();
 /// The same code ported: callbacks through ros::spin's queue.
 std::unique_ptr<Contender> tzc_queue_contender();
 /// The same with tzc::spin.

@@ -30,6 +30,7 @@ int run_roscpp(int argc, char** argv) {
   contenders.push_back(tzc_direct_contender());
   contenders.push_back(tzc_spin_contender());
   contenders.push_back(tzc_queue_contender());
+  contenders.push_back(tzc_attached_contender());
   contenders.push_back(intraprocess_contender());
   contenders.push_back(tcpros_contender());
   return sweep(options, contenders);

@@ -13,7 +13,7 @@ import time
 FIELDS = {"contender": str, "size_bytes": int, "subscribers": int, "sent": int, "delivered": int,
           "median_us": (int, float), "p99_us": (int, float), "publish_us": (int, float)}
 CONTENDERS = {"core": {"seqpacket", "tzc", "tzc-own-loop"},
-              "roscpp": {"seqpacket", "tzc-direct", "tzc-spin", "tzc-queue", "intraprocess", "tcpros"},
+              "roscpp": {"seqpacket", "tzc-direct", "tzc-spin", "tzc-queue", "tzc-attached", "intraprocess", "tcpros"},
               "sustained": {"tzc-sustained"}}
 
 
