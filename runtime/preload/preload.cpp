@@ -51,6 +51,7 @@ Publisher NodeHandle::advertise(AdvertiseOptions& options) {
   static const auto advertise = tzc::next<Advertise>("_ZN3ros10NodeHandle9advertiseERNS_16AdvertiseOptionsE");
   const tzc::detail::MessageCodec* codec = tzc::codec_for(options.datatype, options.md5sum);
   AdvertiseOptions hooked = options;  // the program may advertise with them again
+  if (!hooked.callback_queue) hooked.callback_queue = getCallbackQueue();  // as roscpp's own function does
   if (codec) tzc::detail::hook_advertisement(resolveName(options.topic), *codec, hooked);
   const Publisher publisher = advertise(this, hooked);
   options.topic = hooked.topic;  // roscpp's own function resolves it, too

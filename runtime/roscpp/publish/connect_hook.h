@@ -5,6 +5,7 @@
 #include <ros/forwards.h>
 
 #include <functional>
+#include <string>
 
 namespace tzc {
 namespace detail {
@@ -13,16 +14,17 @@ namespace detail {
 /// added to.
 using OnSubscriber = std::function<void(const ros::SubscriberLinkPtr&)>;
 
-/// Adds it to an advertisement that other code is about to make, in front of that code's own callback.
-void hook(ros::AdvertiseOptions& options, const OnSubscriber& on_subscriber);
-/// Adds it to one of the advertisements that a publication has already, and calls it for the subscribers of now, too; at once, whether or
-/// not the program calls what is in its queue. Unlike an
-/// advertisement of TZC's own it does not keep the topic when the program gives it up. Returns that advertisement's callbacks; null: it has
-/// none left, or a callback of one is being queued.
-ros::SubscriberCallbacksPtr hook(const ros::PublicationPtr& publication, const OnSubscriber& on_subscriber);
-/// Whether these are still callbacks of the publication: a copy of its publisher may keep those of an advertisement that was ended. Never
-/// waits, and then takes it for granted.
-bool has_callbacks(ros::Publication& publication, const ros::SubscriberCallbacksPtr& callbacks);
+/// Adds it to an advertisement that other code is about to make, whose options name the queue of its callbacks: it is called
+/// as soon as a subscriber connects, whether or not the program calls what is in that queue.
+void hook(const std::string& resolved_topic, ros::AdvertiseOptions& options,
+          const OnSubscriber& on_subscriber);
+/// Likewise to a publication that the program has already: for the subscribers of now, too, and as long as it has an advertisement, of whichever
+/// there are. Unlike an advertisement of TZC's own it does not keep the topic when the program gives it up. Does so on the clerk's thread, since
+/// the caller may hold roscpp's locks; once for each `owner`, which must live as long as `on_subscriber`.
+void hook(const ros::PublicationPtr& publication, const void* owner, const OnSubscriber& on_subscriber);
+/// Whether an advertisement of the publication has that. None may have it: a copy of a publisher keeps the callbacks of an advertisement that was
+/// ended. Never waits, and then takes it for granted.
+bool is_hooked(ros::Publication& publication, const void* owner);
 
 }  // namespace detail
 }  // namespace tzc

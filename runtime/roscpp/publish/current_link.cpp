@@ -42,7 +42,8 @@ ros::SubscriberStatusCallback on_current_link(const ros::SubscriberStatusCallbac
   return [callback](const ros::SingleSubscriberPublisher& subscriber) {
     const ros::SubscriberLinkPtr link =
         roscpp_access::link_(const_cast<ros::SingleSubscriberPublisher&>(subscriber));
-    if (link->isIntraprocess()) return callback(subscriber);  // it stays what it is
+    // One inside the process stays what it is. Where TZC stands before an advertisement twice, the other one has done it.
+    if (link->isIntraprocess() || boost::dynamic_pointer_cast<CurrentLink>(link)) return callback(subscriber);
     callback(ros::SingleSubscriberPublisher(boost::make_shared<CurrentLink>(link)));
   };
 }

@@ -6,6 +6,7 @@
 #include <ros/topic_manager.h>
 #include <tzc/detail/attachment.h>
 
+#include <chrono>
 #include <map>
 #include <mutex>
 
@@ -17,33 +18,35 @@ namespace tzc {
 namespace detail {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 struct Known {
   ros::PublicationWPtr publication;
-  boost::weak_ptr<ros::SubscriberCallbacks> owner;  ///< the callbacks that own the attachment
   std::weak_ptr<Attachment> attachment;
-  bool is_settled = false;  ///< one is being made, or there will be none
+  Clock::time_point not_before;  ///< when one may be made again
 };
 
 /// By topic. Its lock is an inner one of any other, since a thread that publishes may hold roscpp's.
 class KnownPublications {
  public:
-  /// The attachment of a publication; null: it has none. `is_mine`: the caller is to make it, or to find it another owner, and
-  /// everybody else goes on with what there is until then.
+  /// The attachment of a publication; null: it has none. `is_mine`: the caller is to make it, and to call made() whatever comes of it;
+  /// until then everybody else goes on without.
   std::shared_ptr<Attachment> find(const ros::PublicationPtr& publication, bool& is_mine) {
     const std::lock_guard<std::mutex> lock(mutex_);
     Known& known = known_[publication->getName()];
-    if (known.publication.lock() != publication) known = Known{publication, {}, {}, false};
+    if (known.publication.lock() != publication) known = Known{publication, {}, {}};
     std::shared_ptr<Attachment> attachment = known.attachment.lock();
-    is_mine = !known.is_settled && !(attachment && has_callbacks(*publication, known.owner.lock()));
-    if (is_mine) known.is_settled = true;
+    is_mine = !attachment && known.not_before <= Clock::now();
+    if (is_mine) known.not_before = Clock::time_point::max();
     return attachment;
   }
 
-  /// An attachment of null: the publication stays as it is. An owner of null: the next call is to find one.
-  void made(const ros::PublicationPtr& publication, const std::shared_ptr<Attachment>& attachment,
-            const ros::SubscriberCallbacksPtr& owner) {
+  /// Null: TZC is off for the topic, or lacks something for the moment.
+  void made(const ros::PublicationPtr& publication, const std::shared_ptr<Attachment>& attachment) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    known_[publication->getName()] = Known{publication, owner, attachment, !attachment};
+    Known& known = known_[publication->getName()];
+    known.attachment = attachment;
+    known.not_before = attachment ? Clock::time_point() : Clock::now() + std::chrono::seconds(5);
     for (auto it = known_.begin(); it != known_.end();)
       it = it->second.publication.expired() ? known_.erase(it) : std::next(it);
   }
@@ -58,25 +61,40 @@ KnownPublications& known_publications() {
   return *instance;
 }
 
+/// Calls made() when it ends, also by an exception.
+struct Making {
+  explicit Making(const ros::PublicationPtr& of) : publication(of) {}
+  Making(const Making&) = delete;
+  Making& operator=(const Making&) = delete;
+  ~Making() { known_publications().made(publication, attachment); }
+
+  const ros::PublicationPtr& publication;
+  std::shared_ptr<Attachment> attachment;
+};
+
 }  // namespace
 
-// The connect callback owns the attachment, so that it ends with the advertisement; nothing of it leads back to the callback.
+// The connect callback owns the attachment, so that it ends with the last advertisement; nothing of it leads back to the callback.
 std::shared_ptr<Attachment> Attachment::lasting(const std::string& topic, const char* md5sum,
                                                 MessageCodec (*codec)()) {
   const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
   if (!publication || publication->getMD5Sum() != md5sum) return nullptr;
   bool is_mine = false;
-  std::shared_ptr<Attachment> attachment = known_publications().find(publication, is_mine);
-  if (!is_mine) return attachment;
-  if (!attachment) attachment = to(publication, codec(), PublisherOptions());
-  ros::SubscriberCallbacksPtr owner;
-  if (attachment)
-    owner = hook(publication, [attachment](const ros::SubscriberLinkPtr& link) {
+  const auto invite_subscribers = [&publication](const std::shared_ptr<Attachment>& attachment) {
+    hook(publication, attachment.get(), [attachment](const ros::SubscriberLinkPtr& link) {
       attachment->endpoint_->on_connect(ros::SingleSubscriberPublisher(link));
       runtime().statistics.begin();
     });
-  known_publications().made(publication, attachment, owner);
-  return attachment;
+  };
+  if (const auto known = known_publications().find(publication, is_mine)) {
+    if (!is_hooked(*publication, known.get())) invite_subscribers(known);
+    return known;
+  }
+  if (!is_mine) return nullptr;
+  Making making(publication);
+  const std::shared_ptr<Attachment> attachment = to(publication, codec(), PublisherOptions());
+  if (attachment) invite_subscribers(attachment);
+  return making.attachment = attachment;
 }
 
 }  // namespace detail

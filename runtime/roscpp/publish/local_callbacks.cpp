@@ -37,12 +37,13 @@ bool has_writers(ros::Subscription& subscription, const MessageCodec& codec) {
 
 LocalView prepare_local_callbacks(ros::Publication& publication, const MessageCodec& codec) {
   LocalView view = LocalView::unseen;
+  const bool is_latching = publication.isLatching();  // takes a mutex under which roscpp takes the next one
   const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(publication));
   for (const ros::SubscriberLinkPtr& link : access::subscriber_links_(publication)) {
     const ros::SubscriptionPtr subscription = local_subscription(link);
     if (!subscription) continue;
     // roscpp keeps what is latched for callbacks that come later, which are not ready for faults.
-    if (publication.isLatching() || has_writers(*subscription, codec)) return LocalView::copy;
+    if (is_latching || has_writers(*subscription, codec)) return LocalView::copy;
     if (!private_writes()) continue;
     make_ready_for_faults(*subscription);
     view = LocalView::guarded;

@@ -9,9 +9,9 @@
 namespace tzc {
 namespace detail {
 
-/// Prepares an advertisement of other code for shared memory: adds a connect callback to `options`, before
-/// the user's. It attaches the topic when the first subscriber connects. The attachment ends with the
-/// advertisement. Does nothing when TZC is off for the topic.
+/// Prepares an advertisement of other code for shared memory: adds a connect callback to `options`, which name the queue of the user's
+/// callbacks, before those. It attaches the topic when the first subscriber connects, also when the program does not call that
+/// queue. The attachment ends with the advertisement. Does nothing when TZC is off for the topic.
 void hook_advertisement(const std::string& resolved_topic, const MessageCodec& codec,
                         ros::AdvertiseOptions& options);
 

@@ -258,15 +258,15 @@ void PublicationEndpoint::publish_numbered(const std::type_info& type, message::
   boost::unique_lock<boost::recursive_mutex> lock(
       access::advertised_topics_mutex_(*ros::TopicManager::instance()));
   const ros::PublicationPtr publication = publication_.lock();
-  if (!publication || !publication->hasSubscribers()) {
+  const MessageCodec* const codec = stream_.records().codecs().find(type);
+  if (!codec || !publication || !publication->hasSubscribers()) {
     lock.unlock();
     return publish();
   }
   send_queued();
   {
     const PublicationLock publication_lock(*publication);
-    const MessageCodec& codec = *stream_.records().codecs().find(type);
-    write_number(codec, encoded, stream_.foresee_number(publication_lock.queued()));
+    write_number(*codec, encoded, stream_.foresee_number(publication_lock.queued()));
   }
   const bool is_counted = numbers_by_pointer(*publication, type);
   if (others == Others::publish) lock.unlock();
@@ -285,7 +285,7 @@ bool PublicationEndpoint::numbers_by_pointer(ros::Publication& publication,
 
 bool PublicationEndpoint::publish_directly(const std::type_info& type, message::Encoded& encoded) {
   const ros::PublicationPtr publication = publication_.lock();
-  if (!publication || publication->isLatched() || !RecordEncoder::fits(encoded)) return false;
+  if (!publication || publication->isLatched() || !fits_record(encoded)) return false;
   const PublicationLock lock(*publication);
   const std::vector<SharedLink*>& live = migration_->live_links();
   if (live.empty() || access::subscriber_links_(*publication).size() != live.size() || lock.queued() != 0)

@@ -36,9 +36,9 @@ class PublicationStream {
   OutgoingMessage of_bytes(const ros::SerializedMessage& message) {
     return records_.of_bytes(message, links_);
   }
-  /// For one subscriber alone.
+  /// For one subscriber alone. Any thread.
   OutgoingMessage of_bytes_alone(const ros::SerializedMessage& message) {
-    return records_.of_bytes(message, 1);
+    return records_.of_bytes_alone(message);
   }
   OutgoingMessage of_encoded(const std::type_info& type, message::Encoded& encoded);
   /// @}

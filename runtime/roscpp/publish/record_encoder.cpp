@@ -87,11 +87,11 @@ OutgoingMessage RecordEncoder::encode(const ros::SerializedMessage& message, std
   const bool is_encoded = scoped_encoded && scoped_message == address;
   if (!is_encoded && !codec.encode(address, memory_, own)) return exhausted(codec, address, sequence);
   message::Encoded& encoded = is_encoded ? *scoped_encoded : own;
-  return fits(encoded) ? control_record(codec, encoded, sequence)
-                       : too_scattered(codec, address, sequence, encoded.buffers.size());
+  return fits_record(encoded) ? control_record(codec, encoded, sequence)
+                              : too_scattered(codec, address, sequence, encoded.buffers.size());
 }
 
-bool RecordEncoder::fits(const message::Encoded& encoded) {
+bool fits_record(const message::Encoded& encoded) {
   return encoded.buffers.size() <= kMostBlocks && encoded.control.size() <= kMostControlBytes;
 }
 
@@ -161,23 +161,26 @@ OutgoingMessage RecordEncoder::inline_record(const std::uint8_t* bytes, std::siz
   return {record, false, size};
 }
 
-// Of a message that is not small, subscribers read the arrays where they lie, as if it had been published by pointer.
 OutgoingMessage RecordEncoder::of_bytes(const ros::SerializedMessage& message, std::size_t links) {
   if (by_bytes_.is(message.buf.get())) return by_bytes_.take();
+  const boost::shared_ptr<void const> owner(message.buf.get(), [keep = message.buf](const void*) {});
+  by_bytes_.start(owner, of_bytes_alone(message), links);
+  return by_bytes_.take();
+}
+
+// Of a message that is not small, subscribers read the arrays where they lie, as if it had been published by pointer.
+OutgoingMessage RecordEncoder::of_bytes_alone(const ros::SerializedMessage& message) {
   const std::size_t length_prefix = 4;
   const std::uint8_t* const bytes = message.buf.get() + length_prefix;
   const std::size_t size = message.num_bytes - length_prefix;
-  const auto make = [&] {
+  return unless_out_of_memory([&] {
     const MessageCodec* const codec = codecs_.first();
     message::Encoded encoded;
-    const bool is_encoded =
-        size > kInlineLimit && codec && codec->encode_serialized(bytes, size, memory_, encoded);
-    return is_encoded && fits(encoded) ? control_record(*codec, encoded, read_sequence(bytes))
-                                       : whole_record(bytes, size);
-  };
-  const boost::shared_ptr<void const> owner(message.buf.get(), [keep = message.buf](const void*) {});
-  by_bytes_.start(owner, unless_out_of_memory(make), links);
-  return by_bytes_.take();
+    const bool is_shared = size > kInlineLimit && codec &&
+                           serialized_arrays_.encode(*codec, bytes, size, memory_, encoded) &&
+                           fits_record(encoded);
+    return is_shared ? control_record(*codec, encoded, read_sequence(bytes)) : whole_record(bytes, size);
+  });
 }
 
 ros::SerializedMessage RecordEncoder::to_stock_bytes(const channel::RecordPtr& record) const {

@@ -15,6 +15,7 @@
 #include "roscpp/publish/known_codecs.h"
 #include "roscpp/publish/outgoing_message.h"
 #include "roscpp/publish/publish_cache.h"
+#include "roscpp/publish/serialized_arrays.h"
 #include "roscpp/publish/subscriber_names.h"
 #include "roscpp/throttled_warning.h"
 
@@ -23,6 +24,10 @@ namespace detail {
 
 /// Writes a sequence number into an encoded message, if messages of its topic have one.
 void write_number(const MessageCodec& codec, message::Encoded& encoded, std::uint32_t sequence);
+
+/// Whether a record can hold the message's block references and control part; otherwise the message must be
+/// serialized.
+bool fits_record(const message::Encoded& encoded);
 
 /// Turns the messages of one topic into channel records, each message once, however many links send it. Calls
 /// happen under Publication::subscriber_links_mutex_, except where another rule is given.
@@ -51,15 +56,14 @@ class RecordEncoder {
     return by_pointer_.take();
   }
   /// The record of a message of a known type that is encoded already, with its sequence number written into it. Empty
-  /// when it fits no record (fits()).
+  /// when it fits no record (fits_record()).
   OutgoingMessage of_encoded(const std::type_info& type, message::Encoded& encoded, std::uint32_t sequence) {
     return control_record(*codecs_.find(type), encoded, sequence);
   }
-  /// Whether a record can hold the message's block references and control part; otherwise the message must be
-  /// serialized.
-  static bool fits(const message::Encoded& encoded);
   /// The record of a message that roscpp has serialized and numbered.
   OutgoingMessage of_bytes(const ros::SerializedMessage& message, std::size_t links);
+  /// The same for one link. Any thread.
+  OutgoingMessage of_bytes_alone(const ros::SerializedMessage& message);
 
   /// A record of this topic as TCPROS sends it. Any thread.
   ros::SerializedMessage to_stock_bytes(const channel::RecordPtr& record) const;
@@ -103,6 +107,7 @@ class RecordEncoder {
   Throttle exhausted_warning_{std::chrono::seconds(10)};
   KnownCodecs codecs_;
   PublishCache by_pointer_, by_bytes_;
+  SerializedArrays serialized_arrays_;
   Counters counters_;
 };
 

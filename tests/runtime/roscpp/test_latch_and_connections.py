@@ -4,7 +4,7 @@ import re
 import signal
 import time
 
-from topic_case import Listener, TopicCase, main
+from topic_case import TZC_RUN, Listener, TopicCase, main
 
 
 class Latch(TopicCase):
@@ -54,9 +54,10 @@ class Latch(TopicCase):
 
 
 class Connections(TopicCase):
-    def events_of(self, **parameters):
+    def events_of(self, runner=(), **parameters):
         """What a publisher's callbacks hear when two subscribers come, one leaves and the other is killed."""
-        greeter = self.node("greeter", f"greeter{len(parameters)}", parameters, [f"image:=of{len(parameters)}"])
+        greeter = self.node("greeter", f"greeter{len(parameters)}", parameters, [f"image:=of{len(parameters)}"],
+                            runner=runner)
         topic = f"of{len(parameters)}"
         events = lambda: [line for line in Listener(greeter).lines() if "event" in line]  # noqa: E731
         arrivals = []
@@ -85,12 +86,21 @@ class Connections(TopicCase):
     def test_greetings_for_one_subscriber_alone(self):
         for parameters in ({}, {"rate": 200, "before": 3}, {"rate": 200, "before": 3, "foreign": 1}):
             _, messages = self.events_of(**parameters)
-            for index, mine in enumerate(messages):
-                self.assertTrue(all(m["right"] for m in mine))
-                greetings = [m["number"] for m in mine if m["number"] >= 1000000]
-                self.assertEqual(greetings, [1000000 + index])
-                rest = [m["number"] for m in mine if m["number"] < 1000000]
-                self.assertEqual(rest, list(range(rest[0], rest[0] + len(rest))) if rest else [], mine[:20])
+            self.assert_greeted_each(messages)
+
+    def test_greetings_of_a_ported_node_under_tzc_run(self):
+        """TZC stands before its callback twice."""
+        for parameters in ({"rate": 200, "before": 3}, {"rate": 200, "before": 3, "foreign": 1}):
+            _, messages = self.events_of(runner=TZC_RUN, **parameters)
+            self.assert_greeted_each(messages)
+
+    def assert_greeted_each(self, messages):
+        for index, mine in enumerate(messages):
+            self.assertTrue(all(m["right"] for m in mine))
+            greetings = [m["number"] for m in mine if m["number"] >= 1000000]
+            self.assertEqual(greetings, [1000000 + index])
+            rest = [m["number"] for m in mine if m["number"] < 1000000]
+            self.assertEqual(rest, list(range(rest[0], rest[0] + len(rest))) if rest else [], mine[:20])
 
 
 class Numbering(TopicCase):

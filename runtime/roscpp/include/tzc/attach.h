@@ -33,7 +33,10 @@ std::shared_ptr<Attachment> lasting_attachment(const std::string& resolved_topic
   typedef typename message::StockOf<M>::type Stock;
   const std::shared_ptr<Attachment> attachment =
       Attachment::lasting(resolved_topic, ros::message_traits::md5sum<Stock>(), &make_codec<Stock>);
-  return attachment && !attachment->knows(typeid(M)) ? with_foreign_codec<M>(attachment) : attachment;
+  if (!attachment) return nullptr;
+  // Types with the same fields have the same md5sum, whatever their names.
+  if (!attachment->knows(typeid(Stock))) attachment->add_codec(make_codec<Stock>());
+  return attachment->knows(typeid(M)) ? attachment : with_foreign_codec<M>(attachment);
 }
 /// It has no partial form.
 template <class M>

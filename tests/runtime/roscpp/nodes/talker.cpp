@@ -47,11 +47,10 @@ class Talker {
     is_foreign_ = mode_.compare(0, 7, "foreign") == 0;
     if (mode_ == "plain" || mode_ == "handover" || attached || is_foreign_)
       plain_ = node.advertise<sensor_msgs::Image>(topic, queue, latch);
-    if (mode_ == "foreign_attached" || mode_ == "foreign_attached_pointer")
-      plain_ = tzc::attached<sensor_msgs::Image>(plain_);
+    if (mode_.compare(0, 16, "foreign_attached") == 0) plain_ = tzc::attached<sensor_msgs::Image>(plain_);
     if (is_foreign_)
       advertise_again_ = [=]() mutable { return node.advertise<sensor_msgs::Image>(topic, queue, latch); };
-    if (mode_ == "foreign_handover") second_ = advertise_again_();
+    if (mode_ == "foreign_handover" || mode_ == "foreign_attached_handover") second_ = advertise_again_();
     if (mode_ == "attached") shared_ = tzc::attach_publisher<tzc::sensor_msgs::Image>(plain_, memory);
     if (mode_ == "attached_wrong") shared_ = tzc::attach_publisher<std_msgs::UInt8MultiArray>(plain_, memory);
     if (mode_ != "plain" && !attached && !is_foreign_)
@@ -69,7 +68,7 @@ class Talker {
     if (mode_ == "foreign_twin") return publish_foreign_twin(number);
     const auto image = boost::make_shared<sensor_msgs::Image>();
     fill(*image, number);
-    if (mode_ == "foreign_attached") return plain_.publish(*image);
+    if (mode_ == "foreign_attached" || mode_ == "foreign_attached_handover") return plain_.publish(*image);
     if (mode_ == "foreign_attached_pointer") return plain_.publish(image);
     if (mode_ == "foreign_pointer") return tzc::publish(plain_, image);
     if (is_foreign_) return tzc::publish(plain_, *image);
@@ -154,6 +153,7 @@ class Talker {
 
   /// A copy of the old publisher stays, and with it roscpp's object that had its callbacks.
   void change_publisher() {
+    if (mode_ == "foreign_attached_handover") plain_ = second_;  // the first one is gone, and leaves no copy
     if (mode_ != "foreign_handover" && mode_ != "foreign_again") return;
     first_ = plain_;
     plain_.shutdown();

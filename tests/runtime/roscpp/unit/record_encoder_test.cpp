@@ -87,6 +87,76 @@ TEST(RecordEncoder, large_control_parts_take_nothing_of_the_memory_for_arrays) {
   EXPECT_EQ(arrays->stats().allocated, 0u);
 }
 
+constexpr std::size_t bytes_of_text = 100'000;
+int looked = 0;
+
+/// Large, but for what `arrays` of its bytes are.
+template <std::size_t arrays>
+bool encode_text(const std::uint8_t*, std::size_t size, const std::shared_ptr<MemorySource>& memory,
+                 message::Encoded& encoded) {
+  ++looked;
+  encoded.control.assign(size - arrays, 'c');
+  encoded.copied_bytes = arrays;
+  if (arrays != 0) encoded.buffers.push_back(memory->allocate(arrays));
+  return true;
+}
+bool encode_without_heap(const std::uint8_t*, std::size_t, const std::shared_ptr<MemorySource>&,
+                         message::Encoded&) {
+  throw std::bad_alloc();
+}
+
+ros::SerializedMessage text() {
+  ros::SerializedMessage message;
+  message.num_bytes = bytes_of_text + 4;
+  message.buf.reset(new std::uint8_t[message.num_bytes]());
+  message.message_start = message.buf.get() + 4;
+  return message;
+}
+
+class SerializedText : public ::testing::Test {
+ protected:
+  SerializedText() { looked = 0; }
+  void encode_by(bool (*encode)(const std::uint8_t*, std::size_t, const std::shared_ptr<MemorySource>&,
+                                message::Encoded&)) {
+    MessageCodec codec = codec_of_huge();
+    codec.encode_serialized = encode;
+    encoder_.codecs().add(codec);
+  }
+  RecordEncoder encoder_{"/text", *SegmentMemory::create(MemoryOptions()), OnExhausted::deliver};
+};
+
+TEST_F(SerializedText, with_few_arrays_goes_as_it_is_and_is_seldom_looked_at) {
+  encode_by(&encode_text<1000>);
+  for (int number = 0; number < 100; ++number) {
+    const OutgoingMessage sent = encoder_.of_bytes(text(), 1);
+    ASSERT_TRUE(sent.record);
+    EXPECT_FALSE(sent.shared);
+  }
+  EXPECT_LE(looked, 8);
+}
+
+TEST_F(SerializedText, which_is_mostly_arrays_is_shared) {
+  encode_by(&encode_text<90'000>);
+  for (int number = 0; number < 100; ++number) EXPECT_TRUE(encoder_.of_bytes(text(), 1).shared);
+  EXPECT_EQ(looked, 100);
+}
+
+TEST_F(SerializedText, goes_as_it_is_where_the_heap_has_no_room_to_read_it) {
+  encode_by(&encode_without_heap);
+  EXPECT_TRUE(encoder_.of_bytes(text(), 1).record);
+  EXPECT_EQ(encoder_.statistics().dropped, 0u);
+}
+
+// A connect callback may publish to one subscriber while roscpp's thread publishes to all.
+TEST_F(SerializedText, for_one_subscriber_alone_is_made_beside_that_for_all) {
+  encode_by(&encode_text<90'000>);
+  const ros::SerializedMessage all = text();
+  EXPECT_TRUE(encoder_.of_bytes(all, 2).shared);
+  EXPECT_TRUE(encoder_.of_bytes_alone(text()).shared);
+  EXPECT_TRUE(encoder_.of_bytes(all, 2).shared);
+  EXPECT_EQ(looked, 2);
+}
+
 }  // namespace
 }  // namespace detail
 }  // namespace tzc

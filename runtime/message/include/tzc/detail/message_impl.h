@@ -10,6 +10,7 @@
 
 #include <boost/make_shared.hpp>
 
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -49,9 +50,10 @@ bool encode(const M& message, const std::shared_ptr<MemorySource>& memory, Encod
 template <class S>
 bool encode_serialized(const std::uint8_t* bytes, std::size_t size,
                        const std::shared_ptr<MemorySource>& memory, Encoded& encoded) {
-  detail::View<S> view(nullptr);
-  detail::WireInput input(bytes, size, view.loan.borrowers());
-  return detail::read(input, view.message) && encode(view.message, memory, encoded);
+  // Not on the stack: a message with an array of fixed size can be larger than that.
+  const std::unique_ptr<detail::View<S> > view(new detail::View<S>(nullptr));
+  detail::WireInput input(bytes, size, view->loan.borrowers());
+  return detail::read(input, view->message) && encode(view->message, memory, encoded);
 }
 
 template <class S>
