@@ -20,6 +20,13 @@ def cv_publisher(program):
     return transport(program, topic), publishers.as_it_is
 
 
+def perhaps_borrowed(program, name):
+    """An image publisher that stays image_transport's."""
+    if program.rng.random() < 0.35:
+        program.traits.append("borrowed image publisher")
+        program.setup.append(f"fuzz::borrow({name});")
+
+
 def transport(program, topic):
     program.includes.add("image_transport/image_transport.h")
     program.traits.append("image_transport")
@@ -28,6 +35,7 @@ def transport(program, topic):
                                 f'{name} = it.advertise("{topic.name}", 50);'],
                                [f'{name} = image_transport::ImageTransport(nh).advertise("{topic.name}", 50);']])
     program.setup += ["{"] + ["  " + line for line in made] + ["}"]
+    perhaps_borrowed(program, name)
     return publishers.Publisher(f"{name}.", topic)
 
 
@@ -77,6 +85,7 @@ def camera(program):
     topic.name, info.name = f"/{program.name}/camera/image", f"/{program.name}/camera/camera_info"
     name = program.variable("image_transport::CameraPublisher", "pub")
     program.setup.append(f'{name} = image_transport::ImageTransport(nh).advertiseCamera("{topic.name}", 50);')
+    perhaps_borrowed(program, name)
     lines = (["sensor_msgs::ImagePtr msg(new sensor_msgs::Image);",
               "sensor_msgs::CameraInfoPtr info(new sensor_msgs::CameraInfo);"] +
              messages.IMAGE.set_meta("msg->") + ["msg->data.resize(30, static_cast<uint8_t>(k));",

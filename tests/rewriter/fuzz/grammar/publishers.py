@@ -196,9 +196,39 @@ def in_library_object(program, topic):
     return Publisher(f"{name}.out.", topic), as_it_is
 
 
+def object_of(call):
+    return f"*{call[:-2]}" if call.endswith("->") else call[:-1]
+
+
+def given_to_library(program, topic):
+    """So it stays roscpp's, and the program publishes with it."""
+    publisher, wrap = program.rng.choice([member, in_vector, by_shared_pointer, in_struct])(program, topic)
+    program.setup.append(f"fuzz::borrow({object_of(publisher.call)});")
+    return publisher, wrap
+
+
+class ByLibrary(Publisher):
+
+    def publish(self, argument, pointer=False):
+        value = f"*{argument}" if pointer else argument
+        return [f"fuzz::publish_for({object_of(self.call)}, {value});", f'fuzz::sent("{self.topic.name}");']
+
+
+def published_by_library(program, topic):
+    publisher, wrap = program.rng.choice([member, by_shared_pointer])(program, topic)
+    return ByLibrary(publisher.call, topic), wrap
+
+
+def in_any(program, topic):
+    program.includes.add("any")
+    name = program.variable("std::any", "pub")
+    program.setup.append(f"{name} = {advertise(program, topic)};")
+    return Publisher(f"std::any_cast<ros::Publisher&>({name}).", topic), as_it_is
+
+
 HOMES = {member: 8, initialized_member: 3, in_vector: 1, in_map: 1, in_array: 1, by_shared_pointer: 2, in_struct: 1,
          in_base_class: 1, local: 1, parameter: 3, perhaps_missing: 2, in_lambda: 1, returned: 1, by_options: 1,
-         with_status_callback: 1, in_library_object: 1}
+         with_status_callback: 1, in_library_object: 1, given_to_library: 3, published_by_library: 1, in_any: 1}
 
 
 def choose(program, topic, without=()):

@@ -76,6 +76,17 @@ struct Outlet {
   }
 };
 
+/// \name A library that is given publishers of the program
+/// @{
+/// Nothing shows what it does with one.
+template <class P>
+void borrow(P&) {}
+template <class P, class M>
+void publish_for(const P& publisher, const M& message) {
+  publisher.publish(message);
+}
+/// @}
+
 /// \name The talker
 /// @{
 /// Leaves the program's name in a file, for when it ends the talker: the logs end earlier, since queued messages are lost.
