@@ -97,7 +97,9 @@ class ApiCalls : public AstVisitor {
     if (owners.count(owner) == 0) note_library_publish(call, function);
     const auto kind = kinds.find(function->getNameAsString());
     if (kind == kinds.end() || written(call) == 0) return true;
-    if (owner == "tzc::" && kind->second == SiteKind::publish)
+    const bool is_ours =
+        owner == "tzc::" || owner == "tzc::image_transport::";  // the publisher is the first argument
+    if (is_ours && kind->second == SiteKind::publish)
       note(kind->second, call, message_name(call->getArg(1)->IgnoreImplicit()->getType()));
     else if (owners.count(owner) != 0)
       note(kind->second, call, type_at(kind->second, call, function));
@@ -208,6 +210,8 @@ class ApiCalls : public AstVisitor {
     const std::string publisher = space_of(result->getDeclContext()) + result->getNameAsString();
     if (publisher == "image_transport::Publisher" || publisher == "image_transport::CameraPublisher")
       return note(SiteKind::advertise, call, "sensor_msgs/Image");
+    if (publisher == "laser_proc::LaserPublisher")
+      return note(SiteKind::advertise, call, "sensor_msgs/MultiEchoLaserScan");
     const std::string message = type_at(SiteKind::advertise, call, function);
     if (publisher == "ros::Publisher" && (!message.empty() || names_cloud(function)))
       note(SiteKind::advertise, call, message);

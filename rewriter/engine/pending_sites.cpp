@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/pending_sites.h"
 
+#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -19,9 +20,10 @@ class PendingPlaces {
   std::set<SitePlace> run(const Facts& facts) const {
     std::set<SitePlace> places;
     for (const auto& item : facts.advertises)
-      if (is_edited(item.second.publisher)) places.insert(place_of(SiteKind::advertise, item.second));
+      if (is_edited(item.second.publisher) || is_edited(components_.of(item.first)))
+        places.insert(place_of(SiteKind::advertise, item.second));
     for (const auto& item : facts.publishes)
-      if (is_edited(item.second) || is_edited(components_.of(item.first)))
+      if (is_edited(item.second) || is_edited(components_.of(item.first)) || is_attached(facts, item.second))
         places.insert(place_of(SiteKind::publish, item.second));
     for (const auto& item : facts.subscribes)
       if (is_edited(components_.of(item.first)) || is_edited(item.second.filter))
@@ -35,6 +37,26 @@ class PendingPlaces {
   }
   bool is_edited(const Component* component) const { return component && edited_.count(component->id) != 0; }
   bool is_edited(const EntityId& entity) const { return is_edited(components_.of(entity)); }
+  /// Whether an advertise call that is changed attaches its topic.
+  bool is_attached(const Facts& facts, const Publish& site) const {
+    return std::any_of(facts.advertises.begin(), facts.advertises.end(), [&](const auto& item) {
+      const Advertise& advertise = item.second;
+      if (!is_edited(components_.of(item.first))) return false;
+      if (advertise.publisher.empty()) return advertise.library_class == site.library_class;
+      return is_of(advertise.publisher, site.publisher) ||
+             (!site.library_class.empty() && is_given(facts, advertise.publisher, site.library_class));
+    });
+  }
+  bool is_given(const Facts& facts, const EntityId& publisher, const std::string& library_class) const {
+    const auto given = facts.library_publishers.find(library_class);
+    return given != facts.library_publishers.end() &&
+           std::any_of(given->second.begin(), given->second.end(),
+                       [&](const EntityId& one) { return is_of(publisher, one); });
+  }
+  bool is_of(const EntityId& one, const EntityId& other) const {
+    const Component* component = components_.of(one);
+    return component && component == components_.of(other);
+  }
   bool is_edited(const Publish& fact) const {
     if (is_edited(fact.publisher)) return true;
     for (const EntityId& message : fact.messages)

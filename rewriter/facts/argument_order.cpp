@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/argument_order.h"
 
+#include <set>
+
 #include "facts/calls.h"
 
 namespace tzc::rewriter {
@@ -55,18 +57,34 @@ bool is_local_value(const clang::VarDecl* variable) {
   return variable->hasLocalStorage() && !variable->getType()->isReferenceType();
 }
 
-/// Whether its value depends on what the package may change meanwhile.
-bool reads(const Unit& unit, const clang::Stmt* code) {
+using Variables = std::set<const clang::VarDecl*>;
+
+void add_named(const clang::Stmt* code, Variables& named) {
+  if (!code) return;
+  if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(code))
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(name->getDecl())) named.insert(variable);
+  for (const clang::Stmt* part : code->children()) add_named(part, named);
+}
+
+Variables named_in(const clang::Expr* code) {
+  Variables named;
+  add_named(code, named);
+  return named;
+}
+
+/// Whether its value depends on what the package may change meanwhile. `others`: that the other expression names.
+bool reads(const Unit& unit, const clang::Stmt* code, const Variables& others) {
   if (!code || llvm::isa<clang::LambdaExpr>(code)) return false;
   if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(code)) {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(name->getDecl());
-    return variable && !is_local_value(variable) && !variable->getType().isConstQualified();
+    return variable && (!is_local_value(variable) || others.count(variable) != 0) &&
+           !variable->getType().isConstQualified();
   }
   if (llvm::isa<clang::MemberExpr>(code) && !llvm::cast<clang::Expr>(code)->isBoundMemberFunction(unit.ast()))
     return !llvm::cast<clang::Expr>(code)->getType().isConstQualified();
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(code))
     if (!call->getDirectCallee() || unit.declares(call->getDirectCallee())) return true;
-  return llvm::any_of(code->children(), [&](const clang::Stmt* part) { return reads(unit, part); });
+  return llvm::any_of(code->children(), [&](const clang::Stmt* part) { return reads(unit, part, others); });
 }
 
 /// An object that is the same whenever it is named.
@@ -80,12 +98,13 @@ bool is_name(const clang::Expr* expr) {
 }
 
 /// An argument by reference is read only by the function.
-bool reads_argument(const Unit& unit, const clang::CXXMemberCallExpr* call, unsigned index) {
+bool reads_argument(const Unit& unit, const clang::CXXMemberCallExpr* call, unsigned index,
+                    const Variables& others) {
   const clang::FunctionDecl* function = call->getDirectCallee();
   const bool by_reference = function && index < function->getNumParams() &&
                             function->getParamDecl(index)->getType()->isReferenceType();
   const clang::Expr* argument = call->getArg(index);
-  return !(by_reference && is_name(argument)) && reads(unit, argument);
+  return !(by_reference && is_name(argument)) && reads(unit, argument, others);
 }
 
 }  // namespace
@@ -93,10 +112,13 @@ bool reads_argument(const Unit& unit, const clang::CXXMemberCallExpr* call, unsi
 bool order_matters(const Unit& unit, const clang::CXXMemberCallExpr* call) {
   const clang::Expr* object = receiver_of(call).expr;
   if (!object || is_name(object)) return false;
-  const bool object_changes = may_change(unit, object), object_reads = reads(unit, object);
+  const bool object_changes = may_change(unit, object);
+  const Variables of_object = named_in(object);
   for (unsigned i = 0; i < written_arguments(call); ++i) {
-    if (object_changes && (reads_argument(unit, call, i) || may_change(unit, call->getArg(i)))) return true;
-    if (object_reads && may_change(unit, call->getArg(i))) return true;
+    const clang::Expr* argument = call->getArg(i);
+    const bool argument_changes = may_change(unit, argument);
+    if (object_changes && (argument_changes || reads_argument(unit, call, i, of_object))) return true;
+    if (argument_changes && reads(unit, object, named_in(argument))) return true;
   }
   return false;
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/attached_advertise.h"
 
+#include <algorithm>
+
 #include "facts/ast_walk.h"
 #include "facts/library_advertise.h"
+#include "model/codes.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -10,6 +13,16 @@ namespace {
 const AttachedAdvertise* rule_for(const Unit& unit, const clang::CallExpr* call) {
   const clang::CXXRecordDecl* publisher = call->getType().getCanonicalType()->getAsCXXRecordDecl();
   return publisher ? unit.rules.find_attached(qualified_name_of(publisher)) : nullptr;
+}
+
+/// #if between the arguments: what stands behind the expression may be left out where it is compiled in another way.
+bool has_directive(llvm::StringRef text) {
+  while (!text.empty()) {
+    const auto [line, rest] = text.split('\n');
+    if (line.ltrim().starts_with("#")) return true;
+    text = rest;
+  }
+  return false;
 }
 
 std::vector<Change> take_away(const Unit& unit, const clang::CallExpr* outer, const clang::CallExpr* inner,
@@ -28,7 +41,7 @@ std::vector<Change> take_away(const Unit& unit, const clang::CallExpr* outer, co
 std::vector<Change> put_around(const Unit& unit, const clang::Expr* expr, const Change& before,
                                const std::string& behind) {
   const std::optional<Place> whole = unit.source.place(expr->getSourceRange());
-  if (!whole) return {};
+  if (!whole || has_directive(unit.source.text(*whole))) return {};
   Change first = before;
   first.where = *whole;
   first.where.end = whole->begin;
@@ -46,7 +59,12 @@ void describe_keeping(Advertise& site, const Unit& unit, const clang::CallExpr* 
     site.changes.insert(site.changes.end(), away.begin(), away.end());
     return;
   }
-  if (rule->is_template && site.written.stock.empty()) return;
+  const bool is_unknown = std::any_of(site.obstacles.begin(), site.obstacles.end(),
+                                      [](const Obstacle& one) { return one.code == codes::TZC1012; });
+  // The type of one instance would be written for all of them.
+  const bool is_of_instance =
+      site.around == Advertise::Around::template_instance && written_arguments_of(call).empty();
+  if (rule->is_template && (site.written.stock.empty() || is_unknown || is_of_instance)) return;
   std::string text = rule->to;
   if (rule->is_template) text += "<" + site.written.stock + ">";
   Change before{{}, text + "(", rule->rule, {rule->header}};

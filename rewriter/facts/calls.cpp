@@ -106,8 +106,9 @@ bool is_publish(const clang::CXXMemberCallExpr* call) {
 }
 
 bool is_attached_publish(const clang::CallExpr* call) {
+  static const std::set<std::string> names = {"tzc::publish", "tzc::image_transport::publish"};
   const clang::FunctionDecl* function = call->getDirectCallee();
-  return function && call->getNumArgs() == 2 && qualified_name_of(function) == "tzc::publish";
+  return function && call->getNumArgs() >= 2 && names.count(qualified_name_of(function)) != 0;
 }
 
 llvm::ArrayRef<const clang::Expr*> published_by(const clang::CallExpr* call) {

@@ -38,7 +38,7 @@ bool is_single_subscriber(const std::string& name);
 bool removes_const(const clang::ExplicitCastExpr* cast);
 /// publisher.publish(...)
 bool is_publish(const clang::CXXMemberCallExpr* call);
-/// tzc::publish(publisher, message)
+/// tzc::publish(publisher, message), and its likes for images
 bool is_attached_publish(const clang::CallExpr* call);
 /// The messages and pointers to messages among the arguments of either of them; none: it is another call.
 llvm::ArrayRef<const clang::Expr*> published_by(const clang::CallExpr* call);

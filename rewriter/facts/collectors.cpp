@@ -163,6 +163,7 @@ void Collectors::call(const clang::CallExpr* call) {
   }
   if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);
   library_call(call);
+  add_site(facts_.advertises, library_transport(unit_, call));
   for (PublisherMention& mention : publisher_arguments(unit_, flow_, call))
     publishers_.push_back(std::move(mention));
   const clang::FunctionDecl* function = call->getDirectCallee();

@@ -2,7 +2,9 @@
 #include "facts/library_sites.h"
 
 #include "facts/ast_walk.h"
+#include "facts/attached_advertise.h"
 #include "facts/calls.h"
+#include "facts/library_advertise.h"
 #include "facts/message_type.h"
 #include "model/codes.h"
 
@@ -73,6 +75,26 @@ std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXMem
   const clang::CXXMethodDecl* method = call->getMethodDecl();
   const bool advertises = is_realtime_publisher(method->getParent()) && method->getNameAsString() == "init";
   return advertises ? advertise(unit, call, method->getParent()) : std::nullopt;
+}
+
+std::optional<Advertise> library_transport(const Unit& unit, const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function || !function->getIdentifier() || !function->getName().starts_with("advertise")) return {};
+  const clang::CXXRecordDecl* record = call->getType().getCanonicalType()->getAsCXXRecordDecl();
+  const LibraryTransport* rule = record ? unit.rules.find_transport(qualified_name_of(record)) : nullptr;
+  if (!rule || unit.declares(function)) return {};
+  Advertise site;
+  site.where = unit.source.where(call->getExprLoc());
+  site.function = enclosing_function_name(unit.ast(), *call);
+  site.type = rule->message;
+  site.library_class = library_class(record);
+  site.obstacles.push_back(
+      {codes::TZC1021, "'" + qualified_name_of(record) + "' advertises its topics", location_of(site.where)});
+  site.attaching.is_done = attaching_call(unit, call, rule->to) != nullptr;
+  if (!site.attaching.is_done)
+    site.attaching.changes =
+        put_around(unit, call, {{}, std::string(rule->to) + "(", rule->rule, {rule->header}}, ")");
+  return site;
 }
 
 std::optional<Publish> library_publish(const Unit& unit, const clang::CXXMemberCallExpr* call) {

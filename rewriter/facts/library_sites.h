@@ -18,6 +18,8 @@ namespace tzc::rewriter {
 std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXConstructExpr* construct);
 /// publisher.init(nh, "topic", 1)
 std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXMemberCallExpr* call);
+/// laser_proc::LaserTransport::advertiseLaser(nh, 20): its topics can be attached.
+std::optional<Advertise> library_transport(const Unit& unit, const clang::CallExpr* call);
 /// publisher.unlockAndPublish(), and whatever else of a library publishes a message with large arrays that it is given
 std::optional<Publish> library_publish(const Unit& unit, const clang::CXXMemberCallExpr* call);
 /// An object that is made, and what with.

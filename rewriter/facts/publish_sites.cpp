@@ -91,6 +91,13 @@ std::string object_text(const Unit& unit, const clang::Expr* argument) {
   return pointee_of(argument->getType()).isNull() ? text : "*" + text;
 }
 
+void describe_object(Publish& site, const Unit& unit, const clang::Expr* argument) {
+  site.object = object_text(unit, argument);
+  const clang::VarDecl* object =
+      pointee_of(argument->getType()).isNull() ? object_that_ends(argument) : nullptr;
+  if (object) site.part_of = LocalObject{object->getNameAsString(), !is_made_empty(object)};
+}
+
 std::optional<PublisherMention> describe_publisher(Publish& site, const Unit& unit, ValueFlow& flow,
                                                    const clang::CXXMemberCallExpr* call) {
   const Receiver receiver = receiver_of(call);
@@ -150,10 +157,7 @@ std::optional<PublishCall> publish_call(const Unit& unit, ValueFlow& flow,
   const clang::Expr* argument = written(call->getArg(0));
   if (argument->isTypeDependent()) return {};
   describe_message(site, unit, flow, argument);
-  site.object = object_text(unit, argument);
-  const clang::VarDecl* object =
-      pointee_of(argument->getType()).isNull() ? object_that_ends(argument) : nullptr;
-  if (object) site.part_of = LocalObject{object->getNameAsString(), !is_made_empty(object)};
+  describe_object(site, unit, argument);
   result.publisher = describe_publisher(site, unit, flow, call);
   describe_attaching(site, unit, call);
   if (is_single_subscriber(qualified_name_of(call->getRecordDecl())))
@@ -170,7 +174,9 @@ Publish attached_publish(const Unit& unit, ValueFlow& flow, const clang::CallExp
   site.attaching.is_done = true;
   site.where = unit.source.where(call->getExprLoc());
   site.function = enclosing_function_name(unit.ast(), *call);
-  describe_message(site, unit, flow, written(call->getArg(1)));
+  const clang::Expr* argument = written(call->getArg(1));
+  describe_message(site, unit, flow, argument);
+  describe_object(site, unit, argument);
   const FlowSources publishers = flow.sources_of(call->getArg(0));
   if (!publishers.entities.empty()) site.publisher = publishers.entities[0];
   return site;

@@ -182,6 +182,7 @@ struct Advertise : SiteFact {
   bool pcl = false;                   ///< advertised as a cloud of PCL
   Attaching attaching;                ///< while the publisher keeps its class
   Around around = Around::function;
+  std::string library_class;  ///< of a library, which advertises for the package; empty: none does
   std::string rule;
 };
 

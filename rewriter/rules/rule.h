@@ -72,6 +72,16 @@ struct AttachedAdvertise {
   const char* header;
 };
 
+/// A class of a library that advertises and publishes by itself and tells its topics: what a function of the library returns,
+/// `advertise...`, is passed to a function that attaches shared memory to them.
+struct LibraryTransport {
+  const char* rule;
+  const char* publisher;  ///< qualified name of the class
+  const char* message;    ///< that it is given: "sensor_msgs/Image"
+  const char* to;
+  const char* header;
+};
+
 /// The rules of a run. Tests remove single ones to show that each is needed.
 struct RuleSet {
   std::vector<const ClassRename*> classes;
@@ -79,6 +89,7 @@ struct RuleSet {
   std::vector<const MethodCall*> methods;
   std::vector<const LibraryAdvertise*> advertisers;
   std::vector<const AttachedAdvertise*> attached;
+  std::vector<const LibraryTransport*> transports;
 
   const ClassRename* find_class(const std::string& name) const;
   /// The publisher or filter class that an earlier run wrote.
@@ -92,6 +103,7 @@ struct RuleSet {
   std::set<std::string> replacing(const std::string& function) const;
   const LibraryAdvertise* find_advertiser(const std::string& result) const;
   const AttachedAdvertise* find_attached(const std::string& publisher) const;
+  const LibraryTransport* find_transport(const std::string& publisher) const;
   /// The function that an earlier run wrote to advertise, publish or subscribe.
   const MethodCall* find_ported_function(const std::string& function) const;
 };

@@ -23,9 +23,10 @@ const LibraryCall* const calls[] = {
 };
 
 const MethodCall* const methods[] = {
-    &rules::advertise,        &rules::image_advertise,     &rules::camera_advertise,
-    &rules::attached_publish, &rules::subscribe,           &rules::image_subscribe,
-    &rules::camera_subscribe, &rules::cv_image_to_message, &rules::cv_image_into_message,
+    &rules::advertise,           &rules::image_advertise,        &rules::camera_advertise,
+    &rules::attached_publish,    &rules::attached_image_publish, &rules::attached_camera_publish,
+    &rules::subscribe,           &rules::image_subscribe,        &rules::camera_subscribe,
+    &rules::cv_image_to_message, &rules::cv_image_into_message,
 };
 
 const LibraryAdvertise* const advertisers[] = {
@@ -39,6 +40,8 @@ const AttachedAdvertise* const attached[] = {
     &rules::attached_image_advertise,
     &rules::attached_camera_advertise,
 };
+
+const LibraryTransport* const transports[] = {&rules::attached_laser_advertise};
 
 template <class Rule, std::size_t count>
 std::vector<const Rule*> select(const Rule* const (&all)[count], const std::set<std::string>& without) {
@@ -103,6 +106,12 @@ const AttachedAdvertise* RuleSet::find_attached(const std::string& publisher) co
   return nullptr;
 }
 
+const LibraryTransport* RuleSet::find_transport(const std::string& publisher) const {
+  for (const LibraryTransport* rule : transports)
+    if (publisher == rule->publisher) return rule;
+  return nullptr;
+}
+
 const MethodCall* RuleSet::find_ported_function(const std::string& function) const {
   for (const MethodCall* rule : methods)
     if (function == rule->to && rule->role != MethodCall::Role::builds_message &&
@@ -112,8 +121,8 @@ const MethodCall* RuleSet::find_ported_function(const std::string& function) con
 }
 
 RuleSet all_rules(const std::set<std::string>& without) {
-  return {select(classes, without), select(calls, without), select(methods, without),
-          select(advertisers, without), select(attached, without)};
+  return {select(classes, without),     select(calls, without),    select(methods, without),
+          select(advertisers, without), select(attached, without), select(transports, without)};
 }
 
 }  // namespace tzc::rewriter

@@ -38,11 +38,26 @@ bool AttachedTopics::reach(const EntityId& publisher) const {
   if (!component) return false;
   if (solution_.ports(component->id)) return true;
   const auto& sites = sites_.advertised(*component);
-  return !sites.empty() &&
-         std::all_of(sites.begin(), sites.end(), [&](const Advertise* site) { return is_attached(*site); });
+  const bool any =
+      std::any_of(sites.begin(), sites.end(), [&](const Advertise* site) { return is_attached(*site); });
+  return any && std::all_of(sites.begin(), sites.end(), [&](const Advertise* site) {
+           return !site->has_data_part || is_attached(*site);
+         });
+}
+
+bool AttachedTopics::reach_made_by_library(const std::string& library_class) const {
+  bool any = false;
+  for (const auto& [id, site] : facts_.advertises) {
+    if (site.library_class != library_class) continue;
+    if (!is_attached(site)) return false;
+    any = true;
+  }
+  return any;
 }
 
 bool AttachedTopics::reach_class(const std::string& library_class) const {
+  if (library_class.empty()) return false;
+  if (reach_made_by_library(library_class)) return true;
   const auto given = facts_.library_publishers.find(library_class);
   return given != facts_.library_publishers.end() &&
          std::all_of(given->second.begin(), given->second.end(),

@@ -29,6 +29,7 @@ class AttachedTopics {
 
  private:
   bool ports_call(const SiteId& site) const;
+  bool reach_made_by_library(const std::string& library_class) const;
 
   const Facts& facts_;
   const Components& components_;

@@ -57,6 +57,20 @@ void unite_instances(std::vector<BoundAllocation>& allocations) {
     if (of_node.count(place(allocation)) != 0) allocation = by_node(*allocation.site);
 }
 
+/// Of a message without an allocation site.
+std::string why_not_found(const Component& component) {
+  const std::vector<const Entity*>& entities = component.entities;
+  const auto contained = std::find_if(entities.begin(), entities.end(),
+                                      [](const Entity* entity) { return entity->form == Form::contained; });
+  if (contained != entities.end())
+    return "it is an element of '" + (*contained)->name + "', and nothing shows where that makes it";
+  const bool is_given = std::all_of(entities.begin(), entities.end(), [](const Entity* entity) {
+    return entity->storage == Storage::parameter;
+  });
+  return is_given ? "no call that gives '" + entities.front()->name + "' a message was found"
+                  : "where it is built was not found";
+}
+
 }  // namespace
 
 bool Binder::inherits(const std::string& record, const std::string& base) const {
@@ -220,7 +234,7 @@ std::optional<Decision> Binder::bind(const std::vector<const AllocationSite*>& s
     bind_all(sites);
   }
   if (allocations_.empty() && !component_.has_lasting_message())
-    return refused({codes::TZC1019, "where it is built was not found", component_.entities[0]->where});
+    return refused({codes::TZC1019, why_not_found(component_), component_.entities[0]->where});
   return {};
 }
 

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "model/codes.h"
+
 namespace tzc::rewriter {
 namespace {
 
@@ -98,6 +100,13 @@ std::set<EntityId> separable(const Facts& facts) {
     if (cut.size() + 1 == names.size()) found.merge(cut);
   }
   return found;
+}
+
+bool is_given_away(const Component& publisher) {
+  return std::any_of(publisher.entities.begin(), publisher.entities.end(), [](const Entity* entity) {
+    return std::any_of(entity->obstacles.begin(), entity->obstacles.end(),
+                       [](const Obstacle& one) { return one.code == codes::TZC1010; });
+  });
 }
 
 Components::Components(const Facts& facts, bool all_or_nothing) {

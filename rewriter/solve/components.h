@@ -26,6 +26,9 @@ struct Component {
   bool has_lasting_message() const;
 };
 
+/// Whether code outside the package has the publisher (TZC1010), and may publish with it.
+bool is_given_away(const Component& publisher);
+
 /// Variables that can part from those declared in front of them, because the whole declaration can be cut.
 std::set<EntityId> separable(const Facts& facts);
 

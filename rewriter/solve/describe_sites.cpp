@@ -243,7 +243,7 @@ Site SiteDescriber::describe(const Advertise& fact) const {
   Site site = site_of(fact, options_.packages);
   const Decision* publisher = decision_of(fact.publisher);
   if (!fact.has_data_part) return left_alone(std::move(site), fact);
-  if (is(publisher, Outcome::not_needed) && fact.obstacles.empty()) {
+  if (is(publisher, Outcome::not_needed)) {
     site.level = Level::not_needed;
     site.reason = publisher->why_not.reason;
   } else if (is(publisher, Outcome::ported)) {
@@ -255,6 +255,9 @@ Site SiteDescriber::describe(const Advertise& fact) const {
     site.reason = "who calls this function attaches shared memory to what it returns";
   } else if (publisher) {
     describe_kept_publisher(fact, *publisher, site);
+  } else if (!fact.library_class.empty() && attached_.is_attached(fact)) {
+    site.rule = "attached-advertise";
+    refuse(site, fact.obstacles.front(), Level::one_copy);
   } else {
     const Obstacle not_kept{codes::TZC1010, "the publisher is not kept", site.where};
     refuse(site, fact.obstacles.empty() ? not_kept : fact.obstacles.front(), Level::plain);

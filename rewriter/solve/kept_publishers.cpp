@@ -8,14 +8,6 @@
 #include "solve/site_of_fact.h"
 
 namespace tzc::rewriter {
-namespace {
-
-/// By the user.
-bool is_left_out(const Obstacle& why) {
-  return why.code == codes::TZC1015 || why.code == codes::TZC1016;
-}
-
-}  // namespace
 
 KeptPublishers::KeptPublishers(const Facts& facts, const Components& components, const SolveOptions& options,
                                const Solution& solution)
@@ -37,7 +29,7 @@ bool KeptPublishers::is_of_other_code(const EntityId& publisher) const {
 bool KeptPublishers::is_kept(const EntityId& publisher) const {
   const Component* component = components_.of(publisher);
   const Decision* decision = component ? solution_.of(component->id) : nullptr;
-  return !component || (decision && decision->outcome == Outcome::refused && !is_left_out(decision->why_not));
+  return !component || (decision && decision->outcome == Outcome::refused && !is_left_out(*decision));
 }
 
 /// Why the call stays as it is.
@@ -79,7 +71,7 @@ Decision KeptPublishers::decide_publish_call(const Component& call) const {
 
 /// Nothing is known of what is published with one that leaves the package.
 bool KeptPublishers::needs_memory_beside_calls(const Component& publisher) const {
-  if (solution_.of(publisher.id)->why_not.code == codes::TZC1010) return true;
+  if (is_given_away(publisher)) return true;
   const auto& sites = sites_.published_by(publisher);
   return sites.empty() || std::any_of(sites.begin(), sites.end(), [&](const Publish* site) {
            const Component* call = components_.of(site->id());
@@ -89,20 +81,27 @@ bool KeptPublishers::needs_memory_beside_calls(const Component& publisher) const
 }
 
 bool KeptPublishers::needs_memory(const Advertise& site) const {
+  if (!site.has_data_part) return false;
   const Component* publisher = components_.of(site.publisher);
   const bool is_wanted = !options_.wanted || options_.wanted(site_of(site, options_.packages));
+  if (!site.library_class.empty()) return is_wanted && options_.max_level != Level::plain;
   return is_wanted && publisher && is_kept(site.publisher) && needs_memory_beside_calls(*publisher);
 }
 
 Decision KeptPublishers::decide_advertise_call(const Component& call) const {
   const Place& here = call.advertise_call->where;
-  // Instances of a template share the call: either all of them change it, or none.
-  const bool all_need =
+  if (!needs_memory(*call.advertise_call)) return {};
+  // Instances of a template share the call: either all of them change it, and alike, or none. What is light is the same with it.
+  const std::string& text = call.advertise_call->attaching.changes.front().text;
+  const bool all_alike =
       std::all_of(facts_.advertises.begin(), facts_.advertises.end(), [&](const auto& item) {
         const Advertise& site = item.second;
-        return site.where.file != here.file || site.where.begin != here.begin || needs_memory(site);
+        if (site.where.file != here.file || site.where.begin != here.begin || !site.has_data_part)
+          return true;
+        const std::vector<Change>& changes = site.attaching.changes;
+        return needs_memory(site) && !changes.empty() && changes.front().text == text;
       });
-  if (!all_need) return {};
+  if (!all_alike) return {};
   return {Outcome::ported, {}, {}};
 }
 

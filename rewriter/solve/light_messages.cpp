@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "model/codes.h"
+
 namespace tzc::rewriter {
 namespace {
 
@@ -31,9 +33,15 @@ void leave_light_types(Facts& facts, std::uint64_t small) {
 }
 
 bool publishes_light_message(const Publish& site, const Components& components, const Solution& solution) {
-  const Component* message = site.messages.empty() ? nullptr : components.of(site.messages[0]);
-  const Decision* decision = message ? solution.of(message->id) : nullptr;
-  return (!site.has_data_part && !site.pcl) || (decision && decision->outcome == Outcome::not_needed);
+  if (!site.has_data_part && !site.pcl) return true;
+  const bool is_foreign = std::any_of(site.obstacles.begin(), site.obstacles.end(),
+                                      [](const Obstacle& one) { return one.code == codes::TZC1013; });
+  return !is_foreign && !site.messages.empty() &&
+         std::all_of(site.messages.begin(), site.messages.end(), [&](const EntityId& id) {
+           const Component* message = components.of(id);
+           const Decision* decision = message ? solution.of(message->id) : nullptr;
+           return decision && decision->outcome == Outcome::not_needed;
+         });
 }
 
 LightMessages::LightMessages(const Facts& facts, const Components& components) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/codes.h"
 #include "model/facts.h"
 
 namespace tzc::rewriter {
@@ -28,6 +29,11 @@ inline Decision refused(Obstacle why_not, EntityId at = {}) {
 
 inline Decision not_needed(std::string reason) {
   return {Outcome::not_needed, {"", std::move(reason), {}}, {}};
+}
+
+/// Whether the user said that it is to stay.
+inline bool is_left_out(const Decision& decision) {
+  return decision.why_not.code == codes::TZC1015 || decision.why_not.code == codes::TZC1016;
 }
 
 /// An allocation site, with the publisher that allocates there.

@@ -150,8 +150,8 @@ Decision Solver::decide_publisher(const Component& component) const {
   const Entity& first = *component.entities.front();
   if (options_.max_level == Level::plain)
     return refused({codes::TZC1015, "this run leaves everything on TCPROS", first.where});
-  if (auto refusal = blocked(component)) return *refusal;
   if (auto refusal = unwanted(component)) return *refusal;
+  if (auto refusal = blocked(component)) return *refusal;
   if (sites_.advertised(component).empty()) return refused(not_advertised(first));
   if (sites_.published_by(component).empty() && all_publishers_known())
     return not_needed("nothing in the package publishes with it");
@@ -181,12 +181,7 @@ Decision Solver::decide_filter(const Component& component) const {
   return blocked(component).value_or(Decision{Outcome::ported, {}, {}});
 }
 
-/// Its messages do not matter: the user left it out, or code outside the package publishes with it.
-bool stays_as_told(const std::string& code) {
-  return code == codes::TZC1010 || code == codes::TZC1015 || code == codes::TZC1016;
-}
-
-/// A publisher all of whose messages are light stays as it is.
+/// A publisher all of whose messages are light stays as it is, unless others may publish with it.
 void Solver::leave_idle_publishers() {
   for (const Component& publisher : components_.all()) {
     const auto& sites = sites_.published_by(publisher);
@@ -194,7 +189,7 @@ void Solver::leave_idle_publishers() {
       return publishes_light_message(*site, components_, solution_);
     });
     const Decision* decision = solution_.of(publisher.id);
-    if (idle && decision && !stays_as_told(decision->why_not.code))
+    if (idle && decision && !is_left_out(*decision) && !is_given_away(publisher))
       solution_.decisions[publisher.id] = not_needed("what is published with it needs no shared memory");
   }
 }

@@ -3,7 +3,7 @@
 import json
 import os
 
-from topic_case import NODES, Listener, TopicCase, main
+from topic_case import NODES, TZC_RUN, Listener, TopicCase, main
 
 JPEG_TRANSPORT = os.path.join(os.path.dirname(NODES.rstrip("/")), "jpeg_transport")
 
@@ -18,8 +18,8 @@ class ImageTransport(TopicCase):
         self.wait_for_subscribers(self.name("second" + suffix), 1)
         return Listener(viewer)
 
-    def film(self, **parameters):
-        camera = self.node("camera", "camera", dict({"count": 50}, **parameters))
+    def film(self, runner=(), **parameters):
+        camera = self.node("camera", "camera", dict({"count": 50}, **parameters), runner=runner)
         self.assertEqual(camera.wait(40), 0, camera.tail())
         if "kept" in parameters:
             return None
@@ -58,6 +58,34 @@ class ImageTransport(TopicCase):
                 for callback in ("camera", "image"):
                     self.assert_got(viewer, range(50), shared=True, callback=callback)
                 self.assert_got(viewer, range(50), callback="both")
+
+    def test_a_camera_that_is_not_ported_and_does_not_spin(self):
+        """Its publishers have callbacks of image_transport's, in a queue that it never calls."""
+        viewer = self.view()
+        self.film(kept="true", plain="true", runner=TZC_RUN)
+        for callback in ("camera", "image"):
+            self.assert_got(viewer, range(50), shared=True, callback=callback)
+
+    def test_publishers_that_stay_and_images_in_shared_memory(self):
+        """tzc::image_transport::publish, by reference and pointer; a stock image is copied once for each topic."""
+        for stock in ("false", "true"):
+            for pointer in ("false", "true"):
+                with self.subTest(stock=stock, pointer=pointer):
+                    self.ros.stop_since(self.before)
+                    viewer = self.view()
+                    counters = self.film(calls="true", stock=stock, pointer=pointer)
+                    self.assertEqual(counters["copied_bytes"], 0 if stock == "false" else 2 * 50 * 256 * 256)
+                    for callback in ("camera", "image", "both"):
+                        self.assert_got_behind_the_first(viewer, callback)
+
+    def assert_got_behind_the_first(self, viewer, callback):
+        """All 50; the message that attached the topics may have come, too."""
+        def messages():
+            return [m for m in viewer.messages(callback=callback) if m["number"] < 50]
+        self.ros.wait_until(lambda: len(messages()) >= 50, 10, callback)
+        self.assertEqual([m["number"] for m in messages()], list(range(50)), callback)
+        self.assertTrue(all(m["right"] for m in messages()))
+        self.assertTrue(all(m["shared"] for m in messages()) or callback == "both", callback)
 
     def test_a_name_that_is_remapped_to_a_remapped_one(self):
         """image_transport resolves what it advertises twice, so this camera's images go to `other`."""

@@ -38,6 +38,7 @@ class ImagePublisherBase : public ::tzc::detail::PublisherBase<Stock> {
   ImagePublisherBase() {}
   ImagePublisherBase(const Stock& publisher, std::size_t memory_size)
       : ::tzc::detail::PublisherBase<Stock>(publisher, attach(publisher, memory_size)) {}
+  using ::tzc::detail::PublisherBase<Stock>::PublisherBase;
 
  protected:
   /// A subscriber takes images by pointer, so what is published by reference goes by pointer, too. Unlike PublisherBase's
@@ -205,13 +206,13 @@ inline CameraPublisher attach_publisher(const ::image_transport::CameraPublisher
 
 namespace detail {
 
+/// Of the raw transport, for as long as the program advertises the topic; null: TZC is off.
 template <class Stock>
-Stock with_lasting_memory(const Stock& publisher) {
-  if (!publisher) return publisher;
+std::shared_ptr<::tzc::detail::Attachment> lasting_raw(const Stock& publisher) {
+  if (!publisher) return nullptr;
   const ros::NodeHandle node;  // resolves the topic once more, as the raw transport's own has
-  ::tzc::detail::lasting_attachment<::sensor_msgs::Image>(node.resolveName(publisher.getTopic()),
-                                                          std::true_type());
-  return publisher;
+  return ::tzc::detail::lasting_attachment<::sensor_msgs::Image>(node.resolveName(publisher.getTopic()),
+                                                                 std::true_type());
 }
 
 }  // namespace detail
@@ -219,10 +220,29 @@ Stock with_lasting_memory(const Stock& publisher) {
 /// The same where the publisher must stay image_transport's, for example because a library's object gets a copy of it: the raw transport
 /// uses shared memory for as long as the program advertises the topic, with one copy of what is published. Returns the publisher. Thread-safe.
 inline ::image_transport::Publisher attached(const ::image_transport::Publisher& publisher) {
-  return detail::with_lasting_memory(publisher);
+  detail::lasting_raw(publisher);
+  return publisher;
 }
 inline ::image_transport::CameraPublisher attached(const ::image_transport::CameraPublisher& publisher) {
-  return detail::with_lasting_memory(publisher);
+  detail::lasting_raw(publisher);
+  return publisher;
+}
+
+/// `publisher.publish(image)` with a publisher that stays image_transport's; the first call attaches shared memory to the raw transport, for
+/// as long as the program advertises the topic. A tzc::sensor_msgs::Image in shared memory is not copied, a stock image once; either of
+/// them, or a pointer to it, as Publisher::publish takes it. Thread-safe.
+template <class Image>
+void publish(const ::image_transport::Publisher& publisher, const Image& image) {
+  Publisher(publisher, detail::lasting_raw(publisher)).publish(image);
+}
+template <class Image, class Info>
+void publish(const ::image_transport::CameraPublisher& publisher, const Image& image, const Info& info) {
+  CameraPublisher(publisher, detail::lasting_raw(publisher)).publish(image, info);
+}
+/// Stamps both, as the stock publisher does.
+template <class Image, class Info>
+void publish(const ::image_transport::CameraPublisher& publisher, Image& image, Info& info, ros::Time stamp) {
+  CameraPublisher(publisher, detail::lasting_raw(publisher)).publish(image, info, stamp);
 }
 
 namespace detail {

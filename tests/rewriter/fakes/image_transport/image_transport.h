@@ -16,6 +16,7 @@ class CameraPublisher {
  public:
   void publish(const sensor_msgs::Image&, const sensor_msgs::CameraInfo&) const {}
   void publish(const sensor_msgs::ImageConstPtr&, const sensor_msgs::CameraInfoConstPtr&) const {}
+  void publish(sensor_msgs::Image&, sensor_msgs::CameraInfo&, ros::Time) const {}
   uint32_t getNumSubscribers() const { return 1; }
 };
 class Subscriber {};

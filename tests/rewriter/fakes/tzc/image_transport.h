@@ -11,6 +11,8 @@ class CameraPublisher {
  public:
   template <class I, class C>
   void publish(const I&, const C&) const {}
+  template <class I, class C>
+  void publish(I&, C&, ros::Time) const {}
   template <class M>
   bool allocate(M&) const {
     static_assert(sizeof(typename M::Stock) > 0, "a twin");
@@ -40,6 +42,12 @@ inline ::image_transport::Publisher attached(const ::image_transport::Publisher&
 inline ::image_transport::CameraPublisher attached(const ::image_transport::CameraPublisher& publisher) {
   return publisher;
 }
+template <class M>
+void publish(const ::image_transport::Publisher&, const M&) {}
+template <class M, class I>
+void publish(const ::image_transport::CameraPublisher&, const M&, const I&) {}
+template <class M, class I>
+void publish(const ::image_transport::CameraPublisher&, M&, I&, ros::Time) {}
 template <class... A>
 ::image_transport::Subscriber subscribe(::image_transport::ImageTransport it, A&&... a) {
   return it.subscribe(std::forward<A>(a)...);

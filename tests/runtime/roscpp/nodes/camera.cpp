@@ -4,7 +4,7 @@
 /// Private parameters: role (camera, viewer, busy_camera: large stock images by reference, and on another thread
 /// something small on another topic; counts how often that began and ended while an image was published). Camera: count, subscribers (of each topic, waited for), stock
 /// (messages), pointer (publish by pointer), attached (to publishers that other code
-/// advertised), kept (publishers that stay image_transport's). Viewer: plain (image_transport's own), transport (raw, compressed); its
+/// advertised), kept (publishers that stay image_transport's; plain: nothing attaches them), calls (likewise, with tzc::image_transport::publish). Viewer: plain (image_transport's own), transport (raw, compressed); its
 /// lines tell which of its callbacks saw an image: "camera" (CameraSubscriber), "image" (Subscriber), "both"
 /// (two topics synchronized by message_filters).
 #include <message_filters/sync_policies/exact_time.h>
@@ -19,6 +19,9 @@
 #include <algorithm>
 #include <atomic>
 #include <boost/bind/bind.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
 #include <string>
 #include <thread>
 
@@ -28,6 +31,11 @@ namespace {
 
 using sensor_msgs::CameraInfoConstPtr;
 using sensor_msgs::ImageConstPtr;
+
+void print_copied_bytes(std::uint64_t bytes) {
+  std::printf("{\"copied_bytes\": %llu}\n", (unsigned long long)bytes);
+  std::fflush(stdout);
+}
 
 void print(const char* callback, const sensor_msgs::Image& image) {
   tzc_test::print_image(image, std::string("\"callback\": \"") + callback + "\", ");
@@ -70,9 +78,7 @@ class Camera {
   }
 
   void report() const {
-    std::printf("{\"copied_bytes\": %llu}\n",
-                (unsigned long long)(camera_.statistics().copied_bytes + second_.statistics().copied_bytes));
-    std::fflush(stdout);
+    print_copied_bytes(camera_.statistics().copied_bytes + second_.statistics().copied_bytes);
   }
 
  private:
@@ -102,9 +108,13 @@ class KeptCamera {
  public:
   KeptCamera(ros::NodeHandle& node, const ros::NodeHandle& options)
       : transport_(node),
-        camera_(tzc::image_transport::attached(transport_.advertiseCamera("image", 100))),
-        second_(tzc::image_transport::attached(transport_.advertise("second", 100))),
-        by_pointer_(options.param("pointer", false)) {}
+        camera_(transport_.advertiseCamera("image", 100)),
+        second_(transport_.advertise("second", 100)),
+        by_pointer_(options.param("pointer", false)) {
+    if (options.param("plain", false)) return;
+    camera_ = tzc::image_transport::attached(camera_);
+    second_ = tzc::image_transport::attached(second_);
+  }
 
   std::uint32_t subscribers() const {
     return std::min(camera_.getNumSubscribers(), second_.getNumSubscribers());
@@ -132,6 +142,59 @@ class KeptCamera {
   image_transport::CameraPublisher camera_;
   image_transport::Publisher second_;
   const bool by_pointer_;
+};
+
+/// Its publishers stay, too, and its images are built in shared memory.
+template <class Image>
+class CallingCamera {
+ public:
+  CallingCamera(ros::NodeHandle& node, const ros::NodeHandle& options)
+      : transport_(node),
+        camera_(transport_.advertiseCamera("image", 100)),
+        second_(transport_.advertise("second", 100)),
+        by_pointer_(options.param("pointer", false)) {
+    publish(std::numeric_limits<std::uint32_t>::max());  // the first call attaches
+    copied_before_ = copied_bytes();
+  }
+
+  std::uint32_t subscribers() const {
+    return std::min(camera_.getNumSubscribers(), second_.getNumSubscribers());
+  }
+
+  void publish(std::uint32_t number) const {
+    const auto image = boost::make_shared<Image>();
+    allocate(*image);
+    tzc_test::fill_image(*image, number, 256 * 256);
+    image->height = image->width = image->step = 256;
+    const auto info = boost::make_shared<sensor_msgs::CameraInfo>();
+    info->header = image->header;
+    if (by_pointer_) {
+      tzc::image_transport::publish(camera_, image, info);
+      tzc::image_transport::publish(second_, image);
+    } else {
+      if (number % 2 == 0)
+        tzc::image_transport::publish(camera_, *image, *info);
+      else
+        tzc::image_transport::publish(camera_, *image, *info, ros::Time(image->header.stamp));
+      tzc::image_transport::publish(second_, *image);
+    }
+  }
+
+  void report() const { print_copied_bytes(copied_bytes() - copied_before_); }
+
+ private:
+  std::uint64_t copied_bytes() const {
+    return tzc::image_transport::attach_publisher(camera_).statistics().copied_bytes +
+           tzc::image_transport::attach_publisher(second_).statistics().copied_bytes;
+  }
+  static void allocate(tzc::sensor_msgs::Image& image) { tzc::allocate(image); }
+  static void allocate(sensor_msgs::Image&) {}
+
+  image_transport::ImageTransport transport_;
+  image_transport::CameraPublisher camera_;
+  image_transport::Publisher second_;
+  const bool by_pointer_;
+  std::uint64_t copied_before_ = 0;
 };
 
 template <class Kind>
@@ -240,6 +303,10 @@ int main(int argc, char** argv) {
     run_busy_camera(node, options);
   else if (options.param("kept", false))
     run_camera<KeptCamera>(node, options);
+  else if (options.param("calls", false) && options.param("stock", false))
+    run_camera<CallingCamera<sensor_msgs::Image>>(node, options);
+  else if (options.param("calls", false))
+    run_camera<CallingCamera<tzc::sensor_msgs::Image>>(node, options);
   else if (options.param("stock", false))
     run_camera<Camera<sensor_msgs::Image>>(node, options);
   else

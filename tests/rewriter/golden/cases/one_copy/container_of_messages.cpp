@@ -10,7 +10,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:6 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:9 sensor_msgs/Image one_copy 'image' TZC1019 where it is built was not found
+// publish src/node.cpp:9 sensor_msgs/Image one_copy 'image' TZC1019 it is an element of 'images', and nothing shows where that makes it
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

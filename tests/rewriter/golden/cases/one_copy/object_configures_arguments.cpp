@@ -31,7 +31,7 @@ class Node {
 //--- expected
 // advertise src/node.cpp:8 sensor_msgs/Image zero_copy
 // advertise src/node.cpp:9 sensor_msgs/Image one_copy TZC1023 evaluating the node handle may change what the arguments read
-// publish src/node.cpp:11 sensor_msgs/Image one_copy TZC1019 where it is built was not found
+// publish src/node.cpp:11 sensor_msgs/Image one_copy TZC1019 no call that gives 'image' a message was found
 // publish src/node.cpp:15 sensor_msgs/Image zero_copy
 //
 // +++ src/node.cpp

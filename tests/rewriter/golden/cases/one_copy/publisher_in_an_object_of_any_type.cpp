@@ -41,7 +41,7 @@ class Asked {
 };
 //--- expected
 // advertise src/node.cpp:11 sensor_msgs/Image one_copy 'kept' TZC1010 it becomes part of 'kept_', whose type does not tell
-// publish src/node.cpp:12 sensor_msgs/Image one_copy TZC1019 where it is built was not found
+// publish src/node.cpp:12 sensor_msgs/Image one_copy TZC1019 no call that gives 'image' a message was found
 // advertise src/node.cpp:20 sensor_msgs/Image one_copy 'registered' TZC1010 it becomes part of 'values_[name]', whose type does not tell
 // advertise src/node.cpp:32 sensor_msgs/Image zero_copy 'asked'
 // publish src/node.cpp:36 sensor_msgs/Image zero_copy 'asked'

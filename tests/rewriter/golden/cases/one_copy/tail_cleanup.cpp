@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
   behind();
 }
 //--- expected
-// publish src/node.cpp:18 sensor_msgs/Image one_copy 'image' TZC1019 where it is built was not found
+// publish src/node.cpp:18 sensor_msgs/Image one_copy 'image' TZC1019 no call that gives 'at' a message was found
 // publish src/node.cpp:25 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is kept in 'raw'
 // publish src/node.cpp:33 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is kept in 'raw'
 // publish src/node.cpp:41 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is given to a function where the scope of its variable ends

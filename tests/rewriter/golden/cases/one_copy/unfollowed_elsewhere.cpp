@@ -41,7 +41,7 @@ void clean(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:14 sensor_msgs/Image one_copy 'pooled'
-// publish src/node.cpp:16 sensor_msgs/Image one_copy 'pooled' TZC1019 where it is built was not found
+// publish src/node.cpp:16 sensor_msgs/Image one_copy 'pooled' TZC1019 no call that gives 'last' a message was found
 // advertise src/node.cpp:21 sensor_msgs/Image one_copy 'lasting'
 // publish src/node.cpp:24 sensor_msgs/Image one_copy 'lasting' TZC1022 line 15 of node.cpp uses a sensor_msgs/Image, and nothing shows which: it may be this one, and be written to after this publish
 // advertise src/node.cpp:28 sensor_msgs/Image zero_copy 'left'

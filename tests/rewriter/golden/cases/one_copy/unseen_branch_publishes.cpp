@@ -18,7 +18,7 @@ class Node {
 };
 //--- expected
 // advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:12 sensor_msgs/Image one_copy 'image' TZC1019 where it is built was not found
+// publish src/node.cpp:12 sensor_msgs/Image one_copy 'image' TZC1019 no call that gives 'received' a message was found
 // note src/node.cpp:9 TZC3002
 //
 // +++ src/node.cpp

@@ -10,5 +10,5 @@ void run(ros::NodeHandle& nh) {
   pub.publish(image);
 }
 //--- expected
-// advertise src/node.cpp:6 sensor_msgs/Image plain 'image' TZC1010 it is passed to 'other::watch', which is not part of the package
-// publish src/node.cpp:10 sensor_msgs/Image plain 'image' TZC1010 it is passed to 'other::watch', which is not part of the package
+// advertise src/node.cpp:6 sensor_msgs/Image plain 'image' TZC1016 left out by --only or --except
+// publish src/node.cpp:10 sensor_msgs/Image plain 'image' TZC1016 left out by --only or --except

@@ -11,6 +11,9 @@ class Child : public other::Server {
     images[0].data.resize(10);
     map_pubs_[next()].publish(images[next()]);
   }
+  void local_order(std::vector<sensor_msgs::Image> images) {
+    for (std::size_t i = 0; i < images.size();) map_pubs_[i++].publish(images[i - 1]);
+  }
   template <class Publisher>
   void any(const Publisher& publisher) {
     sensor_msgs::Image image;
@@ -30,5 +33,6 @@ class Child : public other::Server {
 };
 //--- expected
 // publish src/node.cpp:12 sensor_msgs/Image plain TZC1017 the publisher is not one of the package, and tzc::publish would evaluate it at another time than its message
-// publish src/node.cpp:18 sensor_msgs/Image plain TZC1017 nothing that the package advertises is given to the parameter 'publisher', and the call stands in a template
-// publish src/node.cpp:24 sensor_msgs/Image plain TZC1017 the publisher is not one of the package, and the call comes from a macro
+// publish src/node.cpp:15 sensor_msgs/Image plain TZC1017 the publisher is not one of the package, and tzc::publish would evaluate it at another time than its message
+// publish src/node.cpp:21 sensor_msgs/Image plain TZC1017 nothing that the package advertises is given to the parameter 'publisher', and the call stands in a template
+// publish src/node.cpp:27 sensor_msgs/Image plain TZC1017 the publisher is not one of the package, and the call comes from a macro

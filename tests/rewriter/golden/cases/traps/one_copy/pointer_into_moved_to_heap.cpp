@@ -52,11 +52,11 @@ int main() {
 }
 //--- expected
 // advertise src/node.cpp:11 sensor_msgs/Image one_copy 'new'
-// publish src/node.cpp:18 sensor_msgs/Image one_copy 'new' TZC1019 where it is built was not found
+// publish src/node.cpp:18 sensor_msgs/Image one_copy 'new' TZC1019 it is an element of 'built', and nothing shows where that makes it
 // advertise src/node.cpp:22 sensor_msgs/Image one_copy 'make_shared'
-// publish src/node.cpp:28 sensor_msgs/Image one_copy 'make_shared' TZC1019 where it is built was not found
+// publish src/node.cpp:28 sensor_msgs/Image one_copy 'make_shared' TZC1019 it is an element of 'built', and nothing shows where that makes it
 // advertise src/node.cpp:34 sensor_msgs/Image one_copy 'result'
-// publish src/node.cpp:42 sensor_msgs/Image one_copy 'result' TZC1019 where it is built was not found
+// publish src/node.cpp:42 sensor_msgs/Image one_copy 'result' TZC1019 it is an element of 'built', and nothing shows where that makes it
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
