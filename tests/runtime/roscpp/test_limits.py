@@ -103,7 +103,7 @@ class Records(TopicCase):
                      Listener(self.node("paths", "plain", {"mode": "listen", "plain": True}))]
         self.wait_for_subscribers(self.name("path"), 2)
         lengths = [0, 3, 5, 100, 1000, 20000, 3]
-        talker = self.node("paths", "talker", {"mode": "talk", "poses": " ".join(map(str, lengths))})
+        talker = self.node("paths", "talker", {"mode": "talk", "poses": " ".join(map(str, lengths)), "subscribers": 2})
         self.assertEqual(talker.wait(60), 0, talker.tail())
         for listener in listeners:
             self.wait_for(listener, len(lengths))

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Paths: arrays of messages that have strings, and nothing that lies in shared memory as it is.
 ///
-/// Private parameters: mode (talk, listen), poses (several numbers, separated by blanks: one path with so many poses each).
+/// Private parameters: mode (talk, listen), poses (several numbers, separated by blanks: one path with so many poses each), subscribers
+/// (waited for; one of them on shared memory).
 /// Both sides print a line for each path: number, poses, whether they are right.
 #include <nav_msgs/Path.h>
 #include <ros/ros.h>
@@ -40,9 +41,11 @@ nav_msgs::Path path_of(int number, std::size_t poses) {
   return path;
 }
 
-void talk(ros::NodeHandle& node, std::istringstream poses) {
+void talk(ros::NodeHandle& node, std::istringstream poses, std::uint32_t subscribers) {
   const tzc::Publisher publisher = tzc::advertise<nav_msgs::Path>(node, "path", 100);
-  while (ros::ok() && publisher.statistics().shared_subscribers == 0) ros::WallDuration(0.01).sleep();
+  while (ros::ok() &&
+         (publisher.getNumSubscribers() < subscribers || publisher.statistics().shared_subscribers == 0))
+    ros::WallDuration(0.01).sleep();
   int number = 0;
   for (std::size_t count; poses >> count; ++number) publisher.publish(path_of(number, count));
   ros::WallDuration(1).sleep();
@@ -57,7 +60,8 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "paths");
   ros::NodeHandle node, options("~");
   if (options.param<std::string>("mode", "talk") == "talk") {
-    talk(node, std::istringstream(options.param<std::string>("poses", "")));
+    talk(node, std::istringstream(options.param<std::string>("poses", "")),
+         static_cast<std::uint32_t>(options.param("subscribers", 1)));
   } else {
     const ros::Subscriber subscriber = options.param("plain", false)
                                            ? node.subscribe("path", 100, on_path)
