@@ -42,7 +42,8 @@ class PendingPlaces {
     return std::any_of(facts.advertises.begin(), facts.advertises.end(), [&](const auto& item) {
       const Advertise& advertise = item.second;
       if (!is_edited(components_.of(item.first))) return false;
-      if (advertise.publisher.empty()) return advertise.library_class == site.library_class;
+      if (advertise.publisher.empty())
+        return !site.library_class.empty() && advertise.library_class == site.library_class;
       return is_of(advertise.publisher, site.publisher) ||
              (!site.library_class.empty() && is_given(facts, advertise.publisher, site.library_class));
     });

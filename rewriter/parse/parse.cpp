@@ -122,7 +122,8 @@ class Action : public clang::ASTFrontendAction {
 };
 
 /// What Clang counts as errors and its group can turn off, GCC accepts in old ROS code and its libraries: "a"MACRO"b", a number that is
-/// narrowed in braces, register, throw(...). What the package's own compiler refuses, it refuses when it verifies.
+/// narrowed in braces, register, throw(...). The package's own compiler judges what the
+/// port writes.
 constexpr const char* leniency[] = {"-w", "-Wno-everything", "-fno-caret-diagnostics"};
 
 std::vector<std::string> command_line(const CompileUnit& unit, const ParseOptions& options) {

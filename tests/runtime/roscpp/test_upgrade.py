@@ -82,30 +82,21 @@ class Upgrade(TopicCase):
                     process.stop()
 
     def test_a_publisher_that_stays_roscpps_leaves_its_topic_to_another(self):
-        first = self.listen()
-        talker = self.start_talker("foreign_handover", count=0, half=100, rate=50, settle=0)
-        self.wait_for_shared(first, 20)
-        self.wait_for_number(first, 120)
-        late = self.listen()
-        self.wait_for_shared(late, 20)
-        last = self.finish(talker)["last"]
-        self.assert_got(first, range(last + 1))
-        self.assert_moved(first)
-        self.assert_got(late, range(late.numbers()[0], last + 1))
-        self.assert_moved(late)
-
-    def test_an_attached_topic_stays_attached_when_one_of_two_advertisements_ends(self):
-        """Nothing attaches it again: roscpp's publisher goes on by itself."""
-        first = self.listen()
-        talker = self.start_talker("foreign_attached_handover", count=0, half=100, rate=50, settle=0)
-        self.wait_for_number(first, 150)
-        late = self.listen()
-        self.wait_for_shared(late, 20)
-        last = self.finish(talker)["last"]
-        self.assert_got(first, range(last + 1))
-        self.assert_moved(first)
-        self.assert_got(late, range(late.numbers()[0], last + 1))
-        self.assert_moved(late)
+        """Whether the program attaches it with each message, or did so once."""
+        for mode in ("foreign_handover", "foreign_attached_handover"):
+            with self.subTest(mode):
+                self.ros.stop_since(self.before)
+                first = self.listen()
+                talker = self.start_talker(mode, count=0, half=100, rate=50, settle=0)
+                self.wait_for_shared(first, 20)
+                self.wait_for_number(first, 150)
+                late = self.listen()
+                self.wait_for_shared(late, 20)
+                last = self.finish(talker)["last"]
+                self.assert_got(first, range(last + 1))
+                self.assert_got(late, range(late.numbers()[0], last + 1))
+                for listener in (first, late):
+                    self.assert_moved(listener)
 
     def test_a_topic_that_is_advertised_anew_is_attached_anew(self):
         listener = self.listen()
