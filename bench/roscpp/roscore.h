@@ -3,6 +3,8 @@
 
 #include <sys/types.h>
 
+#include "loopback/reserved_port.h"
+
 namespace tzc {
 namespace bench {
 
@@ -15,6 +17,7 @@ class RosCore {
   bool running() const { return pid_ > 0; }
 
  private:
+  const loopback::ReservedPort port_;
   pid_t pid_ = -1;
 };
 

@@ -10,9 +10,6 @@ namespace tzc::compare {
 /// A roscore of one's own.
 class RosCore {
  public:
-  /// "http://127.0.0.1:PORT", the port free and below those that the system gives to outgoing connections.
-  static std::string free_uri();
-
   /// Starts it at the environment's ROS_MASTER_URI and waits until it answers. @throws Failure, Stopped
   RosCore(const Environment& environment, const std::string& folder);
   void set_simulated_time();

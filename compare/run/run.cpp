@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "loopback/reserved_port.h"
 #include "run/failure.h"
 #include "run/failures.h"
 #include "run/process_tree.h"
@@ -39,7 +40,7 @@ class WorkspaceRun {
       : folder_(std::move(folder)),
         input_(input),
         progress_(progress),
-        environment_(session_environment(workspace)),
+        environment_(session_environment(workspace, master_port_.number())),
         core_(environment_, folder_),
         recorder_(recorder_arguments(recorded), environment_, folder_ + "/recorder.log") {
     if (input_.simulates_time) core_.set_simulated_time();
@@ -66,14 +67,14 @@ class WorkspaceRun {
   }
 
  private:
-  Environment session_environment(const std::string& workspace) const {
+  Environment session_environment(const std::string& workspace, int master_port) const {
     Environment environment = workspace_environment(workspace);
     environment["ROS_IP"] = "127.0.0.1";
     environment["ROS_HOME"] = folder_;
     environment["ROS_LOG_DIR"] = folder_ + "/log";
     environment["TZC_STATISTICS"] = folder_ + "/statistics.json";
     environment["PYTHONUNBUFFERED"] = "1";
-    environment["ROS_MASTER_URI"] = RosCore::free_uri();
+    environment["ROS_MASTER_URI"] = "http://127.0.0.1:" + std::to_string(master_port);
     return environment;
   }
 
@@ -207,6 +208,7 @@ class WorkspaceRun {
   const std::string folder_;
   const Input& input_;
   const Progress& progress_;
+  const loopback::ReservedPort master_port_;
   const Environment environment_;
   RosCore core_;
   RecorderProcess recorder_;

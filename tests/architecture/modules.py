@@ -16,6 +16,7 @@ USES = {
     "runtime/preload": ["runtime/roscpp"],
 
     "tools/command_line": [],
+    "tools/loopback": [],
 
     "msggen/model": [],
     "msggen/parse": ["msggen/model"],
@@ -44,7 +45,7 @@ USES = {
     # The benchmark measures the runtime, so it alone uses another product.
     "bench": ["tools/command_line"],
     "bench/core": ["bench", "runtime/channel"],
-    "bench/roscpp": ["bench", "bench/core", "runtime/roscpp", "tools/command_line"],
+    "bench/roscpp": ["bench", "bench/core", "runtime/roscpp", "tools/command_line", "tools/loopback"],
     "bench/paper": ["bench", "bench/core", "bench/roscpp", "runtime/posix", "tools/command_line"],
     # tzc-monitor knows the layout of a statistics page and what owns a descriptor, and nothing else of the runtime.
     "monitor": ["runtime/posix", "runtime/statistics", "tools/command_line"],
@@ -53,7 +54,7 @@ USES = {
     "compare/wire": [],
     "compare/pairing": ["compare/wire"],
     "compare/engine": ["compare/wire", "compare/pairing"],
-    "compare/run": ["compare/pairing", "compare/engine"],
+    "compare/run": ["compare/pairing", "compare/engine", "tools/loopback"],
     "compare/report": ["compare/engine", "compare/run"],
     "compare/tool": ["compare/engine", "compare/run", "compare/report", "tools/command_line"],
     "compare/recorder": ["compare/wire", "runtime/preload", "runtime/roscpp"],

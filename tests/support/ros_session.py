@@ -23,16 +23,29 @@ import xmlrpc.client
 PATIENCE = 6
 
 
-def free_port():
-    """Below the ports that the system gives to outgoing connections, which could take it before roscore does."""
-    while True:
-        with socket.socket() as probe:
-            port = random.randrange(15000, 32000)
-            try:
-                probe.bind(("127.0.0.1", port))
-                return port
-            except OSError:
-                continue
+class ReservedPort:
+    """A loopback port that nobody else is given before `close`, below those that the system gives to outgoing connections.
+
+    Bound here and never listened on: roscore, which binds with SO_REUSEADDR, can listen on it, and another session, which binds
+    without, finds it taken, also during the seconds before roscore listens."""
+
+    def __init__(self):
+        self.number = random.randrange(15000, 32000)
+        while not self._reserve():
+            self.number = random.randrange(15000, 32000)
+
+    def _reserve(self):
+        self._socket = socket.socket()
+        try:
+            self._socket.bind(("127.0.0.1", self.number))
+        except OSError:
+            self._socket.close()
+            return False
+        self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # from now on
+        return True
+
+    def close(self):
+        self._socket.close()
 
 
 class Termination:
@@ -120,7 +133,7 @@ class RosSession:
     def __init__(self, scratch, env=None):
         self.scratch = scratch
         os.makedirs(scratch, exist_ok=True)
-        self.port = free_port()
+        self._port = ReservedPort()
         self.uri = f"http://127.0.0.1:{self.port}"
         self.env = dict(os.environ, ROS_IP="127.0.0.1", PYTHONUNBUFFERED="1")
         self.env.pop("ROS_HOSTNAME", None)
@@ -128,14 +141,18 @@ class RosSession:
         # A workspace's setup.sh names a master, too: this session's own is the one that counts.
         self.env.update(ROS_MASTER_URI=self.uri, ROS_HOME=scratch, ROS_LOG_DIR=os.path.join(scratch, "log"))
         self.master = xmlrpc.client.ServerProxy(self.uri)
+        self.core = None
         self._processes = []
         self._count = 0
+
+    @property
+    def port(self):
+        return self._port.number
 
     def __enter__(self):
         Termination.end_as_usual()
         try:
-            self.core = self.start(["roscore", "-p", str(self.port)], name="roscore")
-            self.wait_until(self.master_answers, 30, "roscore to answer")
+            self._start_core()
         except BaseException:
             self.__exit__()
             raise
@@ -144,13 +161,19 @@ class RosSession:
     def restart_core(self):
         """Another roscore takes the place of the one that is killed; it knows no node."""
         self.core.stop()
+        self._start_core()
+
+    def _start_core(self):
         self.core = self.start(["roscore", "-p", str(self.port)], name="roscore")
-        self.wait_until(self.master_answers, 30, "roscore to answer again")
+        self.wait_until(self.master_answers, 30, "roscore to answer")
 
     def __exit__(self, *exc):
+        if self.core and not self.core.alive():  # whatever failed, this is why
+            print(f"roscore ended before its session; its log ends:\n{self.core.tail()}", file=sys.stderr)
         for process in reversed(self._processes):
             process.stop()
         self.master("close")()
+        self._port.close()
         return False
 
     def start(self, command, name=None, env=None):

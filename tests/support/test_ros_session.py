@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a session's processes find in their environment, and that none of them outlives it."""
+import contextlib
+import io
 import os
 import signal
 import subprocess
@@ -7,8 +9,33 @@ import sys
 import tempfile
 import time
 import unittest
+from unittest import mock
 
-from ros_session import RosSession
+import ros_session
+from ros_session import ReservedPort, RosSession
+
+
+class Ports(unittest.TestCase):
+    def test_a_port_is_given_to_one_session_only_from_its_beginning_to_its_end(self):
+        """Else two share the roscore of one of them, which ends with that one."""
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(ros_session.random, "randrange") as dice:
+            dice.side_effect = [15000, *range(15000, 16000)]
+            first = ReservedPort()
+            second = ReservedPort()
+            self.assertNotEqual(first.number, second.number)
+            dice.side_effect = [second.number, *range(16000, 17000)]
+            second.close()
+            with RosSession(folder) as ros:
+                self.assertEqual(ros.port, second.number)
+                dice.side_effect = [ros.port, *range(16000, 17000)]
+                self.assertGreaterEqual(ReservedPort().number, 16000)
+            first.close()
+
+    def test_a_roscore_that_ended_is_said(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as said:
+            with RosSession(folder) as ros:
+                ros.core.stop()
+        self.assertIn("roscore ended before its session", said.getvalue())
 
 
 class Environment(unittest.TestCase):

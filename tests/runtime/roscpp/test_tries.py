@@ -7,7 +7,7 @@ from topic_case import Listener, TopicCase, main
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "support"))
 from master_proxy import MasterProxy  # noqa: E402
-from ros_session import free_port  # noqa: E402
+from ros_session import ReservedPort  # noqa: E402
 
 
 class Tries(TopicCase):
@@ -77,7 +77,9 @@ class SlowMaster(Tries):
 
     def test_a_subscriber_that_cannot_be_reached_yet(self):
         listener = self.listen()
-        nobody = f"http://127.0.0.1:{free_port()}/"
+        port = ReservedPort()
+        self.addCleanup(port.close)
+        nobody = f"http://127.0.0.1:{port.number}/"
         talker = self.start_talker_under(5, lambda *_: [1, "", nobody])
         self.assert_comes_to_shared_memory(listener, talker, timeout=40)
 
