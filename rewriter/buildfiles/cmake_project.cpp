@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "buildfiles/cmake_project.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -49,7 +50,7 @@ class Loader {
     for (const CmakeCommand& command : *commands) values.learn(command);
 
     const std::size_t index = project_.files.size();
-    project_.files.push_back({path, *content, *commands, values, parents});
+    project_.files.push_back({canonical_path(path), *content, *commands, values, parents});
     parents.push_back(index);
     return read_children(*commands, fs::path(path).parent_path(), values, parents);
   }
@@ -60,7 +61,7 @@ class Loader {
       if (command.name != "add_subdirectory" || command.arguments.empty()) continue;
       for (const std::string& name : values.expand(command.arguments[0].text)) {
         const std::string child = (folder / name / "CMakeLists.txt").lexically_normal();
-        if (!fs::exists(child) || !seen_.insert(child).second) continue;
+        if (!fs::exists(child) || !seen_.insert(canonical_path(child)).second) continue;
         if (Expected<void> done = read(child, values, parents); !done) return done;
       }
     }
@@ -128,6 +129,20 @@ std::vector<CmakeCommandRef> commands_of_target(const CmakeProject& project, con
       else if (target_users.count(command.name) == 0)
         add_of_macro(project, command.name, name, found);
     }
+  return found;
+}
+
+std::set<std::size_t> files_of_target(const CmakeProject& project, const std::string& target) {
+  std::set<std::size_t> found;
+  for (std::size_t i = 0; i < project.files.size(); ++i) {
+    const CmakeListFile& file = project.files[i];
+    const bool names =
+        std::any_of(file.commands.begin(), file.commands.end(),
+                    [&](const CmakeCommand& command) { return names_target(file, command, target); });
+    if (!names) continue;
+    found.insert(i);
+    found.insert(file.parents.begin(), file.parents.end());
+  }
   return found;
 }
 

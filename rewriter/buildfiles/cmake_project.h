@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace tzc::rewriter {
 
 /// One CMakeLists.txt of a package, with what its parents may have set.
 struct CmakeListFile {
-  std::string path;
+  std::string path;  ///< canonical: it may be a link
   std::string content;
   std::vector<CmakeCommand> commands;
   CmakeValues values;
@@ -42,5 +43,9 @@ CmakeCommandRef find_target(const CmakeProject& project, const std::string& targ
 /// function that is called with it included.
 std::vector<CmakeCommandRef> commands_of_target(const CmakeProject& project, const std::string& command,
                                                 const std::string& target);
+
+/// The files whose settings reach a target, as indices: those in which a command's first argument may be its name, and those above
+/// them.
+std::set<std::size_t> files_of_target(const CmakeProject& project, const std::string& target);
 
 }  // namespace tzc::rewriter

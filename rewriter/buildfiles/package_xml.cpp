@@ -87,7 +87,7 @@ Names neighbours(const std::string& name) {
 
 Expected<PackageXml> read_package_xml(const std::string& package_dir) {
   PackageXml package;
-  package.path = package_dir + "/package.xml";
+  package.path = canonical_path(package_dir + "/package.xml");
   const Expected<std::string> content = read_file(package.path);
   if (!content)
     return Error{"is no package: it has no package.xml", package_dir, "name the folder of a catkin package"};

@@ -36,6 +36,7 @@ class Planner {
     if (!needs_.dual)
       if (Expected<void> done = plan_package_xml(); !done) return done.error();
     if (Expected<void> done = plan_cmake(); !done) return done.error();
+    leave_what_lies_outside();
     return plan_;
   }
 
@@ -74,7 +75,8 @@ class Planner {
   Expected<void> plan_cmake() {
     const Expected<CmakeProject> project = load_cmake_project(needs_.package_dir);
     if (!project) return project.error();
-    for (const CmakeListFile& file : project->files) append(plan_.edits, raise_to_cxx14(file));
+    for (const std::size_t file : files_of_targets(*project))
+      append(plan_.edits, raise_to_cxx14(project->files[file]));
     const CatkinUse use = catkin_use(*project);
     if (use == CatkinUse::none)
       note(codes::TZC4002, project->files.front().path,
@@ -82,6 +84,32 @@ class Planner {
     if (!needs_.dual) return plan_required(*project, use);
     plan_optional(*project);
     return {};
+  }
+
+  /// Bundled libraries in folders of their own keep their standard. All files, where it is not known which make the targets.
+  std::set<std::size_t> files_of_targets(const CmakeProject& project) const {
+    std::set<std::size_t> all, found;
+    for (std::size_t i = 0; i < project.files.size(); ++i) all.insert(i);
+    for (const std::string& target : targets_) {
+      const std::set<std::size_t> of_target = files_of_target(project, target);
+      if (of_target.empty()) return all;
+      found.insert(of_target.begin(), of_target.end());
+    }
+    return found.empty() ? all : found;
+  }
+
+  /// add_subdirectory(../core), or a build file that is a link: it is not the package's.
+  void leave_what_lies_outside() {
+    std::set<std::string> outside;
+    for (const Edit& edit : plan_.edits)
+      if (!is_below(edit.file, needs_.package_dir)) outside.insert(edit.file);
+    const auto is_outside = [&](const Edit& edit) { return outside.count(edit.file) != 0; };
+    plan_.edits.erase(std::remove_if(plan_.edits.begin(), plan_.edits.end(), is_outside), plan_.edits.end());
+    for (const std::string& file : outside)
+      note(codes::TZC4002, file,
+           "it lies outside of the package and stays as it is; what it gives the package's targets needs "
+           "tzc, and "
+           "C++14 at least");
   }
 
   void plan_optional(const CmakeProject& project) {

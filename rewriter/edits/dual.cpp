@@ -19,13 +19,12 @@ bool ends_with_backslash(std::string_view line) {
 }
 
 /// Whether a block comment is open after the line. A comment mark in a string counts as a comment, which errs
-/// on the safe side.
+/// on the safe side: that of a line comment does not.
 bool comment_open_after(std::string_view line, bool open) {
-  for (std::size_t at = 0; at != std::string_view::npos && at < line.size();) {
+  for (std::size_t at = 0; at < line.size();) {
     const std::size_t mark = line.find(open ? "*/" : "/*", at);
-    if (mark == std::string_view::npos ||
-        (!open && line.substr(0, mark).find("//") != std::string_view::npos))
-      break;
+    const std::size_t rest_is_comment = open ? std::string_view::npos : line.find("//", at);
+    if (mark == std::string_view::npos || rest_is_comment < mark) break;
     open = !open;
     at = mark + 2;
   }

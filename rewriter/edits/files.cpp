@@ -94,8 +94,12 @@ Snapshot snapshot(const std::string& package_dir) {
       continue;
     }
     if (!at->is_regular_file(ignored) || !is_analysed(at->path())) continue;
-    if (const Expected<std::string> content = read_file(at->path()))
-      files[at->path()] = content_hash(*content);
+    const Expected<std::string> content = read_file(at->path());
+    if (!content) continue;
+    files[at->path()] = content_hash(*content);
+    if (!at->is_symlink(ignored)) continue;
+    const std::string real = canonical_path(at->path());  // of CMakeLists.txt -> CMakeLists_ros1.txt, say
+    if (is_below(real, package_dir)) files[real] = content_hash(*content);
   }
   return files;
 }

@@ -5,6 +5,8 @@
 #include <set>
 #include <vector>
 
+#include "edits/source_text.h"
+
 namespace tzc::rewriter {
 namespace {
 
@@ -21,7 +23,7 @@ struct Include {
 
 struct Line {
   std::size_t begin, end;  ///< end: behind the newline
-  std::string text;        ///< without white space at both ends
+  std::string text;        ///< without white space and comments at both ends
 };
 
 /// The length of the byte order mark in front of the text.
@@ -30,14 +32,15 @@ std::size_t mark_of(const std::string& content) {
 }
 
 std::vector<Line> lines_of(const std::string& content) {
+  const std::string code = without_comments(content);  // as long as the content
   std::vector<Line> lines;
   for (std::size_t at = mark_of(content); at < content.size();) {
     std::size_t end = content.find('\n', at);
     end = end == std::string::npos ? content.size() : end + 1;
-    const std::size_t first = content.find_first_not_of(" \t\r\n", at);
-    std::string text = first < end ? content.substr(first, end - first) : "";
-    while (!text.empty() && std::string(" \t\r\n").find(text.back()) != std::string::npos) text.pop_back();
-    lines.push_back({at, end, text});
+    const std::size_t first = code.find_first_not_of(" \t\r\n", at);
+    const bool is_empty = first >= end;
+    const std::size_t last = is_empty ? 0 : code.find_last_not_of(" \t\r\n", end - 1);
+    lines.push_back({at, end, is_empty ? "" : content.substr(first, last + 1 - first)});
     at = end;
   }
   return lines;
@@ -87,15 +90,13 @@ Scan scan(const std::string& content) {
     result.branches[open.back()].end = at;
     open.pop_back();
   };
-  bool guard_seen = false, code_seen = false, in_comment = false, continues = false;
+  bool guard_seen = false, code_seen = false, continues = false;
   const std::vector<Line> lines = lines_of(content);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string& text = lines[i].text;
     const bool continued = continues;  // a line of the directive above it
-    const std::string directive = in_comment || continued ? "" : directive_of(text);
+    const std::string directive = continued ? "" : directive_of(text);
     continues = (continued || !directive.empty()) && !text.empty() && text.back() == '\\';
-    if (text.find("/*") != std::string::npos) in_comment = true;
-    if (text.find("*/") != std::string::npos) in_comment = false;
     if (starts_with(directive, "if")) {
       const bool guard =
           !guard_seen && open.size() == 1 && starts_with(directive, "ifndef") && is_guard(lines, i);
@@ -110,8 +111,7 @@ Scan scan(const std::string& content) {
     if (starts_with(directive, "include")) result.all.insert(header_of(directive));
     if (starts_with(directive, "include") && !code_seen)
       result.includes.push_back({header_of(directive), lines[i].begin, lines[i].end, open.back()});
-    const bool comment = in_comment || starts_with(text, "//") || text.find("*/") != std::string::npos;
-    if (directive.empty() && !text.empty() && !comment && !continued) code_seen = true;
+    if (directive.empty() && !text.empty() && !continued) code_seen = true;
     if (!code_seen && open.size() == 1 && !continues) result.top = lines[i].end;
   }
   return result;

@@ -59,10 +59,24 @@ bool is_local_value(const clang::VarDecl* variable) {
 
 using Variables = std::set<const clang::VarDecl*>;
 
+/// What a function object of a lambda expression may change besides what it is given.
+void add_captured(const clang::VarDecl* closure, Variables& named) {
+  const clang::CXXRecordDecl* type = closure->getType().getNonReferenceType()->getAsCXXRecordDecl();
+  if (!type || !type->isLambda()) return;
+  for (const clang::LambdaCapture& capture : type->captures())
+    if (capture.capturesVariable())
+      if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(capture.getCapturedVar()))
+        named.insert(variable);
+}
+
 void add_named(const clang::Stmt* code, Variables& named) {
   if (!code) return;
-  if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(code))
-    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(name->getDecl())) named.insert(variable);
+  if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(code)) {
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(name->getDecl())) {
+      named.insert(variable);
+      add_captured(variable, named);
+    }
+  }
   for (const clang::Stmt* part : code->children()) add_named(part, named);
 }
 
@@ -97,6 +111,12 @@ bool is_name(const clang::Expr* expr) {
          is_name(member->getBase());
 }
 
+/// Through a pointer it is the one that the pointer's value names just then.
+bool is_same_object(const Receiver& receiver) {
+  return is_name(receiver.expr) &&
+         (!receiver.pointer || llvm::isa<clang::CXXThisExpr>(receiver.expr->IgnoreParenImpCasts()));
+}
+
 /// An argument by reference is read only by the function.
 bool reads_argument(const Unit& unit, const clang::CXXMemberCallExpr* call, unsigned index,
                     const Variables& others) {
@@ -110,8 +130,9 @@ bool reads_argument(const Unit& unit, const clang::CXXMemberCallExpr* call, unsi
 }  // namespace
 
 bool order_matters(const Unit& unit, const clang::CXXMemberCallExpr* call) {
-  const clang::Expr* object = receiver_of(call).expr;
-  if (!object || is_name(object)) return false;
+  const Receiver receiver = receiver_of(call);
+  const clang::Expr* object = receiver.expr;
+  if (!object || is_same_object(receiver)) return false;
   const bool object_changes = may_change(unit, object);
   const Variables of_object = named_in(object);
   for (unsigned i = 0; i < written_arguments(call); ++i) {

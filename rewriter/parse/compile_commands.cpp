@@ -2,6 +2,7 @@
 #include "parse/compile_commands.h"
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 #include "buildfiles/build_trees.h"
@@ -13,8 +14,17 @@
 namespace tzc::rewriter {
 namespace {
 
-/// `ccache g++ -c x.cpp` -> `g++ -c x.cpp`
+/// arm-linux-gnueabihf-g++-12, /usr/bin/c++, clang++
+bool is_compiler(const std::string& word) {
+  static const std::regex name("(.*[/-])?(c\\+\\+|cc|g\\+\\+|gcc|clang|clang\\+\\+|icpc|icpx)(-[0-9.]+)?");
+  return std::regex_match(word, name);
+}
+
+/// `ccache g++ -c x.cpp`, `cmake -E env CCACHE_DIR=/c ccache g++ -c x.cpp` -> `g++ -c x.cpp`
 void drop_launcher(std::vector<std::string>& arguments) {
+  const auto source = std::find_if(arguments.begin(), arguments.end(), is_cpp_source);
+  const auto compiler = std::find_if(arguments.begin(), source, is_compiler);
+  if (compiler != source) arguments.erase(arguments.begin(), compiler);
   while (arguments.size() > 1 && arguments[1][0] != '-' && !is_cpp_source(arguments[1]))
     arguments.erase(arguments.begin());
 }

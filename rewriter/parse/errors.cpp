@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parse/errors.h"
 
+#include <clang/Basic/DiagnosticDriver.h>
 #include <clang/Basic/SourceManager.h>
 #include <clang/Lex/Lexer.h>
 #include <clang/Parse/ParseDiagnostic.h>
@@ -34,6 +35,23 @@ clang::SourceLocation next_token(const clang::Diagnostic& info, const clang::Lan
   return failed ? clang::SourceLocation() : token.getLocation();
 }
 
+/// -fext-numeric-literals and what else only GCC has, or has with more values: Clang goes on without it.
+bool is_about_option(const clang::Diagnostic& info) {
+  switch (info.getID()) {
+    case clang::diag::err_drv_unknown_argument:
+    case clang::diag::err_drv_unknown_argument_with_suggestion:
+    case clang::diag::err_drv_unsupported_opt:
+    case clang::diag::err_drv_unsupported_opt_with_suggestion:
+    case clang::diag::err_drv_unsupported_opt_for_target:
+    case clang::diag::err_drv_unsupported_option_argument:
+    case clang::diag::err_drv_invalid_value:
+    case clang::diag::err_drv_invalid_value_with_suggestion:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 bool Errors::is_about_ignored_alignas(const clang::Diagnostic& info, const std::string& text) {
@@ -52,6 +70,11 @@ void Errors::HandleDiagnostic(clang::DiagnosticsEngine::Level level, const clang
   }
   last_was_error_ = level >= clang::DiagnosticsEngine::Error;
   if (!last_was_error_) return;
+  if (is_about_option(info)) {
+    last_was_error_ = false;
+    has_excused_ = true;
+    return;
+  }
   llvm::SmallString<256> text;
   info.FormatDiagnostic(text);
   if (is_about_ignored_alignas(info, text.str().str())) {

@@ -14,7 +14,8 @@ class LangOptions;
 
 namespace tzc::rewriter {
 
-/// Collects what Clang refuses, with one exception: `struct P { ... } alignas(16);`. GCC warns that it ignores the attribute, and
+/// Collects what Clang refuses, with two exceptions. Options of GCC that Clang's driver does not know: the package's own compiler
+/// judges what the port writes, with them. And `struct P { ... } alignas(16);`. GCC warns that it ignores the attribute, and
 /// Clang goes on as if it were not there, too. Eigen 3.4 made this of `} EIGEN_ALIGN16;`, which many point types end in.
 class Errors : public clang::DiagnosticConsumer {
  public:

@@ -160,11 +160,17 @@ void run_clang(const CompileUnit& unit, const ParseOptions& options, const Then&
   clang::FileSystemOptions file_options;
   file_options.WorkingDir = unit.directory;
   auto manager = llvm::makeIntrusiveRefCnt<clang::FileManager>(file_options, files_of(unit, options));
+  bool is_parsed = false;
+  const Then noted = [&](clang::ASTContext& ast) {
+    is_parsed = true;
+    then(ast);
+  };
   clang::tooling::ToolInvocation invocation(command_line(unit, options),
-                                            std::make_unique<Action>(options, then, result), manager.get());
+                                            std::make_unique<Action>(options, noted, result), manager.get());
   Errors errors(result.errors);
   invocation.setDiagnosticConsumer(&errors);
-  if (!invocation.run() && result.errors.empty() && !errors.has_excused())
+  const bool succeeded = invocation.run() || errors.has_excused();
+  if (!(succeeded && is_parsed) && result.errors.empty())
     result.errors.push_back({{unit.file, 0, 0}, "the compile command is not understood", {}});
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "edits/files.h"
 #include "proof/cmake_reads.h"
@@ -31,7 +32,7 @@ class Prover {
         break;
       }
       if (options_.accesses) options_.accesses->give_up();  // what CMake read up to an error is not known
-      if (!find_culprits(done.error())) break;
+      if (!find_culprits(configuration, done.error())) break;
     }
     return std::move(failures_);
   }
@@ -61,30 +62,47 @@ class Prover {
     left_.erase(std::remove(left_.begin(), left_.end(), &package), left_.end());
   }
 
-  /// When the workspace cannot be configured with all packages: leaves out those that fail alone. False:
-  /// there is nothing more to try.
-  bool find_culprits(const Error& together) {
+  /// When the workspace cannot be configured with all packages: leaves out those that fail alone, those that CMake names first. To
+  /// try each takes as long as to configure the workspace for each. False: there is nothing more to try.
+  bool find_culprits(const Configuration& configuration, const Error& together) {
     const Packages all = left_;
-    if (const std::optional<Error> original = configure_original(all)) {
-      for (const PortedPackage* package : all) fail(*package, *original);
-      return false;
-    }
-    for (const PortedPackage* package : all) {
-      if (all.size() == 1) {
-        fail(*package, together);
-        continue;
-      }
-      Configuration alone(user_, {package->package_dir}, options_.prefixes);
-      step("configuring a scratch copy of " + package->name);
-      if (const Expected<void> done = alone.configure(package->contents); !done) fail(*package, done.error());
+    if (const std::optional<Error> original = error_without_port(all)) return fail_all(all, *original), false;
+    if (all.size() == 1) return fail_all(all, together), false;
+    Packages others = all;
+    const auto rest = std::stable_partition(others.begin(), others.end(), [&](const PortedPackage* package) {
+      return is_named(*package, configuration.sources(), together);
+    });
+    for (auto at = others.begin(); at != others.end(); ++at) {
+      if (at == rest && left_.size() < all.size()) break;
+      try_alone(**at);
     }
     if (left_.size() < all.size()) return true;
-    for (const PortedPackage* package : all) fail(*package, together);
-    return false;
+    return fail_all(all, together), false;
   }
 
-  /// The error that the workspace has also without the port.
-  std::optional<Error> configure_original(const Packages& packages) {
+  void fail_all(const Packages& packages, const Error& error) {
+    for (const PortedPackage* package : packages) fail(*package, error);
+  }
+
+  /// CMake names files below the workspace by their path in it.
+  static bool is_named(const PortedPackage& package, const ScratchWorkspace& copy, const Error& error) {
+    const std::string folder = copy.scratch(package.package_dir);
+    const std::string inside = is_below(folder, copy.folder()) ? folder.substr(copy.folder().size() + 1) : "";
+    const auto names = [&](const std::string& path) {
+      return error.what.find(" at " + path + "/") != std::string::npos;
+    };
+    return names(package.package_dir) || (!inside.empty() && names(inside));
+  }
+
+  void try_alone(const PortedPackage& package) {
+    Configuration alone(user_, {package.package_dir}, options_.prefixes);
+    step("configuring a scratch copy of " + package.name);
+    if (const Expected<void> done = alone.configure(package.contents); !done) fail(package, done.error());
+  }
+
+  /// The error that the workspace has also without the port; looked for once.
+  std::optional<Error> error_without_port(const Packages& packages) {
+    if (std::exchange(knows_original_, true)) return {};
     Configuration original(user_, folders(packages), options_.prefixes);
     step("configuring a scratch copy without the port");
     const Expected<void> done = original.configure({});
@@ -169,6 +187,7 @@ class Prover {
   const ProofOptions& options_;
   Packages left_;
   Failures failures_;
+  bool knows_original_ = false;
 };
 
 }  // namespace

@@ -79,6 +79,10 @@ bool UserBuild::is_workspace() const {
   return !fs::exists(source + "/package.xml");
 }
 
+std::string UserBuild::root() const {
+  return is_workspace() ? source : fs::path(source).parent_path().string();
+}
+
 Configuration::Configuration(const UserBuild& user, const std::vector<std::string>& packages,
                              std::vector<std::string> prefixes)
     : user_(user), packages_(packages), prefixes_(std::move(prefixes)) {}
@@ -92,7 +96,7 @@ Expected<void> Configuration::prepare() {
   for (const char* name : {"CATKIN_DEVEL_PREFIX", "CMAKE_INSTALL_PREFIX"})
     if (const std::string tree = user_.cache.value(name); is_below(tree, user_.source))
       omitted.push_back(tree);
-  sources_ = std::make_unique<ScratchWorkspace>(user_.source, packages_, *folder_ / "src", omitted);
+  sources_ = std::make_unique<ScratchWorkspace>(user_.root(), packages_, *folder_ / "src", omitted);
   return sources_->make();
 }
 
@@ -142,6 +146,10 @@ std::string Configuration::initial_cache() const {
   return text;
 }
 
+std::string Configuration::source_dir() const {
+  return user_.is_workspace() ? sources_->folder() : sources_->to_scratch().in_word(user_.source);
+}
+
 Expected<void> Configuration::configure(const FileContents& contents) {
   if (Expected<void> done = prepare(); !done) return done;
   if (Expected<void> done = sources_->write(contents); !done) return done;
@@ -153,7 +161,7 @@ Expected<void> Configuration::configure(const FileContents& contents) {
   std::ofstream(*folder_ / "initial.cmake", std::ios::binary) << initial_cache();
   const std::string cmake = user_.cache.value("CMAKE_COMMAND");
   const ProcessResult result = run_process(
-      Command{{cmake.empty() ? "cmake" : cmake, "-S", sources_->folder(), "-B", build_dir(), "-G",
+      Command{{cmake.empty() ? "cmake" : cmake, "-S", source_dir(), "-B", build_dir(), "-G",
                user_.cache.value("CMAKE_GENERATOR"), "-C", *folder_ / "initial.cmake", "-Wno-dev"},
               build_dir(),
               environment()});

@@ -26,6 +26,10 @@ struct UserBuild {
 
   /// Whether the folder was configured for several packages at once, as catkin_make does.
   bool is_workspace() const;
+
+  /// The folder that a copy of the sources begins with: of a package that is configured alone, the one around it, since files beside
+  /// it may be included by "..".
+  std::string root() const;
 };
 
 /// A scratch workspace, configured as the user's build was: the same generator and cache entries, less the
@@ -47,6 +51,7 @@ class Configuration {
 
  private:
   Expected<void> prepare();
+  std::string source_dir() const;
   std::string initial_cache() const;
   std::string prefix_path() const;
   CacheEntry mapped(CacheEntry entry) const;

@@ -55,7 +55,15 @@ ScratchWorkspace::ScratchWorkspace(const std::string& root, const std::vector<st
   }
 }
 
-/// A package may be a symbolic link below the root.
+/// Whether a package lies behind a symbolic link, and not the root itself, too.
+bool ScratchWorkspace::is_link_to_package(const std::string& link) const {
+  const std::string folder = canonical_path(link), root = canonical_path(root_);
+  return folder != root && !is_below(root, folder) &&
+         std::any_of(places_.begin(), places_.end(),
+                     [&](const auto& item) { return item.first == folder || is_below(item.first, folder); });
+}
+
+/// A package may lie behind a symbolic link below the root.
 void ScratchWorkspace::find_places(const std::string& folder, unsigned depth) {
   if (const auto found = places_.find(canonical_path(folder)); found != places_.end()) {
     if (found->second.scratch.empty())
@@ -66,7 +74,7 @@ void ScratchWorkspace::find_places(const std::string& folder, unsigned depth) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.is_directory(ignored) && !is_skipped(entry.path().filename()) &&
-        (depth == 0 || !entry.is_symlink(ignored)))
+        (!entry.is_symlink(ignored) || is_link_to_package(entry.path())))
       find_places(entry.path(), depth + 1);
 }
 

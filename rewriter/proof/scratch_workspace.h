@@ -49,6 +49,7 @@ class ScratchWorkspace {
     std::string scratch;  ///< what stands for it
   };
   void find_places(const std::string& folder, unsigned depth);
+  bool is_link_to_package(const std::string& link) const;
   bool leads_to_package(const std::string& folder) const;
   Expected<void> mirror(const std::string& from, const std::string& to);
   Expected<void> copy(const std::string& from, const std::string& to);

@@ -46,6 +46,9 @@ struct TextStyle {
 /// For a terminal: the sites as a table, remarks with their reason, a summary.
 std::string to_text(const PackageReport& package, const TextStyle& style);
 
+/// The sites of a package in a few words: "publish: 2 zero_copy, 1 plain; subscribe: 1 shared".
+std::string in_one_line(const Report& report);
+
 /// One package: {"version": 1, "package", "sites", "notes", "summary"}; several: {"version": 1, "packages":
 /// [those]}.
 std::string to_json(const RunReport& run);

@@ -72,4 +72,16 @@ unsigned count(const Report& report, SiteKind kind, Level level) {
   }));
 }
 
+std::string in_one_line(const Report& report) {
+  std::string line;
+  for (const SiteKind kind : {SiteKind::publish, SiteKind::subscribe}) {
+    std::string counts;
+    for (const Level level : levels_of(kind))
+      if (const unsigned sites = count(report, kind, level); sites > 0)
+        counts += (counts.empty() ? "" : ", ") + std::to_string(sites) + " " + name_of(level);
+    if (!counts.empty()) line += (line.empty() ? "" : "; ") + std::string(name_of(kind)) + ": " + counts;
+  }
+  return line.empty() ? "no sites" : line;
+}
+
 }  // namespace tzc::rewriter

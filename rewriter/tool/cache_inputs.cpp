@@ -15,6 +15,7 @@
 #include "edits/files.h"
 #include "proof/compiler_reads.h"
 #include "proof/configuration.h"
+#include "tool/build_folder.h"
 #include "tool/own_messages.h"
 #include "tool/places.h"
 

@@ -13,11 +13,11 @@
 #include "edits/apply.h"
 #include "edits/dual.h"
 #include "model/codes.h"
+#include "tool/build_folder.h"
 #include "tool/git.h"
 #include "tool/invariant.h"
 #include "tool/own_messages.h"
 #include "tool/pending.h"
-#include "tool/places.h"
 #include "tool/source_plans.h"
 #include "tool/suppressions.h"
 

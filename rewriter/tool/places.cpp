@@ -5,9 +5,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
+#include <limits>
+#include <set>
 #include <sstream>
 
-#include "buildfiles/compile_database.h"
 #include "edits/files.h"
 #include "proof/cmake_cache.h"
 
@@ -19,65 +20,46 @@ bool is_skipped(const fs::path& folder) {
   return folder.filename().string().front() == '.' || fs::exists(folder / "CATKIN_IGNORE");
 }
 
-/// A symbolic link may be a package, but what lies below one is not searched: links may form circles.
-void collect_packages(const fs::path& folder, std::vector<std::string>& packages) {
-  if (fs::exists(folder / "package.xml")) return packages.push_back(fs::canonical(folder));
-  if (fs::is_symlink(folder)) return;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.is_directory(ignored) && !is_skipped(entry.path())) collect_packages(entry.path(), packages);
-}
+/// Catkin follows symbolic links, too: to a package, or to a repository with packages.
+class PackageSearch {
+ public:
+  explicit PackageSearch(const fs::path& root) : root_(root) {}
 
-bool has_database(const fs::path& folder) {
-  return fs::exists(folder / "compile_commands.json");
-}
+  std::vector<std::string> run() {
+    search(root_, std::numeric_limits<unsigned>::max());
+    const std::vector<fs::path> links = std::move(links_);  // not those that are found behind these
+    for (const fs::path& link : links) search_behind(link);
+    return std::move(packages_);
+  }
 
-bool knows_package(const std::string& build_dir, const std::string& package_dir) {
-  const Expected<std::set<std::string>> files = compiled_files(build_dir);
-  return files &&
-         std::any_of(files->begin(), files->end(), [&](auto& file) { return is_below(file, package_dir); });
-}
+ private:
+  void search(const fs::path& folder, unsigned depth) {
+    if (!seen_.insert(folder).second) return;
+    std::error_code ignored;
+    if (fs::exists(folder / "package.xml", ignored)) return packages_.push_back(folder);
+    if (depth == 0) return;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+      if (!entry.is_directory(ignored) || is_skipped(entry.path())) continue;
+      if (entry.is_symlink(ignored))
+        links_.push_back(entry.path());
+      else
+        search(entry.path(), depth - 1);
+    }
+  }
 
-constexpr const char* make_one =
-    "configure the workspace with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON, as in: catkin_make "
-    "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON";
+  /// Deep enough for a repository, and not for a disk. What holds the root itself was searched as far as it was asked for.
+  void search_behind(const fs::path& link) {
+    constexpr unsigned deepest = 3;
+    std::error_code failed;
+    const fs::path folder = fs::canonical(link, failed);
+    if (!failed && !is_below(root_, folder)) search(folder, deepest);
+  }
 
-/// What -p names: a folder, or the file in it.
-fs::path folder_of_database(const std::string& given) {
-  fs::path folder = given;
-  if (folder.filename() == "compile_commands.json") folder = folder.parent_path();
-  return folder.empty() ? "." : folder;
-}
-
-Expected<std::string> checked_build_dir(const std::string& given, const std::string& package_dir) {
-  const fs::path folder = folder_of_database(given);
-  if (!has_database(folder)) return Error{"has no compile_commands.json", given, make_one};
-  if (Expected<std::set<std::string>> files = compiled_files(folder); !files) return files.error();
-  if (!knows_package(folder, package_dir))
-    return Error{"has no compile command for any file of " + package_dir, given,
-                 "configure the package in that folder"};
-  return fs::canonical(folder).string();
-}
-
-/// Every folder that catkin's tools may have used for a package below `root`.
-std::vector<fs::path> candidates(const fs::path& root, const std::string& package) {
-  return {root / "build" / package,          root / "build",
-          root / "build_isolated" / package, root / "build_isolated" / package / "devel",
-          root / ".private" / package,       root};
-}
-
-/// The first folder that suits, walking up from the package and then from `arguments`; empty: none does.
-template <class Suits>
-std::string first_candidate(const PackagePlace& package, const std::vector<std::string>& arguments,
-                            const Suits& suits) {
-  std::vector<fs::path> starts = {package.dir};
-  for (const std::string& argument : arguments) starts.push_back(fs::absolute(argument).lexically_normal());
-  for (const fs::path& start : starts)
-    for (fs::path root = start; root.has_relative_path(); root = root.parent_path())
-      for (const fs::path& folder : candidates(root, package.name))
-        if (suits(folder)) return folder.string();
-  return "";
-}
+  const fs::path root_;
+  std::set<fs::path> seen_;
+  std::vector<fs::path> links_;
+  std::vector<std::string> packages_;
+};
 
 /// A build tree lists where its headers are: in its devel space, of which this program is part or a neighbour.
 std::vector<fs::path> build_tree_includes(const fs::path& bin) {
@@ -129,12 +111,10 @@ Expected<std::vector<std::string>> find_packages_at(const std::string& argument)
   const fs::path folder = fs::canonical(argument, failed);
   if (failed || !fs::is_directory(folder))
     return Error{"is no folder", argument, "name the folder of a catkin package"};
-  std::vector<std::string> packages;
-  collect_packages(folder, packages);
+  std::vector<std::string> packages = PackageSearch(folder).run();
   if (packages.empty())
     return Error{"no package.xml here or below", argument, "name the folder of a catkin package"};
   std::sort(packages.begin(), packages.end());
-  packages.erase(std::unique(packages.begin(), packages.end()), packages.end());
   return packages;
 }
 
@@ -162,31 +142,6 @@ std::string source_space(const std::string& package_dir) {
 
 bool is_workspace(const std::string& source_space) {
   return fs::path(source_space).filename() == "src" || is_marked(source_space);
-}
-
-Expected<std::string> find_build_dir(const PackagePlace& package, const std::string& given,
-                                     const std::vector<std::string>& arguments) {
-  if (!given.empty()) return checked_build_dir(given, package.dir);
-  const std::string found = first_candidate(package, arguments, [&](const fs::path& folder) {
-    return has_database(folder) && knows_package(folder, package.dir);
-  });
-  if (!found.empty()) return found;
-  return Error{"no compile_commands.json with the package's files was found", package.dir,
-               std::string(make_one) + "; or name its folder with -p"};
-}
-
-std::string find_configured_dir(const PackagePlace& package, const std::string& given,
-                                const std::vector<std::string>& arguments) {
-  const auto configures = [&](const fs::path& folder) {
-    // CMake fills the cache while it configures, and generates only when nothing went wrong.
-    const bool is_done = has_database(folder) || fs::exists(folder / "CMakeFiles/TargetDirectories.txt");
-    if (!is_done || !fs::exists(folder / "CMakeCache.txt")) return false;
-    const std::string source = CmakeCache::nearest(folder).value(package.name + "_SOURCE_DIR");
-    return !source.empty() && canonical_path(source) == package.dir;
-  };
-  if (given.empty()) return first_candidate(package, arguments, configures);
-  const fs::path folder = folder_of_database(given);
-  return configures(folder) ? canonical_path(folder) : "";
 }
 
 std::vector<std::string> share_folders(const std::string& build_dir) {

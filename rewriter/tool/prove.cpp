@@ -10,6 +10,7 @@
 #include "edits/files.h"
 #include "model/codes.h"
 #include "proof/build_proof.h"
+#include "tool/build_folder.h"
 #include "tool/places.h"
 
 namespace tzc::rewriter {

@@ -157,6 +157,7 @@ class Run {
                std::vector<PackagePort>& ports) {
     Expected<std::vector<PackagePort>> found = port_packages(set, inputs);
     if (found) {
+      say_results(*found);
       std::move(found->begin(), found->end(), std::back_inserter(ports));
     } else if (set.size() == 1) {
       report_error(found.error());
@@ -169,6 +170,13 @@ class Run {
           to_string(found.error()));
       for (const std::string& package : set) analyse({package}, inputs, ports);
     }
+  }
+
+  /// Reports come when all is done, which may be in an hour, or never when the run is interrupted.
+  void say_results(const std::vector<PackagePort>& ports) {
+    if (packages_.size() == 1) return;
+    for (const PackagePort& port : ports)
+      progress_.say(port.result.report.package + ": " + in_one_line(port.result.report));
   }
 
   /// Packages that could not be analysed may have sites that match.

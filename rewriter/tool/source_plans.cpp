@@ -103,7 +103,7 @@ class SourcePlanner {
     std::vector<std::string> sources;
     for (const auto& [folder, build_dir] : build_dirs_) {
       const std::unique_ptr<UserBuild> user = UserBuild::find(build_dir);
-      sources.push_back(user ? user->source : fs::path(folder).parent_path().string());
+      sources.push_back(user ? user->root() : fs::path(folder).parent_path().string());
     }
     return common_folder(sources);
   }

@@ -70,6 +70,13 @@ void TerminalProgress::log(const std::string& stage, const std::string& line, bo
   logged_ = now;
 }
 
+void TerminalProgress::say(const std::string& line) {
+  clear();
+  if (!enabled_) return;
+  fmt::print(stderr, "tzc-rewrite: {}\n", line);
+  std::fflush(stderr);
+}
+
 void TerminalProgress::end() {
   clear();
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun_;

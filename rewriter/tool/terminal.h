@@ -18,6 +18,8 @@ class TerminalProgress : public Progress {
   explicit TerminalProgress(bool enabled);
   ~TerminalProgress() override;
   void step(const std::string& stage, unsigned done, unsigned total, const std::string& what) override;
+  /// A line that stays.
+  void say(const std::string& line);
   void clear();
   /// Clears the line and says what the work took: time, and of the processor's time and of memory what the programs took
   /// that it has started.

@@ -85,6 +85,13 @@ class Lock {
   int descriptor_ = -1;
 };
 
+/// Root writes for the file's owner, as in a container with the user's workspace. Others own what they write.
+Expected<void> give_to_owner(const std::string& staged, const struct stat& owned, const std::string& target) {
+  if (::geteuid() != 0 || ::chown(staged.c_str(), owned.st_uid, owned.st_gid) == 0) return {};
+  return Error{"cannot stay its owner's: " + system_text(), target,
+               "run tzc-rewrite as the owner of the files"};
+}
+
 Expected<void> stage_file(const std::string& staged, const std::string& target, const std::string& content) {
   struct stat target_state{};
   if (::stat(target.c_str(), &target_state) != 0)
@@ -97,6 +104,7 @@ Expected<void> stage_file(const std::string& staged, const std::string& target, 
                  target, "run tzc-rewrite where the file really is"};
   if (::access(fs::path(target).parent_path().c_str(), W_OK) != 0)
     return Error{"its folder cannot be written: " + system_text(), target, ""};
+  if (Expected<void> given = give_to_owner(staged, target_state, target); !given) return given;
   ::chmod(staged.c_str(), target_state.st_mode & 07777);
   return {};
 }

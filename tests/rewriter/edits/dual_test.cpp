@@ -38,6 +38,11 @@ TEST(DualText, inside_a_comment_of_several_lines_is_refused) {
   EXPECT_EQ(dual("/* a\n x\n*/\n", "/* a\n y\n*/\n"), "f.cpp:2");
   EXPECT_EQ(dual("// /*\nx\n", "// /*\ny\n"), "// /*\n#ifdef TZC_ENABLED\ny\n#else\nx\n#endif\n");
 }
+TEST(DualText, banners_open_no_comment) {
+  for (const std::string banner : {"//****", "// a /* b", "/* a */ // /*", "/***/"})
+    EXPECT_EQ(dual(banner + "\nx\n", banner + "\ny\n"),
+              banner + "\n#ifdef TZC_ENABLED\ny\n#else\nx\n#endif\n");
+}
 
 TEST(InDualBranch, knows_its_own_branches) {
   const std::string text = "a\n#ifdef TZC_ENABLED\nb\n#else\nc\n#endif\n#ifdef OTHER\nd\n#endif\n";

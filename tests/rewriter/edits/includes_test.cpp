@@ -87,6 +87,24 @@ TEST(Include, without_any_of_ros_comes_last) {
             "#include \"node.h\"\n#include <vector>\n#include <tzc/ros.h>\n\nint x;\n");
 }
 
+TEST(Include, comments_are_no_code_whatever_they_look_like) {
+  for (const char* banner :
+       {"//****\n// Camera\n//****\n", "// see /camera/*\n", "/* a\n *//* b */\n", "/***/\n",
+        "// a \\\n   /* b\n", "/*\n#include <z.h>\nint x;\n*/\n", "//* a\n"}) {
+    const std::string top = banner;
+    EXPECT_EQ(with("tzc/ros.h", top + "#include <ros/ros.h>\nint x;\n#include <b.h>\n"),
+              top + "#include <ros/ros.h>\n#include <tzc/ros.h>\nint x;\n#include <b.h>\n");
+    EXPECT_EQ(with("tzc/ros.h", top + "int x;\n"), top + "#include <tzc/ros.h>\nint x;\n");
+    EXPECT_EQ(with("tzc/ros.h", top + "#ifndef A\n" + top + "#define A\n#include <ros/ros.h>\n#endif\n"),
+              top + "#ifndef A\n" + top + "#define A\n#include <ros/ros.h>\n#include <tzc/ros.h>\n#endif\n");
+  }
+}
+
+TEST(Include, what_is_in_a_string_is_no_comment) {
+  EXPECT_EQ(with("tzc/ros.h", "#include \"/*.h\"\n#include <ros/ros.h>  // */\nint x;\n"),
+            "#include \"/*.h\"\n#include <ros/ros.h>  // */\n#include <tzc/ros.h>\nint x;\n");
+}
+
 TEST(Include, is_not_written_twice) {
   EXPECT_EQ(with("tzc/ros.h", "#include <tzc/ros.h>\n"), "#include <tzc/ros.h>\n");
 }

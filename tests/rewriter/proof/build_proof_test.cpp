@@ -309,34 +309,80 @@ TEST_F(BuildProof, the_copy_is_built_on_request) {
       HasSubstr("the build of the scratch copy fails"));
 }
 
+TEST_F(BuildProof, what_lies_beside_the_package_is_found) {
+  folder.write("common/flags.cmake", "set(COMMON ../common)\n");
+  folder.write("common/more.cpp", "#include \"more.h\"\n");
+  const std::string use = "include(../common/flags.cmake)\n",
+                    more = "target_sources(node PRIVATE ${COMMON}/more.cpp)\n";
+  configure(use + plain + more);
+  EXPECT_EQ(prove_cmake(use + with_tzc + more), "");
+}
+
 TEST_F(BuildProof, no_cache_no_proof) {
   EXPECT_EQ(prove_cmake(with_tzc), "no build");
 }
 
-TEST_F(BuildProof, of_two_packages_the_one_that_fails_is_left_out) {
-  folder.write("ws/src/CMakeLists.txt", std::string(head) + "add_subdirectory(one)\nadd_subdirectory(two)\n");
-  std::vector<PortedPackage> packages;
-  for (const char* name : {"one", "two"}) {
-    const std::string package = std::string("ws/src/") + name;
+/// Packages of one workspace, which its user has configured.
+class BuildProofOfSeveral : public BuildProof {
+ protected:
+  void have(const std::vector<std::string>& names) {
+    std::string top = head;
+    for (const std::string& name : names) {
+      top += "add_subdirectory(" + name + ")\n";
+      add(name, "ws/src/" + name);
+    }
+    folder.write("ws/src/CMakeLists.txt", top);
+    const std::string command = "cmake -S " + (folder / "ws/src") + " -B " + (folder / "build") +
+                                " -G Ninja > " + (folder / "log") + " 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+  }
+  void add(const std::string& name, const std::string& package) {
+    const std::string target = "add_executable(" + name + " " + name + ".cpp)\n";
     folder.write(package + "/package.xml", "<package/>");
     folder.write(package + "/" + name + ".cpp", "int main() {}\n");
-    folder.write(package + "/CMakeLists.txt", "add_executable(" + std::string(name) + " " + name + ".cpp)\n");
-    const std::string ported =
-        "find_package(tzc REQUIRED)\ninclude_directories(${tzc_INCLUDE_DIRS})\nadd_executable(" +
-        std::string(name) + " " + name + ".cpp)\ntarget_link_libraries(" + name + " ${tzc_LIBRARIES})\n";
+    folder.write(package + "/CMakeLists.txt", target);
     packages.push_back({name,
                         folder / package,
-                        {{folder / (package + "/CMakeLists.txt"), ported}},
+                        {{folder / (package + "/CMakeLists.txt"),
+                          "find_package(tzc REQUIRED)\ninclude_directories(${tzc_INCLUDE_DIRS})\n" + target +
+                              "target_link_libraries(" + name + " ${tzc_LIBRARIES})\n"}},
                         {folder / (package + "/" + name + ".cpp")}});
   }
-  const std::string command = "cmake -S " + (folder / "ws/src") + " -B " + (folder / "build") +
-                              " -G Ninja > " + (folder / "log") + " 2>&1";
-  ASSERT_EQ(std::system(command.c_str()), 0);
+  /// Names of the packages that are refused.
+  std::string refused() {
+    ProofOptions options{{folder / "tzc"}, false, nullptr, 1, {}};
+    options.progress = [this](const std::string&) { ++steps; };
+    std::string names;
+    for (const auto& [package, error] :
+         unproved_packages(*UserBuild::find(folder / "build"), packages, options))
+      names += fs::path(package).filename().string() + " ";
+    return names;
+  }
+
+  std::vector<PortedPackage> packages;
+  unsigned steps = 0;
+};
+
+TEST_F(BuildProofOfSeveral, the_one_that_fails_is_left_out) {
+  have({"one", "two"});
   packages[1].contents.begin()->second += "include(missing)\n";
-  const auto failures = unproved_packages(*UserBuild::find(folder / "build"), packages,
-                                          {{folder / "tzc"}, false, nullptr, 1, {}});
-  EXPECT_EQ(failures.size(), 1u);
-  EXPECT_EQ(failures.count(folder / "ws/src/two"), 1u);
+  EXPECT_EQ(refused(), "two ");
+}
+
+/// Each step configures the whole workspace: all, none, the one that is named, the rest.
+TEST_F(BuildProofOfSeveral, the_one_that_cmake_names_is_tried_first) {
+  have({"a", "b", "c", "d", "e"});
+  packages[3].contents.begin()->second += "include(missing)\n";
+  EXPECT_EQ(refused(), "d ");
+  EXPECT_EQ(steps, 4u);
+}
+
+TEST_F(BuildProofOfSeveral, where_cmake_names_another_each_is_tried) {
+  have({"a", "b", "c"});
+  folder.write("ws/src/CMakeLists.txt", folder.read("ws/src/CMakeLists.txt") +
+                                            "if(SPOILED)\n  message(FATAL_ERROR spoiled)\nendif()\n");
+  packages[1].contents.begin()->second += "set(SPOILED ON PARENT_SCOPE)\n";
+  EXPECT_EQ(refused(), "b ");
 }
 
 }  // namespace

@@ -47,6 +47,21 @@ TEST_F(Cli, patch_takes_the_diff_without_git) {
             256 * 0);
 }
 
+TEST_F(Cli, build_files_that_are_links_stay_links) {
+  for (const std::string name : {"CMakeLists.txt", "package.xml"}) {
+    std::filesystem::rename(ws.package() + "/" + name, ws.package() + "/ros1_" + name);
+    std::filesystem::create_symlink("ros1_" + name, ws.package() + "/" + name);
+  }
+  EXPECT_EQ(ws.rewrite({"--out-dir", ws.folder() / "out"}).status, 0);
+  EXPECT_THAT(ws.file("ros1_package.xml"), Not(HasSubstr("tzc")));
+  EXPECT_EQ(ws.rewrite({"--apply"}).status, 0);
+  for (const std::string folder : {"ws/src/demo/", "out/demo/"})
+    for (const std::string name : {"CMakeLists.txt", "package.xml"}) {
+      EXPECT_TRUE(std::filesystem::is_symlink(ws.folder() / (folder + name))) << folder << name;
+      EXPECT_THAT(ws.folder().read(folder + "ros1_" + name), HasSubstr("tzc")) << folder << name;
+    }
+}
+
 TEST_F(Cli, apply_ports_and_a_second_run_changes_nothing) {
   EXPECT_EQ(ws.rewrite({"--apply"}).status, 0);
   EXPECT_TRUE(is_ported());

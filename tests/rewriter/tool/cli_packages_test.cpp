@@ -253,6 +253,13 @@ TEST_F(CliOfTwo, when_one_cannot_be_analysed_the_other_is_ported_alone) {
   EXPECT_THAT(result.output, HasSubstr("include/demo/api.h (by "));
 }
 
+TEST_F(CliOfTwo, the_result_of_each_is_said_as_it_is_known) {
+  const std::string errors = run_both({"--apply"}).errors;
+  EXPECT_THAT(errors, HasSubstr("tzc-rewrite: demo: publish: 1 zero_copy"));
+  EXPECT_THAT(errors, HasSubstr("tzc-rewrite: user: "));
+  EXPECT_THAT(run_both({"--check", "--quiet"}).errors, Not(HasSubstr("demo: ")));
+}
+
 TEST_F(CliOfTwo, without_the_option_each_is_alone) {
   EXPECT_THAT(ws.run({ws.folder() / "ws/src"}).errors, Not(HasSubstr("solved as one")));
 }

@@ -103,6 +103,18 @@ TEST_F(SwapTest, keeps_modes) {
   EXPECT_EQ(state.st_mode & 07777, 0751u);
 }
 
+/// As in a container, where the user is root and the workspace is not root's.
+TEST_F(SwapTest, root_leaves_files_to_their_owners) {
+  const std::string node = package_ / "src/node.cpp";
+  struct stat before{}, after{};
+  if (geteuid() == 0) ASSERT_EQ(chown(node.c_str(), 12345, 23456), 0);
+  stat(node.c_str(), &before);
+  ASSERT_TRUE(swap(contents_));
+  stat(node.c_str(), &after);
+  EXPECT_EQ(after.st_uid, before.st_uid);
+  EXPECT_EQ(after.st_gid, before.st_gid);
+}
+
 TEST_F(SwapTest, nothing_to_do_leaves_no_trace) {
   ASSERT_TRUE(swap({}));
   EXPECT_TRUE(clean());
