@@ -52,6 +52,9 @@ std::vector<Note> unread_sources(const std::string& package_dir, const FolderSet
   for (const std::string& file : files_of(package_dir, generated))
     if (is_cpp_source(file) && read.count(canonical_path(file)) == 0)
       notes.push_back(note_on_source(file, package_dir));
+    else if (const std::string lines = is_cuda_source(file) ? lines_with_sites(file) : ""; !lines.empty())
+      notes.push_back(
+          {codes::TZC3001, Location{file, 1, 1}, "CUDA is not analysed; possible sites in lines " + lines});
   return notes;
 }
 

@@ -46,9 +46,13 @@ bool is_cpp_source(const std::string& path) {
   return extensions.count(fs::path(path).extension()) != 0;
 }
 
+bool is_cuda_source(const std::string& path) {
+  return fs::path(path).extension() == ".cu";
+}
+
 bool is_cpp_header(const std::string& path) {
-  static const std::set<std::string> extensions = {".h",   ".hh",  ".hpp", ".hxx", ".h++", ".H",  ".icc",
-                                                   ".inc", ".inl", ".ipp", ".tcc", ".tpp", ".txx"};
+  static const std::set<std::string> extensions = {".cuh", ".h",   ".hh",  ".hpp", ".hxx", ".h++", ".H",
+                                                   ".icc", ".inc", ".inl", ".ipp", ".tcc", ".tpp", ".txx"};
   return extensions.count(fs::path(path).extension()) != 0;
 }
 

@@ -24,6 +24,9 @@ void sync_folder(const std::string& path);
 /// Whether the file is called as main files of C++ are.
 bool is_cpp_source(const std::string& path);
 
+/// Whether nvcc compiles it: C++ that is not analysed.
+bool is_cuda_source(const std::string& path);
+
 /// Whether the file is called as headers of C++ are, those that hold the bodies of templates among them.
 bool is_cpp_header(const std::string& path);
 

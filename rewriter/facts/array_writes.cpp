@@ -3,6 +3,7 @@
 
 #include "facts/filled_message.h"
 #include "facts/message_parts.h"
+#include "facts/message_type.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -39,6 +40,31 @@ const clang::Expr* written_message(const Unit& unit, const clang::Stmt* stmt) {
   return filled_message(unit, stmt);
 }
 
+/// frame = other, frames.swap(others), std::swap(frame, other): what is replaced as a whole.
+std::vector<const clang::Expr*> replaced_by(const clang::Stmt* stmt) {
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
+  const clang::FunctionDecl* function = call ? call->getDirectCallee() : nullptr;
+  if (!function) return {};
+  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call);
+  if (op && op->getOperator() == clang::OO_Equal) return {op->getArg(0)};
+  if (op || !function->getIdentifier() || function->getName() != "swap") return {};
+  std::vector<const clang::Expr*> objects(call->arg_begin(), call->arg_end());
+  if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call))
+    objects.push_back(method->getImplicitObjectArgument());
+  return objects;
+}
+
+/// The messages that are parts of an object. A message itself is written where filled_message() says so.
+std::vector<EntityId> messages_of_parts(EscapeContext& context, const clang::Expr* object) {
+  const clang::QualType type = object->getType().getNonReferenceType();
+  if (is_stock_or_twin(type)) return {};
+  std::vector<EntityId> messages;
+  if (holds_messages(type)) messages = context.sources_of(object);
+  for (const clang::FieldDecl* field : messages_in(context.unit, type->getAsCXXRecordDecl()))
+    messages.push_back(context.entities.declare(field));
+  return messages;
+}
+
 SeenEvent write_at(const FunctionView& view, const clang::Expr* at, const std::vector<EntityId>& messages) {
   SeenEvent write{{}, at, view.span(at), view.lambda_around(at)};
   write.event.kind = PublishEvent::Kind::write;
@@ -55,6 +81,9 @@ std::vector<SeenEvent> array_writes(EscapeContext& context, const FunctionView& 
     const bool is_array = array && is_data_array(array->getType()) && may_write(view, array);
     const clang::Expr* message = is_array ? array->getBase() : written_message(context.unit, stmt);
     if (message) writes.push_back(write_at(view, llvm::cast<clang::Expr>(stmt), context.sources_of(message)));
+    for (const clang::Expr* object : replaced_by(stmt))
+      if (const auto parts = messages_of_parts(context, object); !parts.empty())
+        writes.push_back(write_at(view, llvm::cast<clang::Expr>(stmt), parts));
   }
   return writes;
 }

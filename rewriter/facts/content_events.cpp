@@ -19,24 +19,6 @@ bool is_returned(const FunctionView& view, const clang::Stmt* value) {
   return llvm::isa_and_nonnull<clang::ReturnStmt>(around);
 }
 
-/// The messages that an object of the package's class consists of.
-std::vector<const clang::FieldDecl*> messages_in(const Unit& unit, const clang::CXXRecordDecl* record) {
-  std::vector<const clang::FieldDecl*> found;
-  if (!record || !record->hasDefinition() || !unit.source.in_package(record->getLocation())) return found;
-  const auto add = [&](clang::QualType type) {
-    const auto more = messages_in(unit, type->getAsCXXRecordDecl());
-    found.insert(found.end(), more.begin(), more.end());
-  };
-  for (const clang::CXXBaseSpecifier& base : record->bases()) add(base.getType());
-  for (const clang::FieldDecl* field : record->fields()) {
-    if (is_stock_or_twin(field->getType()) && !field->getType()->isReferenceType())
-      found.push_back(field);
-    else
-      add(field->getType());
-  }
-  return found;
-}
-
 /// "ROOT/image/data"; a vector of the program's own has a root alone.
 bool is_of_message(const MessagePart& array) {
   return array.find('/') != MessagePart::npos;

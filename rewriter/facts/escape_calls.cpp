@@ -181,7 +181,7 @@ bool CallSteps::into_element_method(const clang::CXXMemberCallExpr* call) {
   const clang::CXXMethodDecl* method = call->getMethodDecl();
   const std::string name = qualified_name_of(method);
   if (context_.unit.declares(method)) return escape("is passed to '" + name + "'");
-  const Keeping keeping = context_.keeping_of(name, at_.messages);
+  const Keeping keeping = context_.keeping_of(method, at_.messages);
   if (keeping == Keeping::nothing_and_result_is_new) return done();
   const clang::QualType object = method->getThisType()->getPointeeType();
   if (is_view(object)) check_callables(call);
@@ -268,7 +268,7 @@ bool CallSteps::into_call(const clang::CallExpr* call) {
     return escape_to_question(is_lambda(callee) ? "a closure" : "'" + name + "'");
   if (context_.unit.declares(callee) && analysis_.follow(callee, index, at_)) return done();
   if (at_.how == Reference::elements && exchanges_values(name, at_.expr)) return done();
-  const Keeping keeping = context_.keeping_of(name, at_.messages);
+  const Keeping keeping = context_.keeping_of(callee, at_.messages);
   if (keeping != Keeping::unknown) return into_known_call(call, keeping != Keeping::nothing);
   // What takes a std::vector does not take the ported array: the compiler refuses it.
   const bool own = context_.unit.declares(callee);

@@ -241,7 +241,7 @@ bool Climber::is_used_up(const clang::LambdaExpr* lambda) const {
   const clang::FunctionDecl* callee = call ? call->getDirectCallee() : nullptr;
   if (!callee) return false;
   if (callee == lambda->getCallOperator()) return true;
-  if (context_.keeping_of(qualified_name_of(callee), at_.messages) == Keeping::unknown) return false;
+  if (context_.keeping_of(callee, at_.messages) == Keeping::unknown) return false;
   // std::for_each returns the closure.
   const clang::QualType result = call->getType().getNonReferenceType().getCanonicalType();
   if (!result->isRecordType() || is_view(result) || !may_hold_pointer(result)) return true;

@@ -15,9 +15,11 @@ struct EscapeContext {
   EscapeFacts& found;
   HiddenCode& hidden;
 
-  /// By the table, or by the workspace's own, on which the level of the messages rests then.
-  Keeping keeping_of(const std::string& function, const std::vector<EntityId>& messages) const {
-    const Keeping known = rewriter::keeping_of(function);
+  /// By the table of libraries' functions, or by the workspace's own, on which the level of the messages rests then. A function of
+  /// the package may be called read(), too.
+  Keeping keeping_of(const clang::FunctionDecl* callee, const std::vector<EntityId>& messages) const {
+    const std::string function = qualified_name_of(callee);
+    const Keeping known = unit.declares(callee) ? Keeping::unknown : rewriter::keeping_of(function);
     const auto trusted = unit.trusted.find(function);
     if (known != Keeping::unknown || trusted == unit.trusted.end()) return known;
     for (const EntityId& key : messages) found.trusted_calls.push_back({key, function, trusted->second});

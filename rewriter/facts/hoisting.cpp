@@ -103,6 +103,7 @@ class PartsOf : public AstVisitor {
     const auto kind = op ? op->getOperator() : clang::OO_None;
     parts.has_effects |= kind != clang::OO_Arrow && kind != clang::OO_Star &&
                          (kind != clang::OO_Subscript || is_map(op->getArg(0)->getType()));
+    parts.has_effects |= op && unit_.declares(op->getDirectCallee());
     return true;
   }
   bool VisitUnaryOperator(clang::UnaryOperator* op) override {

@@ -327,4 +327,21 @@ MessagePart MessageParts::part_of(const clang::Expr* expr, unsigned depth) const
   return same ? part_of(same, depth + 1) : MessagePart();
 }
 
+std::vector<const clang::FieldDecl*> messages_in(const Unit& unit, const clang::CXXRecordDecl* record) {
+  std::vector<const clang::FieldDecl*> found;
+  if (!record || !record->hasDefinition() || !unit.source.in_package(record->getLocation())) return found;
+  const auto add = [&](clang::QualType type) {
+    const auto more = messages_in(unit, type->getAsCXXRecordDecl());
+    found.insert(found.end(), more.begin(), more.end());
+  };
+  for (const clang::CXXBaseSpecifier& base : record->bases()) add(base.getType());
+  for (const clang::FieldDecl* field : record->fields()) {
+    if (is_stock_or_twin(field->getType()) && !field->getType()->isReferenceType())
+      found.push_back(field);
+    else
+      add(field->getType());
+  }
+  return found;
+}
+
 }  // namespace tzc::rewriter

@@ -40,6 +40,8 @@ class MessageParts {
 
 /// A stock message or its twin.
 bool is_stock_or_twin(clang::QualType type);
+/// The messages that an object of the package's class consists of.
+std::vector<const clang::FieldDecl*> messages_in(const Unit& unit, const clang::CXXRecordDecl* record);
 /// A message, or a pointer to one; also a reference to either.
 bool is_message_or_pointer(clang::QualType type);
 /// Leads to one message after another.

@@ -166,6 +166,8 @@ void EventFinder::add_call(const clang::Stmt* at, const clang::FunctionDecl* fun
   event.kind = seen ? PublishEvent::Kind::call : PublishEvent::Kind::unknown;
   if (seen) event.callee = usr_of(pattern_of(function));
   event.messages = messages_in(arguments);
+  // What it returns may be published already.
+  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(at)) event.messages.merge(messages_in({call}));
   add(std::move(event), at, view_.span(at));
 }
 

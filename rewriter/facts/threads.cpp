@@ -78,8 +78,7 @@ bool ThreadCode::is_called_here(const clang::LambdaExpr* lambda) const {
                           view_.lambda_around(around));
   const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(around);
   const clang::FunctionDecl* callee = call ? call->getDirectCallee() : nullptr;
-  return callee && !may_run_in_parallel(call) &&
-         context_.keeping_of(qualified_name_of(callee), {}) != Keeping::unknown;
+  return callee && !may_run_in_parallel(call) && context_.keeping_of(callee, {}) != Keeping::unknown;
 }
 
 bool ThreadCode::hands_over(const clang::Stmt* stmt) const {

@@ -60,6 +60,14 @@ class TypeQuestions : public AstVisitor {
   explicit TypeQuestions(const Unit& unit) : unit_(unit) {}
   bool found = false;
 
+  /// template <class M, int code = Code<M>::value, class Policy = PolicyOf<M>>
+  void look_at_parameters(const clang::FunctionTemplateDecl* made_of) {
+    in_parameters_ = true;
+    if (made_of)
+      for (clang::NamedDecl* parameter : made_of->getTemplateParameters()->asArray()) TraverseDecl(parameter);
+    in_parameters_ = false;
+  }
+
   /// std::is_pointer<It>(), as a value or to choose a function by. Before Clang 19 std::is_pointer<It>::value in a method may be a
   /// member of its object.
   bool VisitStmt(clang::Stmt* stmt) override {
@@ -84,6 +92,11 @@ class TypeQuestions : public AstVisitor {
   }
   bool VisitDependentScopeDeclRefExpr(clang::DependentScopeDeclRefExpr* name) override {
     return note(!is_of_parameter(name->getQualifier()));
+  }
+  bool VisitTemplateSpecializationTypeLoc(clang::TemplateSpecializationTypeLoc named) override {
+    const clang::TemplateDecl* name = named.getTypePtr()->getTemplateName().getAsTemplateDecl();
+    return note(in_parameters_ && name && named.getTypePtr()->isDependentType() &&
+                (is_own(name) || has_statics(name) || is_specialised(name)));
   }
   bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc name) override {
     const clang::NestedNameSpecifier* qualifier = name.getTypePtr()->getQualifier();
@@ -110,6 +123,7 @@ class TypeQuestions : public AstVisitor {
     return !found;
   }
   const Unit& unit_;
+  bool in_parameters_ = false;
 };
 
 }  // namespace
@@ -120,6 +134,7 @@ bool is_type_blind(const Unit& unit, const clang::FunctionDecl* function, unsign
   if (!pattern->getParamDecl(argument)->getType()->isDependentType()) return true;
   if (!pattern->isDefined()) return false;  // elsewhere, for the types that are instantiated there
   TypeQuestions questions(unit);
+  questions.look_at_parameters(pattern->getDescribedFunctionTemplate());
   questions.TraverseDecl(const_cast<clang::FunctionDecl*>(pattern));
   return !questions.found;
 }

@@ -19,6 +19,9 @@ class Walk : public clang::RecursiveASTVisitor<Walk> {
   bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc place) {
     return visitor_.VisitDependentNameTypeLoc(place);
   }
+  bool VisitTemplateSpecializationTypeLoc(clang::TemplateSpecializationTypeLoc place) {
+    return visitor_.VisitTemplateSpecializationTypeLoc(place);
+  }
 
  private:
   AstVisitor& visitor_;

@@ -28,6 +28,7 @@ class AstVisitor {
 #undef TZC_NODE
   virtual bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc) { return true; }
   virtual bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc) { return true; }
+  virtual bool VisitTemplateSpecializationTypeLoc(clang::TemplateSpecializationTypeLoc) { return true; }
 };
 
 }  // namespace tzc::rewriter

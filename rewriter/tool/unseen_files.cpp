@@ -14,7 +14,7 @@ namespace {
 /// Also `node.cpp.in`, which configure_file() turns into one.
 bool is_code(fs::path file) {
   if (file.extension() == ".in") file = file.stem();
-  return is_cpp_source(file.string()) || is_cpp_header(file.string());
+  return is_cpp_source(file.string()) || is_cpp_header(file.string()) || is_cuda_source(file.string());
 }
 
 }  // namespace

@@ -114,6 +114,14 @@ TEST_F(PackageFiles, sources_that_no_target_compiles) {
   EXPECT_EQ(unread({"src/a.cpp", "src/b.cc"}), "");
 }
 
+TEST_F(PackageFiles, cuda_with_possible_sites) {
+  write({"demo/src/kernel.cu", "demo/src/kernel.cuh"});
+  folder.write("demo/src/other.cu", "__global__ void run();\n");
+  EXPECT_EQ(unread({"src/a.cpp"}),
+            std::string("src/kernel.cu: CUDA is not analysed; possible sites in lines 2\nsrc/kernel.cuh") +
+                in_line_2);
+}
+
 /// A link is the file that it leads to.
 TEST_F(PackageFiles, links) {
   write({"elsewhere/x.cpp", "elsewhere/x.hpp"});

@@ -226,9 +226,13 @@ TEST_F(CliOfTwo, are_written_together_and_the_report_says_so) {
 }
 
 TEST_F(CliOfTwo, what_no_unit_reaches_is_known_before_one_is_parsed) {
-  ws.folder().write("ws/src/user/test/api_test.cpp", "#include <demo/api.h>\n");
   plan_of_user_["echo"] = true;
-  EXPECT_THAT(run_both({}).errors, HasSubstr("in use: " + ws.package() + "/include/demo/api.h\n"));
+  for (const std::string file : {"ws/src/user/test/api_test.cpp", "ws/src/user/src/api.cu"}) {
+    ws.folder().write(file, "#include <demo/api.h>\n");
+    EXPECT_THAT(run_both({}).errors, HasSubstr("in use: " + ws.package() + "/include/demo/api.h\n")) << file;
+    std::filesystem::remove(ws.folder() / file);
+  }
+  EXPECT_THAT(run_both({}).errors, Not(HasSubstr("in use: " + ws.package() + "/include/demo/api.h\n")));
 }
 
 TEST_F(CliOfTwo, an_undo_patch_takes_both_back) {

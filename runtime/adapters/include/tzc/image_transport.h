@@ -12,7 +12,6 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 
 namespace tzc {
 namespace image_transport {
@@ -174,23 +173,23 @@ class CameraPublisher : public detail::ImagePublisherBase<::image_transport::Cam
 };
 
 /// image_transport::ImageTransport::advertise in all its overloads, with shared memory sized by queue and
-/// image.
+/// image. By value, as the sizes that it takes: a reference to a `static const int` of a class would need its definition.
 template <class... Args>
-Publisher advertise(::image_transport::ImageTransport& transport, Args&&... args) {
-  return Publisher(transport.advertise(std::forward<Args>(args)...), 0);
+Publisher advertise(::image_transport::ImageTransport& transport, Args... args) {
+  return Publisher(transport.advertise(args...), 0);
 }
 template <class... Args>
-Publisher advertise(::image_transport::ImageTransport&& transport, Args&&... args) {
-  return advertise(transport, std::forward<Args>(args)...);
+Publisher advertise(::image_transport::ImageTransport&& transport, Args... args) {
+  return Publisher(transport.advertise(args...), 0);
 }
 /// image_transport::ImageTransport::advertiseCamera in all its overloads.
 template <class... Args>
-CameraPublisher advertiseCamera(::image_transport::ImageTransport& transport, Args&&... args) {
-  return CameraPublisher(transport.advertiseCamera(std::forward<Args>(args)...), 0);
+CameraPublisher advertiseCamera(::image_transport::ImageTransport& transport, Args... args) {
+  return CameraPublisher(transport.advertiseCamera(args...), 0);
 }
 template <class... Args>
-CameraPublisher advertiseCamera(::image_transport::ImageTransport&& transport, Args&&... args) {
-  return advertiseCamera(transport, std::forward<Args>(args)...);
+CameraPublisher advertiseCamera(::image_transport::ImageTransport&& transport, Args... args) {
+  return CameraPublisher(transport.advertiseCamera(args...), 0);
 }
 
 /// Attaches shared memory to an image publisher that other code advertised, for example a library's base

@@ -7,7 +7,6 @@
 #include <memory>
 #include <string>
 #include <type_traits>
-#include <utility>
 
 namespace tzc {
 
@@ -146,10 +145,11 @@ Publisher advertise(ros::NodeHandle& node, const std::string& topic, std::uint32
                       latch);
 }
 
-/// Every form of advertise for a temporary node handle (`tzc::advertise<M>(getNodeHandle(), ...)`).
+/// Every form of advertise for a temporary node handle (`tzc::advertise<M>(getNodeHandle(), ...)`). By value, as the sizes that it
+/// takes: a reference to a `static const int` of a class would need its definition.
 template <class M, class... Args>
-Publisher advertise(ros::NodeHandle&& node, Args&&... args) {
-  return advertise<M>(static_cast<ros::NodeHandle&>(node), std::forward<Args>(args)...);
+Publisher advertise(ros::NodeHandle&& node, Args... args) {
+  return advertise<M>(static_cast<ros::NodeHandle&>(node), args...);
 }
 
 }  // namespace tzc

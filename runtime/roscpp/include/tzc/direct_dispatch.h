@@ -4,8 +4,6 @@
 #include <ros/callback_queue_interface.h>
 #include <tzc/subscribe.h>
 
-#include <utility>
-
 namespace tzc {
 
 /// A callback queue that needs no spinner. The thread that reads a publisher's messages from shared memory
@@ -19,10 +17,10 @@ ros::CallbackQueueInterface* direct_dispatch_queue();
 /// a thread other than the spinning one. The subscription ends with its ros::Subscriber; `node.shutdown()`
 /// does not end it.
 template <class... M, class... Args>
-ros::Subscriber subscribe_direct(const ros::NodeHandle& node, Args&&... args) {
+ros::Subscriber subscribe_direct(const ros::NodeHandle& node, Args... args) {
   ros::NodeHandle direct(node);
   direct.setCallbackQueue(direct_dispatch_queue());
-  return subscribe<M...>(direct, std::forward<Args>(args)...);
+  return subscribe<M...>(direct, args...);
 }
 
 }  // namespace tzc

@@ -10,6 +10,7 @@
 #include <message_filters/sync_policies/exact_time.h>
 #include <message_filters/synchronizer.h>
 #include <ros/ros.h>
+#include <tzc/direct_dispatch.h>
 #include <tzc/image_transport.h>
 #include <tzc/message_filters.h>
 #include <tzc/ros.h>
@@ -45,6 +46,11 @@ void print_both(const ImageConstPtr& one, const ImageConstPtr&) {
   print("both", *one);
 }
 
+/// As code has it that never defines the constant: whoever takes it by reference does not link.
+struct Queue {
+  static const int size = 100;
+};
+
 template <class Image>
 class Camera {
  public:
@@ -54,8 +60,8 @@ class Camera {
       camera_ = tzc::image_transport::attach_publisher(transport_.advertiseCamera("image", 100));
       second_ = tzc::image_transport::attach_publisher(transport_.advertise("second", 100), 4000000);
     } else {
-      camera_ = tzc::image_transport::advertiseCamera(transport_, "image", 100);
-      second_ = tzc::image_transport::advertise(transport_, "second", 100);
+      camera_ = tzc::image_transport::advertiseCamera(transport_, "image", Queue::size);
+      second_ = tzc::image_transport::advertise(transport_, "second", Queue::size);
     }
   }
 
@@ -290,6 +296,16 @@ void run_viewer(ros::NodeHandle& node, const ros::NodeHandle& options) {
 }
 
 }  // namespace
+
+/// Linked, and never called.
+ros::Subscriber temporaries_with_undefined_constants() {
+  tzc::advertise<sensor_msgs::Image>(ros::NodeHandle(), "image", Queue::size);
+  const ros::NodeHandle node;
+  tzc::image_transport::advertise(image_transport::ImageTransport(node), "image", Queue::size);
+  tzc::image_transport::advertiseCamera(image_transport::ImageTransport(node), "image", Queue::size);
+  return tzc::subscribe_direct(node, "image", Queue::size,
+                               boost::function<void(const ImageConstPtr&)>([](const ImageConstPtr&) {}));
+}
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "camera");
