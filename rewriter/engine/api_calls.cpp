@@ -210,7 +210,7 @@ class ApiCalls : public AstVisitor {
     const std::string publisher = space_of(result->getDeclContext()) + result->getNameAsString();
     if (publisher == "image_transport::Publisher" || publisher == "image_transport::CameraPublisher")
       return note(SiteKind::advertise, call, "sensor_msgs/Image");
-    if (publisher == "laser_proc::LaserPublisher")
+    if (publisher == "laser_proc::LaserPublisher" && !source_.in_package(function->getLocation()))
       return note(SiteKind::advertise, call, "sensor_msgs/MultiEchoLaserScan");
     const std::string message = type_at(SiteKind::advertise, call, function);
     if (publisher == "ros::Publisher" && (!message.empty() || names_cloud(function)))

@@ -47,9 +47,15 @@ void LinkMigration::disconnected_later(const channel::ConnectionPtr& connection)
 
 void LinkMigration::connected(const channel::ConnectionPtr& connection) {
   const TcpLink tcp = negotiator_->welcome(connection->hello());
-  const SharedLinkPtr link = tcp ? park(tcp, connection) : SharedLinkPtr();
-  if (!link) return connection->close();
-  by_connection_[connection] = link;
+  if (!tcp) return connection->close();
+  boost::weak_ptr<SharedLink>& known = by_connection_[connection];
+  const SharedLinkPtr link = park(tcp, connection);
+  if (!link) {
+    by_connection_.erase(connection);
+    connection->close();
+    return negotiator_->lost(tcp);
+  }
+  known = link;
   link->stream().records().subscribers().add(connection, tcp->getDestinationCallerID());
   watch(link);
   ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << tcp->getDestinationCallerID()
@@ -73,8 +79,10 @@ SharedLinkPtr LinkMigration::park(const TcpLink& tcp, const channel::ConnectionP
   const std::shared_ptr<PublicationStream> stream = stream_.lock();
   if (!publication || !stream) return SharedLinkPtr();
   sync_point("move: begins");
+  SharedLinkPtr link;  // its end takes mutexes that come before the publication's
   const PublicationLock lock(*publication);
-  const auto link = boost::make_shared<SharedLink>(stream, publication, tcp, connection, lock.queued());
+  link = boost::make_shared<SharedLink>(stream, publication, tcp, connection, lock.queued());
+  live_.reserve(live_.size() + 1);  // nothing may fail once it stands in roscpp's list
   if (!swap_to_front_locked(*publication, tcp, link)) return SharedLinkPtr();
   add_live(*link);
   ++standing_;

@@ -6,7 +6,7 @@
 #include "roscpp/configuration.h"
 #include "roscpp/roscpp_access.h"
 #include "roscpp/subscribe/fault_ready_queue.h"
-#include "roscpp/traces/traced_callback.h"
+#include "roscpp/subscribe/writing_callback.h"
 
 namespace tzc {
 namespace detail {
@@ -28,9 +28,8 @@ ros::SubscriptionPtr local_subscription(const ros::SubscriberLinkPtr& link) {
 bool has_writers(ros::Subscription& subscription, const MessageCodec& codec) {
   const boost::mutex::scoped_lock lock(access::callbacks_mutex_(subscription));
   const auto& callbacks = access::callbacks_(subscription);
-  return std::any_of(callbacks.begin(), callbacks.end(), [&](const auto& callback) {
-    return callback->helper_->getTypeInfo() == *codec.type && !codec.only_reads(untraced(*callback->helper_));
-  });
+  return std::any_of(callbacks.begin(), callbacks.end(),
+                     [&](const auto& callback) { return may_write(*callback->helper_, codec); });
 }
 
 }  // namespace
@@ -45,7 +44,7 @@ LocalView prepare_local_callbacks(ros::Publication& publication, const MessageCo
     // roscpp keeps what is latched for callbacks that come later, which are not ready for faults.
     if (is_latching || has_writers(*subscription, codec)) return LocalView::copy;
     if (!private_writes()) continue;
-    make_ready_for_faults(*subscription);
+    make_ready_for_faults(*subscription, codec);
     view = LocalView::guarded;
   }
   return view;

@@ -8,6 +8,7 @@
 
 #include "channel/fault_signals.h"
 #include "roscpp/subscribe/fault_ready_queue.h"
+#include "roscpp/subscribe/writing_callback.h"
 #include "sync_point/sync_point.h"
 
 namespace tzc {
@@ -36,7 +37,8 @@ DirectCall DirectCall::prepare(ros::Subscription& subscription, const DirectMess
   DirectCall call;
   if (message.latched || access::enable_statistics(access::statistics_(subscription))) return call;
   call.callback_ = only_callback(subscription, queue);
-  if (!call || call.callback_->helper_->getTypeInfo() != message.type) return DirectCall();
+  if (!call || call.callback_->helper_->getTypeInfo() != *message.codec.type) return DirectCall();
+  call.writes_ = may_write(*call.callback_->helper_, message.codec);
   call.queue_ = call.callback_->subscription_queue_;
   // The callback may have been unsubscribed meanwhile, and then must not be called.
   if (!call.take_turn(turn) || !is_empty(*call.queue_) ||
@@ -62,10 +64,6 @@ bool DirectCall::take_turn(Turn turn) {
   sync_point("direct: waits for a callback");
   turn_.lock();
   return true;
-}
-
-bool DirectCall::writes() const {
-  return !callback_->helper_->isConst();
 }
 
 bool DirectCall::is_concurrent() const {

@@ -3,10 +3,10 @@
 
 #include <ros/subscription.h>
 #include <ros/subscription_queue.h>
+#include <tzc/detail/codec.h>
 
 #include <functional>
 #include <type_traits>
-#include <typeinfo>
 #include <utility>
 
 #include "roscpp/roscpp_access.h"
@@ -16,7 +16,7 @@ namespace detail {
 
 /// What a DirectCall needs to know of a shared message.
 struct DirectMessage {
-  const std::type_info& type;  ///< of the C++ class that is decoded
+  const MessageCodec& codec;
   const bool latched;
   const boost::shared_ptr<ros::M_string> connection_header;
 };
@@ -42,7 +42,7 @@ class DirectCall {
 
   explicit operator bool() const { return callback_ != nullptr; }
   /// The callback may write to the message.
-  bool writes() const;
+  bool writes() const { return writes_; }
   /// roscpp calls back several times at once.
   bool is_concurrent() const;
   /// Unless the callback's tracked object has died.
@@ -57,6 +57,7 @@ class DirectCall {
   bool take_turn(Turn turn);
 
   CallbackInfoPtr callback_;
+  bool writes_ = false;
   boost::shared_ptr<ros::M_string> connection_header_;
   ros::SubscriptionQueuePtr queue_;
   boost::unique_lock<boost::recursive_mutex> turn_;

@@ -40,13 +40,18 @@ void call(const ros::CallbackInterfacePtr& callback) {
   callback->call();
 }
 
+/// An exception of the user's callback ends the process, as on every other thread that calls one.
+void call_on_worker(const ros::CallbackInterfacePtr& callback) noexcept {
+  call(callback);
+}
+
 class DirectQueue : public ros::CallbackQueueInterface {
  public:
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t) override {
     if (reads_directly)
       pending.push_back(callback);
     else
-      others_.post([callback] { call(callback); });
+      others_.post([callback] { call_on_worker(callback); });
   }
   /// Nothing to wait for: roscpp clears the subscription's own queue first, and a callback on an empty queue
   /// does nothing.

@@ -12,6 +12,7 @@
 
 #include "channel/fault_signals.h"
 #include "roscpp/roscpp_access.h"
+#include "roscpp/subscribe/writing_callback.h"
 
 namespace tzc {
 namespace detail {
@@ -60,14 +61,16 @@ FaultReadyQueue* stand_in_for(ros::CallbackQueueInterface& queue) {
 }  // namespace
 
 // The threads of the direct queue are TZC's.
-bool make_ready_for_faults(ros::Subscription& subscription) {
+bool make_ready_for_faults(ros::Subscription& subscription, const MessageCodec& codec) {
+  bool has_writers = false;
   const boost::mutex::scoped_lock lock(access::callbacks_mutex_(subscription));
   for (const auto& callback : access::callbacks_(subscription)) {
+    has_writers = has_writers || may_write(*callback->helper_, codec);
     ros::CallbackQueueInterface*& queue = callback->callback_queue_;
     if (queue == direct_dispatch_queue() || dynamic_cast<FaultReadyQueue*>(queue) != nullptr) continue;
     queue = stand_in_for(*queue);
   }
-  return access::nonconst_callbacks_(subscription) != 0;
+  return has_writers;
 }
 
 bool leads_to(const ros::CallbackQueueInterface& queue, const ros::CallbackQueueInterface& other) {

@@ -61,12 +61,18 @@ void add(std::uint64_t& counter, std::uint64_t more) {
 }
 
 /// A callback that is added later makes an object of its own from the bytes, as with TCPROS: this one may have been written to
-/// by then, and would keep its memory from the publisher.
+/// by then, and would keep its memory from the publisher. What a link left that roscpp dropped meanwhile nobody would ever forget.
 void forget_latched_object(ros::Subscription& subscription, const ros::PublisherLinkPtr& link) {
   const boost::mutex::scoped_lock lock(roscpp_access::callbacks_mutex_(subscription));
+  const boost::mutex::scoped_lock links_lock(roscpp_access::publisher_links_mutex_(subscription));
   auto& latched = roscpp_access::latched_messages_(subscription);
   const auto found = latched.find(link);
   if (found == latched.end()) return;
+  const auto& links = roscpp_access::publisher_links_(subscription);
+  if (std::find(links.begin(), links.end(), link) == links.end()) {
+    latched.erase(found);
+    return;
+  }
   found->second.message.message.reset();
   found->second.message.type_info = nullptr;
 }
@@ -147,7 +153,7 @@ boost::shared_ptr<void> SubscriptionEndpoint::decode(const channel::MessagePtr& 
 }
 
 DirectMessage SubscriptionEndpoint::described() const {
-  return {*codec_.type, link_->isLatched(), connection_->getHeader().getValues()};
+  return {codec_, link_->isLatched(), connection_->getHeader().getValues()};
 }
 
 bool SubscriptionEndpoint::take_directly(ros::Subscription& subscription,
@@ -169,7 +175,7 @@ bool SubscriptionEndpoint::take_as_guest(ros::Subscription& subscription,
 
 void SubscriptionEndpoint::take_control_part(ros::Subscription& subscription,
                                              const channel::MessagePtr& message) {
-  const bool copied = must_copy(*message, make_ready_for_faults(subscription));
+  const bool copied = must_copy(*message, make_ready_for_faults(subscription, codec_));
   const boost::shared_ptr<void> decoded = decode(message, copied);
   if (!decoded) return;
   bool ser = false, nocopy = false;

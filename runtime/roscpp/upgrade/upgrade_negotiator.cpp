@@ -70,6 +70,7 @@ void UpgradeNegotiator::invite(const TcpLink& link) {
   int round = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (invitation->has_come) return;
     if (invitation->token.empty() || invitation->warned) invitation->tries = 0;
     if (invitation->token.empty()) invitation->token = random_token();
     invitation->warned = false;
@@ -117,6 +118,7 @@ UpgradeNegotiator::TcpLink UpgradeNegotiator::welcome(const std::string& token) 
     invitation = find(token);
     if (!invitation) return TcpLink();
     invitation->came = Clock::now();
+    invitation->has_come = true;
     invitation->token.clear();
     invitation->trouble = "it has accepted; its link is being moved";
   }
@@ -167,6 +169,7 @@ void UpgradeNegotiator::lost(const TcpLink& link) {
   std::chrono::milliseconds pause;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    invitation->has_come = false;
     if (Clock::now() - invitation->came > kLasting) invitation->tries = 0;
     invitation->token = random_token();
     invitation->trouble = "it came, and the channel broke again; the warnings of both nodes say why";

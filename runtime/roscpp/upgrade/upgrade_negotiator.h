@@ -38,7 +38,7 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
     offer_.address = address;
   }
 
-  /// Invites the subscriber as soon as the pool has a thread, also when it was invited before. Does not
+  /// Invites the subscriber as soon as the pool has a thread, also when it was invited before, unless it has come. Does not
   /// block.
   void invite(const TcpLink& link);
   /// Whether a subscriber with this token is invited and has not connected yet.
@@ -53,7 +53,7 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
   void leave(const TcpLink& link, const std::string& why);
   /// For people: why the subscriber behind a TCPROS link is not on shared memory, or not yet.
   std::string why_not(const boost::weak_ptr<ros::TransportSubscriberLink>& link) const;
-  /// An upgraded subscriber fell back to TCPROS and its connection lives: invites it again after a while. The
+  /// A subscriber that had come is on TCPROS, again or still, and its connection lives: invites it again after a while. The
   /// caller must hold no lock of roscpp's: a connection that ends holds its own and waits for those.
   void lost(const TcpLink& link);
 
@@ -68,8 +68,9 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
     int tries = 0;
     int round = 0;  ///< number of the last planned check; earlier ones do nothing
     Clock::time_point came;
-    std::string trouble;  ///< why the last try failed, or why there is none
-    bool warned = false;  ///< after so many tries
+    bool has_come = false;  ///< and was not lost: there is nothing to invite to
+    std::string trouble;    ///< why the last try failed, or why there is none
+    bool warned = false;    ///< after so many tries
   };
   using InvitationPtr = std::shared_ptr<Invitation>;
   struct Answer {

@@ -14,6 +14,13 @@ class Preload(TopicCase):
         self.assert_got(listener, range(50), shared=True)
         self.assertEqual(counters["copied_bytes"], 0)
 
+    def test_a_filter_that_gives_messages_other_memory_has_its_own(self):
+        """message_filters' subscriber says that it only reads; what is registered with it may write."""
+        listener = self.listen("stock_filter", runner=TZC_RUN)
+        self.assertEqual(self.talk(count=50)["shared"], 50)
+        self.assert_got(listener, range(50), shared=False)
+        self.assertTrue(listener.process.alive(), listener.process.tail())
+
     def test_unported_talker_sends_shared_messages(self):
         """With roscpp's one serialization, whose bytes are copied once."""
         listener = self.listen()

@@ -58,9 +58,7 @@ class Subscriber : public ::message_filters::SubscriberBase, public ::message_fi
 
  private:
   /// Needs no copy of its own: pass_on() copies the message for filters behind it that may write.
-  struct Reader : ros::SubscriptionCallbackHelperT<const EventType&>, ::tzc::detail::ReadingCallback {
-    using ros::SubscriptionCallbackHelperT<const EventType&>::SubscriptionCallbackHelperT;
-  };
+  using Reader = ::tzc::detail::ReadingCallbackT<const EventType&>;
 
   void pass_on(const EventType& event) {
     const bool writers_need_a_copy = true;

@@ -8,6 +8,7 @@
 #include <tzc/detail/codec.h>
 
 #include <boost/function.hpp>
+#include <boost/make_shared.hpp>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -74,6 +75,8 @@ ros::Subscriber subscribe_callback(Node node, const std::string& topic, std::uin
   attach<MessageOf<P>>(node, topic);
   ros::SubscribeOptions options;
   options.initByFullCallbackType<P>(topic, queue_size, callback);
+  // The user's own callback, and no library's that passes the message on: it reads what it is given to read.
+  if (ros::ParameterAdapter<P>::is_const) options.helper = boost::make_shared<ReadingCallbackT<P>>(callback);
   options.tracked_object = tracked;
   options.transport_hints = hints;
   return subscribe_by_options(node, options);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Prints a line for each image it gets (image_line.h).
 ///
-/// Private parameters: mode (pointer, reference, value, mutable, event, direct, filter, late_attach, unreliable, plain, keep:
+/// Private parameters: mode (pointer, reference, value, mutable, event, direct, direct_throw: its callback throws, filter,
+/// stock_filter: message_filters' own, behind which messages are given other memory, late_attach, unreliable, plain, keep:
 /// pointers, all of which it keeps, draw and plain_draw: they write to what they get through a cast and publish it again as
 /// `drawn`; with several topics pointer, keep or direct), handler (the number of the message after which a handler of SIGSEGV
 /// is installed), times (so many callbacks), again (seconds after which there is one more callback), answers (a topic, on which it says the number of each image that a pointer or
 /// keep callback has had), topics (several, separated by blanks), queue, spinner (spin, tzc, multi, async, own: a callback
 /// queue of its own, afterwards: no callback is called before the publisher has come and gone).
-#include <message_filters/simple_filter.h>
+#include <message_filters/subscriber.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
@@ -17,6 +18,7 @@
 #include <csignal>
 #include <memory>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -86,6 +88,15 @@ void on_mutable(const sensor_msgs::ImagePtr& image) {
   print_image(*image);
   spoil(*image);
 }
+/// What may not happen to a message in shared memory: it is given other memory.
+void on_growing(const sensor_msgs::ImagePtr& image) {
+  print_image(*image);
+  image->data.resize(2 * image->data.size() + 1);
+  *image = sensor_msgs::Image();
+}
+void on_throwing(const sensor_msgs::ImageConstPtr&) {
+  throw std::runtime_error("as callbacks do");
+}
 void on_event(const ros::MessageEvent<sensor_msgs::Image>& event) {
   print_image(*event.getMessage());
   spoil(*event.getMessage());
@@ -135,6 +146,7 @@ ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& mode, const 
   if (mode == "mutable") return tzc::subscribe(node, topic, queue, on_mutable);
   if (mode == "event") return tzc::subscribe(node, topic, queue, on_event);
   if (mode == "direct") return tzc::subscribe_direct(node, topic, queue, on_pointer);
+  if (mode == "direct_throw") return tzc::subscribe_direct(node, topic, queue, on_throwing);
   if (mode == "unreliable")
     return tzc::subscribe(node, topic, queue, on_pointer, ros::TransportHints().unreliable());
   if (mode == "draw" || mode == "plain_draw" || mode == "direct_draw") return draw(node, mode, topic, queue);
@@ -203,12 +215,16 @@ int main(int argc, char** argv) {
   ros::CallbackQueue own;
   if (spinner.find("own") != std::string::npos) node.setCallbackQueue(&own);
   std::unique_ptr<tzc::message_filters::Subscriber<sensor_msgs::Image>> filter;
+  message_filters::Subscriber<sensor_msgs::Image> stock_filter;
   std::vector<ros::Subscriber> subscribers;
   if (!topics.empty()) {
     subscribers = subscribe_named(node, mode, std::istringstream(topics), queue);
   } else if (mode == "filter") {
     filter.reset(new tzc::message_filters::Subscriber<sensor_msgs::Image>(node, "image", queue));
     filter->registerCallback(on_mutable);
+  } else if (mode == "stock_filter") {
+    stock_filter.subscribe(node, "image", queue);
+    stock_filter.registerCallback(on_growing);
   } else {
     for (int times = options.param("times", 1); times > 0; --times)
       subscribers.push_back(subscribe(node, mode, "image", queue));

@@ -50,6 +50,10 @@ struct MessageCodec {
 struct ReadingCallback {
   virtual ~ReadingCallback() = default;
 };
+template <class P>
+struct ReadingCallbackT : ros::SubscriptionCallbackHelperT<P>, ReadingCallback {
+  using ros::SubscriptionCallbackHelperT<P>::SubscriptionCallbackHelperT;
+};
 
 template <class>
 struct Void {
