@@ -126,10 +126,14 @@ std::optional<Error> PortPlanner::sort_out(const CompileUnit& unit, const UnitRe
   const Expected<std::vector<CompilerError>> errors = options_.judges.original_errors(unit.file);
   if (!errors || errors->empty()) return does_not_parse(error, unit);
   const std::string sites = lines_with_sites(unit.file);
-  left_out_.push_back(
-      {codes::TZC3003, Location{unit.file, 1, 1},
-       "the package's own compiler refuses it, too, so it was not looked at: " + errors->front().text +
-           (sites.empty() ? "; it seems to hold no site" : "; possible sites in lines " + sites)});
+  Note note{codes::TZC3003, Location{unit.file, 1, 1},
+            "the package's own compiler refuses it, too, so it was not looked at: " + errors->front().text +
+                (sites.empty() ? "; it seems to hold no site" : "; possible sites in lines " + sites)};
+  // Two targets may compile one file.
+  const auto says_it = [&](const Note& known) {
+    return known.where->file == unit.file && known.text == note.text;
+  };
+  if (std::none_of(left_out_.begin(), left_out_.end(), says_it)) left_out_.push_back(std::move(note));
   return {};
 }
 

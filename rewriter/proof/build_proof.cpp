@@ -86,7 +86,7 @@ class Prover {
 
   /// CMake names files below the workspace by their path in it.
   static bool is_named(const PortedPackage& package, const ScratchWorkspace& copy, const Error& error) {
-    const std::string folder = copy.scratch(package.package_dir);
+    const std::string& folder = copy.scratch(package.package_dir);
     const std::string inside = is_below(folder, copy.folder()) ? folder.substr(copy.folder().size() + 1) : "";
     const auto names = [&](const std::string& path) {
       return error.what.find(" at " + path + "/") != std::string::npos;

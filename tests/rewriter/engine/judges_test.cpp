@@ -30,6 +30,9 @@ class JudgesTest : public ::testing::Test {
  protected:
   Expected<PortPlan> plan(const std::map<std::string, std::string>& files) {
     package.emplace(files);
+    return plan_again();
+  }
+  Expected<PortPlan> plan_again() {
     EngineOptions options = package->options({});
     options.judges = judges;
     options.strict = strict;
@@ -203,6 +206,21 @@ TEST_F(JudgesTest, a_unit_that_the_compiler_refuses_too_is_left_out) {
   EXPECT_THAT(port->report.notes[0].text, HasSubstr("possible sites in lines 4, 7"));
   strict = true;
   EXPECT_FALSE(plan(files));
+}
+
+TEST_F(JudgesTest, a_file_that_two_targets_compile_is_left_out_once) {
+  judges.original_errors = [](const std::string& unit) {
+    return std::vector<CompilerError>{{unit, {unit, 1, 1}, "'missing' was not declared", {}}};
+  };
+  package.emplace(std::map<std::string, std::string>{{"src/bad.cpp", "int x = missing;\n"},
+                                                     {"src/good.cpp", publisher("good")}});
+  const std::string file = path("build/compile_commands.json"), text = *read_file(file);
+  std::string second = text.substr(1, text.find('}'));  // of the first entry
+  second.replace(second.find("c++ "), 4, "c++ -DSECOND ");
+  ASSERT_TRUE(write_file(file, "[" + second + "," + text.substr(1)));
+  const auto port = plan_again();
+  ASSERT_TRUE(port) << to_string(port.error());
+  EXPECT_EQ(port->report.notes.size(), 1u);
 }
 
 TEST_F(JudgesTest, a_unit_that_only_clang_refuses_is_an_error) {
