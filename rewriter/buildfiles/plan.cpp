@@ -108,8 +108,7 @@ class Planner {
     for (const std::string& file : outside)
       note(codes::TZC4002, file,
            "it lies outside of the package and stays as it is; what it gives the package's targets needs "
-           "tzc, and "
-           "C++14 at least");
+           "tzc, and C++14 at least");
   }
 
   void plan_optional(const CmakeProject& project) {

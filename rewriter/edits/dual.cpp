@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "edits/diff.h"
+#include "edits/source_text.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -18,17 +19,9 @@ bool ends_with_backslash(std::string_view line) {
   return !line.empty() && line.back() == '\\';
 }
 
-/// Whether a block comment is open after the line. A comment mark in a string counts as a comment, which errs
-/// on the safe side: that of a line comment does not.
-bool comment_open_after(std::string_view line, bool open) {
-  for (std::size_t at = 0; at < line.size();) {
-    const std::size_t mark = line.find(open ? "*/" : "/*", at);
-    const std::size_t rest_is_comment = open ? std::string_view::npos : line.find("//", at);
-    if (mark == std::string_view::npos || rest_is_comment < mark) break;
-    open = !open;
-    at = mark + 2;
-  }
-  return open;
+/// Whether what follows the text belongs to a comment, or to a string of several lines.
+bool is_open_after(const std::string& text) {
+  return without_comments(text + "x").back() != 'x';
 }
 
 class Writer {
@@ -42,7 +35,7 @@ class Writer {
         pass(lines_[at++]);
         continue;
       }
-      if (continued_ || comment_) return lines_[at].old_number + lines_[at].new_number;
+      if (continued_ || is_open_after(passed_)) return lines_[at].old_number + lines_[at].new_number;
       at = wrap(at);
     }
     return 0;
@@ -54,7 +47,7 @@ class Writer {
   void pass(const DiffLine& line) {
     text += line.text;
     continued_ = ends_with_backslash(line.text);
-    comment_ = comment_open_after(line.text, comment_);
+    passed_ += line.text;
   }
 
   std::string lines_of(std::size_t& at, LineChange change) const {
@@ -75,7 +68,8 @@ class Writer {
   }
 
   const Lines& lines_;
-  bool continued_ = false, comment_ = false;
+  bool continued_ = false;
+  std::string passed_;  ///< the lines that do not change
 };
 
 }  // namespace

@@ -67,12 +67,13 @@ class Prover {
   bool find_culprits(const Configuration& configuration, const Error& together) {
     const Packages all = left_;
     if (const std::optional<Error> original = error_without_port(all)) return fail_all(all, *original), false;
-    if (all.size() == 1) return fail_all(all, together), false;
-    Packages others = all;
-    const auto rest = std::stable_partition(others.begin(), others.end(), [&](const PortedPackage* package) {
+    if (all.size() == 1 || !configuration.is_prepared()) return fail_all(all, together), false;
+    Packages suspects = all;
+    const auto is_first = [&](const PortedPackage* package) {
       return is_named(*package, configuration.sources(), together);
-    });
-    for (auto at = others.begin(); at != others.end(); ++at) {
+    };
+    const auto rest = std::stable_partition(suspects.begin(), suspects.end(), is_first);
+    for (auto at = suspects.begin(); at != suspects.end(); ++at) {
       if (at == rest && left_.size() < all.size()) break;
       try_alone(**at);
     }

@@ -46,6 +46,8 @@ class Configuration {
   /// Builds the scratch copy as a whole.
   Expected<void> build(unsigned jobs) const;
 
+  /// Whether there was room for the copy; otherwise sources() may not be called.
+  bool is_prepared() const { return sources_ != nullptr; }
   std::string build_dir() const { return *folder_ / "build"; }
   const ScratchWorkspace& sources() const { return *sources_; }
 

@@ -101,7 +101,8 @@ void add_inputs(CLI::App& app, Raw& raw) {
   Options& options = raw.options;
   app.add_option("PACKAGE_DIR", options.packages, "Packages, or folders that hold packages")->type_name("");
   app.add_option("-p", options.build_dir,
-                 "Build folder with compile_commands.json (default: catkin's usual places)")
+                 "Build folder with compile_commands.json, or with those of the packages by name (default: "
+                 "catkin's usual places)")
       ->type_name("BUILD_DIR")
       ->group(group);
   repeated(app, "--tzc-include", options.tzc_includes, "DIR",

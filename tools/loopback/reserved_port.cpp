@@ -43,11 +43,12 @@ ReservedPort::ReservedPort() {
 }
 
 ReservedPort::~ReservedPort() {
-  if (socket_ >= 0) ::close(socket_);
+  ::close(socket_);
 }
 
 bool ReservedPort::reserve(int number) {
   const int socket = new_socket();
+  if (socket < 0) throw std::system_error(errno, std::generic_category(), "no socket");
   if (!succeeds(::bind, socket, number)) {
     const int reason = errno;
     ::close(socket);

@@ -8,7 +8,7 @@ namespace tzc::loopback {
 /// before it binds, as a ROS master does (Python's xmlrpc.server). Not thread-safe.
 class ReservedPort {
  public:
-  /// Below the ports that the system gives to outgoing connections. @throws std::system_error when none is free
+  /// Below the ports that the system gives to outgoing connections. @throws std::system_error when no port or no descriptor is free
   ReservedPort();
   ~ReservedPort();
   ReservedPort(const ReservedPort&) = delete;

@@ -53,7 +53,7 @@ void LinkMigration::connected(const channel::ConnectionPtr& connection) {
   if (!link) {
     by_connection_.erase(connection);
     connection->close();
-    return negotiator_->lost(tcp);
+    return negotiator_->lost(tcp, "it came, and its link could not be moved");
   }
   known = link;
   link->stream().records().subscribers().add(connection, tcp->getDestinationCallerID());
@@ -134,7 +134,8 @@ void LinkMigration::come_back(const SharedLinkPtr& link, int looks) {
   if (progress != Progress::finished)
     return look_again(link, looks_after(progress, looks), &LinkMigration::come_back);
   ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << link->getDestinationCallerID() << " is back on TCPROS");
-  negotiator_->lost(link->parked());
+  negotiator_->lost(link->parked(),
+                    "it came, and the channel broke again; the warnings of both nodes say why");
 }
 
 LinkMigration::Progress LinkMigration::try_come_back(ros::Publication& publication,

@@ -64,6 +64,7 @@ void add(std::uint64_t& counter, std::uint64_t more) {
 /// by then, and would keep its memory from the publisher. What a link left that roscpp dropped meanwhile nobody would ever forget.
 void forget_latched_object(ros::Subscription& subscription, const ros::PublisherLinkPtr& link) {
   const boost::mutex::scoped_lock lock(roscpp_access::callbacks_mutex_(subscription));
+  // In the order of Subscription::addCallback.
   const boost::mutex::scoped_lock links_lock(roscpp_access::publisher_links_mutex_(subscription));
   auto& latched = roscpp_access::latched_messages_(subscription);
   const auto found = latched.find(link);
@@ -190,7 +191,6 @@ void SubscriptionEndpoint::take_control_part(ros::Subscription& subscription,
   given.message = decoded;
   given.type_info = codec_.type;
   give(subscription, given, ser, true);
-  if (link_->isLatched()) forget_latched_object(subscription, link_);
 }
 
 void SubscriptionEndpoint::take_whole_message(ros::Subscription& subscription,
@@ -211,6 +211,7 @@ void SubscriptionEndpoint::give(ros::Subscription& subscription, const ros::Seri
                                 bool ser, bool nocopy) {
   counted().drops_ +=
       subscription.handleMessage(message, ser, nocopy, connection_->getHeader().getValues(), link_);
+  if (link_->isLatched()) forget_latched_object(subscription, link_);
 }
 
 }  // namespace detail

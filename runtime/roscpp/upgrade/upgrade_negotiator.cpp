@@ -163,7 +163,7 @@ std::string UpgradeNegotiator::why_not(const boost::weak_ptr<ros::TransportSubsc
   return "shared memory was not offered yet";
 }
 
-void UpgradeNegotiator::lost(const TcpLink& link) {
+void UpgradeNegotiator::lost(const TcpLink& link, const std::string& why) {
   if (is_gone(link)) return;
   const InvitationPtr invitation = invitation_of(link);
   std::chrono::milliseconds pause;
@@ -172,7 +172,7 @@ void UpgradeNegotiator::lost(const TcpLink& link) {
     invitation->has_come = false;
     if (Clock::now() - invitation->came > kLasting) invitation->tries = 0;
     invitation->token = random_token();
-    invitation->trouble = "it came, and the channel broke again; the warnings of both nodes say why";
+    invitation->trouble = why;
     pause = std::max(kAfterLoss, pause_after(invitation->tries));
   }
   look_later(invitation, pause);

@@ -55,7 +55,7 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
   std::string why_not(const boost::weak_ptr<ros::TransportSubscriberLink>& link) const;
   /// A subscriber that had come is on TCPROS, again or still, and its connection lives: invites it again after a while. The
   /// caller must hold no lock of roscpp's: a connection that ends holds its own and waits for those.
-  void lost(const TcpLink& link);
+  void lost(const TcpLink& link, const std::string& why);
 
  private:
   using Clock = std::chrono::steady_clock;

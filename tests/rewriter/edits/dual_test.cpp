@@ -36,10 +36,11 @@ TEST(DualText, inside_a_directive_of_several_lines_is_refused) {
 }
 TEST(DualText, inside_a_comment_of_several_lines_is_refused) {
   EXPECT_EQ(dual("/* a\n x\n*/\n", "/* a\n y\n*/\n"), "f.cpp:2");
+  EXPECT_EQ(dual("\"a//b\"; /* a\n x\n*/\n", "\"a//b\"; /* a\n y\n*/\n"), "f.cpp:2");
   EXPECT_EQ(dual("// /*\nx\n", "// /*\ny\n"), "// /*\n#ifdef TZC_ENABLED\ny\n#else\nx\n#endif\n");
 }
 TEST(DualText, banners_open_no_comment) {
-  for (const std::string banner : {"//****", "// a /* b", "/* a */ // /*", "/***/"})
+  for (const std::string banner : {"//****", "// a /* b", "/* a */ // /*", "/***/", "\"/*\";"})
     EXPECT_EQ(dual(banner + "\nx\n", banner + "\ny\n"),
               banner + "\n#ifdef TZC_ENABLED\ny\n#else\nx\n#endif\n");
 }
