@@ -4,7 +4,7 @@
 /// The private members of roscpp 1.15.9 to 1.17 that the transport needs, all of them here. Access goes through explicit
 /// template instantiation, where the standard ([temp.spec]/6) does not check access. Everything is read only, except
 /// that Publication::subscriber_links_ gets one pointer replaced in place (adding and removing links would fire the
-/// user's connect callbacks), the connect callback of an advertisement and the queue on which it runs (connect_hook.cpp), the
+/// user's connect callbacks), Publication::publish_queue_ is emptied when its messages are sent (queued_messages.cpp), the connect callback of an advertisement and the queue on which it runs (connect_hook.cpp), the
 /// callback queue that a callback of a Subscription names (fault_ready_queue.h), and the object that a Subscription keeps of
 /// a latched message (subscription_endpoint.cpp). A roscpp where a member is missing
 /// fails to compile right here; with a version that was not looked at (roscpp_version.h) nothing here is used.

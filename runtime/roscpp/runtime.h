@@ -21,7 +21,7 @@ struct Runtime {
   WorkerQueue queue{clerk};
   UpgradeResponder responder{clerk, peers, [this] { statistics.begin(); }};
   OfferRequests requests{clerk};
-  StatisticsUpdater statistics{clerk, [this] { return responder.look(); }};
+  StatisticsUpdater statistics{clerk, [this](auto& all) { return responder.look(all); }};
 };
 
 Runtime& runtime();

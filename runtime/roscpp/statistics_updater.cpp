@@ -169,8 +169,12 @@ bool StatisticsUpdater::write() {
     is_complete = add(endpoint->look(), links) && is_complete;
   for (EndpointStatistics& plain : look_at_plain()) is_complete = add(std::move(plain), links) && is_complete;
   if (const std::optional<MemoryStats> memory = stats_of_no_topic()) page_->add(row_of_no_topic(*memory));
-  for (const SubscriptionStatistics& subscription : look_at_subscriptions_())
-    page_->add(row_of(subscription));
+  std::vector<SubscriptionStatistics> subscriptions;
+  if (look_at_subscriptions_(subscriptions))
+    last_subscriptions_ = std::move(subscriptions);
+  else
+    is_complete = false;
+  for (const SubscriptionStatistics& subscription : last_subscriptions_) page_->add(row_of(subscription));
   page_->publish();
   last_links_ = std::move(links);
   return is_complete;

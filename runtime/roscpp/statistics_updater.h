@@ -22,7 +22,8 @@ namespace detail {
 /// (decision 505). Publishing does nothing for it, and it does not wait for a thread that publishes.
 class StatisticsUpdater {
  public:
-  using LookAtSubscriptions = std::function<std::vector<SubscriptionStatistics>()>;
+  /// False: not all could be looked at.
+  using LookAtSubscriptions = std::function<bool(std::vector<SubscriptionStatistics>&)>;
 
   StatisticsUpdater(Worker& clerk, LookAtSubscriptions subscriptions)
       : clerk_(clerk), look_at_subscriptions_(std::move(subscriptions)) {}
@@ -49,6 +50,7 @@ class StatisticsUpdater {
   const LookAtSubscriptions look_at_subscriptions_;
   std::shared_ptr<statistics::PageWriter> page_;
   Links last_links_;
+  std::vector<SubscriptionStatistics> last_subscriptions_;
   HeldSince held_since_;
   std::mutex plain_mutex_;
   std::vector<PlainTopic> plain_;  ///< under plain_mutex_

@@ -5,7 +5,6 @@
 #include <ros/topic_manager.h>
 #include <tzc/detail/attachment.h>
 
-#include "roscpp/publish/publication_lock.h"
 #include "roscpp/publish/shared_link.h"
 #include "roscpp/roscpp_access.h"
 
@@ -13,8 +12,9 @@ namespace tzc {
 namespace detail {
 namespace {
 
-/// Itself, or the SharedLink that stands in its place. The caller holds a PublicationLock.
+/// Itself, or the SharedLink that stands in its place, as long as the caller holds advertised_topics_mutex_.
 ros::SubscriberLinkPtr standing_for(const ros::SubscriberLinkPtr& tcpros, ros::Publication& publication) {
+  const boost::mutex::scoped_lock lock(roscpp_access::subscriber_links_mutex_(publication));
   for (const ros::SubscriberLinkPtr& link : roscpp_access::subscriber_links_(publication)) {
     const SharedLinkPtr shared = boost::dynamic_pointer_cast<SharedLink>(link);
     if (shared && shared->parked() == tcpros) return link;
@@ -33,7 +33,9 @@ CurrentLink::CurrentLink(const ros::SubscriberLinkPtr& tcpros) : tcpros_(tcpros)
 void CurrentLink::enqueueMessage(const ros::SerializedMessage& message, bool ser, bool nocopy) {
   const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic_);
   if (!publication) return tcpros_->enqueueMessage(message, ser, nocopy);
-  const PublicationLock lock(*publication);
+  // No link moves meanwhile. Not a PublicationLock: see send_queue().
+  const boost::recursive_mutex::scoped_lock lock(
+      roscpp_access::advertised_topics_mutex_(*ros::TopicManager::instance()));
   standing_for(tcpros_, *publication)->enqueueMessage(message, ser, nocopy);
 }
 

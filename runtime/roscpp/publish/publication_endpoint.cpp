@@ -13,6 +13,7 @@
 #include "roscpp/publish/local_callbacks.h"
 #include "roscpp/publish/memory_of_no_topic.h"
 #include "roscpp/publish/publication_lock.h"
+#include "roscpp/publish/queued_messages.h"
 #include "roscpp/publish/socket_buffers.h"
 #include "roscpp/publish/statistics_file.h"
 #include "roscpp/roscpp_access.h"
@@ -250,7 +251,7 @@ void PublicationEndpoint::send_queued() {
     const PublicationLock publication_lock(*publication);
     waits = stream_.waits(publication_lock.queued());
   }
-  if (waits) publication->processPublishQueue();
+  if (waits) send_queue(*publication);
 }
 
 void PublicationEndpoint::publish_numbered(const std::type_info& type, message::Encoded& encoded,

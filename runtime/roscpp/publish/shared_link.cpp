@@ -66,10 +66,10 @@ void SharedLink::getPublishTypes(bool& ser, bool& nocopy, const std::type_info& 
 void SharedLink::enqueueMessage(const ros::SerializedMessage& message, bool ser, bool nocopy) {
   if (!ser)
     publish_by_pointer(message);
-  else if (!nocopy)
-    publish_bytes(message);
-  else
+  else if (nocopy)
     publish_alone(message);
+  else if (!take_bytes(message))
+    pass_to_tcpros(message);
 }
 
 void SharedLink::publish_by_pointer(const ros::SerializedMessage& message) {
@@ -80,30 +80,32 @@ void SharedLink::publish_by_pointer(const ros::SerializedMessage& message) {
   if (stream_->records().codecs().has(*message.type_info)) deliver(stream_->of_pointer(message));
 }
 
-void SharedLink::publish_bytes(const ros::SerializedMessage& message) {
+bool SharedLink::take_bytes(const ros::SerializedMessage& message) {
   stream_->saw_serialized(message);
   const bool went_by_pointer = message.type_info && stream_->records().codecs().has(*message.type_info);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (goes_to_tcpros(went_by_pointer)) return parked_->enqueueMessage(message, true, false);
-    if (state_ == State::returned) return;
+    if (belongs_to_tcpros(went_by_pointer)) return false;
+    if (state_ == State::returned) return true;
   }
   if (!went_by_pointer) deliver(stream_->of_bytes(message));
+  return true;
+}
+
+// The link must not look drained before TCPROS has the message.
+void SharedLink::pass_to_tcpros(const ros::SerializedMessage& message) {
+  parked_->enqueueMessage(message, true, false);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (queued_for_tcpros_ > 0) --queued_for_tcpros_;
 }
 
 void SharedLink::publish_alone(const ros::SerializedMessage& message) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (state_ == State::returned) return parked_->enqueueMessage(message, true, true);
-  }
+  if (has_returned()) return parked_->enqueueMessage(message, true, true);
   deliver(stream_->of_bytes_alone(message));
 }
 
-bool SharedLink::goes_to_tcpros(bool went_by_pointer) {
-  if (queued_for_tcpros_ > 0) {
-    --queued_for_tcpros_;
-    return true;
-  }
+bool SharedLink::belongs_to_tcpros(bool went_by_pointer) {
+  if (queued_for_tcpros_ > 0) return true;
   if (state_ != State::returned) return false;
   if (queued_at_return_ == 0) return true;
   --queued_at_return_;

@@ -45,7 +45,7 @@ class SharedLink : public ros::SubscriberLink {
   /// \name ros::SubscriberLink
   /// @{
   /// roscpp's three ways: (ser, nocopy) = (0,1) publish by pointer; (1,0) the poll thread, with bytes; (1,1)
-  /// bytes for this subscriber alone (SingleSubscriberPublisher). Never blocks.
+  /// bytes for this subscriber alone (SingleSubscriberPublisher). Waits for no other process.
   void enqueueMessage(const ros::SerializedMessage& message, bool ser, bool nocopy) override;
   void drop() override;
   std::string getTransportType() override { return "TZC"; }
@@ -56,6 +56,13 @@ class SharedLink : public ros::SubscriberLink {
 
   /// Sends the message, or keeps it while draining. Under subscriber_links_mutex_; never blocks.
   void deliver(const OutgoingMessage& message);
+
+  /// Takes a message that roscpp has serialized and numbered. Under subscriber_links_mutex_; never blocks. False: it belongs to the
+  /// TCPROS link, which the caller gives it by pass_to_tcpros(), before the next message.
+  bool take_bytes(const ros::SerializedMessage& message);
+  /// Takes a mutex of the TCPROS connection, which roscpp's poll thread may hold while it waits for subscriber_links_mutex_: a thread
+  /// that is not that one must not hold it.
+  void pass_to_tcpros(const ros::SerializedMessage& message);
 
   /// Goes live when TCPROS has sent everything that it was given; what waits is sent as fast as the
   /// subscriber takes it, but no longer than a second: then all of it at once, and the channel drops what its limit does not
@@ -86,7 +93,6 @@ class SharedLink : public ros::SubscriberLink {
 
  private:
   void publish_by_pointer(const ros::SerializedMessage& message);
-  void publish_bytes(const ros::SerializedMessage& message);
   void publish_alone(const ros::SerializedMessage& message);
   using Clock = std::chrono::steady_clock;
   enum class State { draining, live, broken, returned };
@@ -101,7 +107,7 @@ class SharedLink : public ros::SubscriberLink {
   void collect_undelivered();
   void begin_patience();
   bool is_patient() const;
-  bool goes_to_tcpros(bool went_by_pointer);
+  bool belongs_to_tcpros(bool went_by_pointer);
   /// @}
   channel::RecordPtr next_to_hand_back();
   bool drop_waiting(const channel::RecordPtr& record);
@@ -112,7 +118,7 @@ class SharedLink : public ros::SubscriberLink {
   const std::size_t queue_size_;
   boost::signals2::connection drop_listener_;
 
-  /// Guards what follows; innermost, but for the channel's and the TCPROS link's own.
+  /// Guards what follows; innermost, but for the channel's.
   mutable std::mutex mutex_;
   State state_ = State::draining;
   bool switched_ = false;             ///< the subscriber was told that shared records follow

@@ -33,12 +33,21 @@ namespace access = roscpp_access;
 constexpr int kLooks = 100;
 constexpr std::chrono::milliseconds kLookAgain(5);
 
-ros::SubscriptionPtr find_subscription(const std::string& topic) {
+/// roscpp keeps its list of subscriptions locked while it asks the master about one of them, and asks for as long as the master is away.
+constexpr std::chrono::milliseconds kLookAgainWhenBusy(100);
+
+struct Search {
+  bool is_busy;  ///< roscpp has the list locked: look again later
+  ros::SubscriptionPtr found;
+};
+
+Search find_subscription(const std::string& topic) {
   ros::TopicManager& topics = *ros::TopicManager::instance();
-  const boost::mutex::scoped_lock lock(access::subs_mutex_(topics));
+  const boost::mutex::scoped_try_lock lock(access::subs_mutex_(topics));
+  if (!lock) return {true, nullptr};
   for (const ros::SubscriptionPtr& subscription : access::subscriptions_(topics))
-    if (subscription->getName() == topic && !subscription->isDropped()) return subscription;
-  return ros::SubscriptionPtr();
+    if (subscription->getName() == topic && !subscription->isDropped()) return {false, subscription};
+  return {false, nullptr};
 }
 
 /// The TCPROS links of a subscription.
@@ -130,8 +139,10 @@ void UpgradeResponder::answer(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& 
 
 // When the search ends without a link, the publisher tries again.
 void UpgradeResponder::accept(const Offer& offer, int looks_left) {
-  const ros::SubscriptionPtr subscription = find_subscription(offer.topic);
-  const LinkPtr link = subscription ? find_link(*subscription, offer) : LinkPtr();
+  const Search search = find_subscription(offer.topic);
+  if (search.is_busy)
+    return clerk_.post([this, offer, looks_left] { accept(offer, looks_left); }, kLookAgainWhenBusy);
+  const LinkPtr link = search.found ? find_link(*search.found, offer) : LinkPtr();
   if (link) return peers_.post(offer.publisher, [this, offer] { connect(offer); });
   if (looks_left > 0)
     clerk_.post([this, offer, looks_left] { accept(offer, looks_left - 1); }, kLookAgain);
@@ -161,7 +172,10 @@ bool UpgradeResponder::codec_for(const Offer& offer, ros::Subscription& subscrip
 }
 
 void UpgradeResponder::connect(const Offer& offer) {
-  const ros::SubscriptionPtr subscription = find_subscription(offer.topic);
+  const Search search = find_subscription(offer.topic);
+  if (search.is_busy)
+    return peers_.post(offer.publisher, [this, offer] { connect(offer); }, kLookAgainWhenBusy);
+  const ros::SubscriptionPtr& subscription = search.found;
   const LinkPtr link = subscription ? find_link(*subscription, offer) : LinkPtr();
   MessageCodec codec;
   if (!link || connected(link) || !codec_for(offer, *subscription, codec)) return;
@@ -203,7 +217,7 @@ void UpgradeResponder::connection_failed(const Offer& offer, const Error& error,
   if (is_foreign_uid) foreign_uids_.insert(offer.token);
 }
 
-std::vector<SubscriptionStatistics> UpgradeResponder::look() const {
+bool UpgradeResponder::look(std::vector<SubscriptionStatistics>& all) const {
   std::vector<std::string> topics;
   Channels channels;  // outside of the mutex, so that the last reference to one does not go under it
   {
@@ -211,17 +225,18 @@ std::vector<SubscriptionStatistics> UpgradeResponder::look() const {
     for (const auto& topic : topics_) topics.push_back(topic.first);
     channels = channels_;
   }
-  std::vector<SubscriptionStatistics> all;
+  all.clear();
   for (const std::string& topic : topics) {
-    const ros::SubscriptionPtr subscription = find_subscription(topic);
-    for (const LinkPtr& link : subscription ? tcp_links(*subscription) : std::vector<LinkPtr>()) {
+    const Search search = find_subscription(topic);
+    if (search.is_busy) return false;
+    for (const LinkPtr& link : search.found ? tcp_links(*search.found) : std::vector<LinkPtr>()) {
       all.push_back(statistics_of(*link, topic));
       const auto shared = channels.find(link);
       if (shared != channels.end())
         add_shared(*shared->second.subscriber, shared->second.endpoint->limit(), all.back());
     }
   }
-  return all;
+  return true;
 }
 
 void UpgradeResponder::forget(const LinkPtr& link) {
@@ -234,9 +249,10 @@ void UpgradeResponder::forget(const LinkPtr& link) {
 }
 
 void UpgradeResponder::ask_publishers(const std::string& topic) {
-  const ros::SubscriptionPtr subscription = find_subscription(topic);
-  if (!subscription) return;
-  for (const LinkPtr& link : tcp_links(*subscription))
+  const Search search = find_subscription(topic);
+  if (search.is_busy) return clerk_.post([this, topic] { ask_publishers(topic); }, kLookAgainWhenBusy);
+  if (!search.found) return;
+  for (const LinkPtr& link : tcp_links(*search.found))
     peers_.post(link->getPublisherXMLRPCURI(), [this, link, topic] { ask(link, topic, 1); });
 }
 

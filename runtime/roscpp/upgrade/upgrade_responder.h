@@ -40,8 +40,9 @@ class UpgradeResponder {
   /// Answers a publisher's offer; runs on roscpp's XMLRPC thread, so the work is only begun here.
   void answer(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& result);
 
-  /// The publishers of all attached topics, whether they are on shared memory or on TCPROS.
-  std::vector<SubscriptionStatistics> look() const;
+  /// Gives the publishers of all attached topics, whether they are on shared memory or on TCPROS. False: it gave none or some of them, since
+  /// roscpp has its list of subscriptions locked, maybe for as long as the master is away.
+  bool look(std::vector<SubscriptionStatistics>& all) const;
 
  private:
   using LinkPtr = ros::TransportPublisherLinkPtr;
