@@ -110,8 +110,8 @@ void Attachment::publish_numbered(const std::type_info& type, message::Encoded& 
 bool Attachment::publish_directly(const std::type_info& type, message::Encoded& encoded) {
   return endpoint_->publish_directly(type, encoded);
 }
-LocalView Attachment::local_view(const std::type_info& type) const {
-  return endpoint_->local_view(type);
+LocalMessage Attachment::local_message(const std::type_info& type, const message::Encoded& encoded) const {
+  return endpoint_->local_message(type, encoded);
 }
 bool Attachment::delivers_exhausted() const {
   return endpoint_->on_exhausted() == OnExhausted::deliver;

@@ -7,6 +7,7 @@
 #include "roscpp/roscpp_access.h"
 #include "roscpp/subscribe/fault_ready_queue.h"
 #include "roscpp/subscribe/writing_callback.h"
+#include "roscpp/throttled_warning.h"
 
 namespace tzc {
 namespace detail {
@@ -32,9 +33,7 @@ bool has_writers(ros::Subscription& subscription, const MessageCodec& codec) {
                      [&](const auto& callback) { return may_write(*callback->helper_, codec); });
 }
 
-}  // namespace
-
-LocalView prepare_local_callbacks(ros::Publication& publication, const MessageCodec& codec) {
+LocalView make_ready(ros::Publication& publication, const MessageCodec& codec) {
   LocalView view = LocalView::unseen;
   const bool is_latching = publication.isLatching();  // takes a mutex under which roscpp takes the next one
   const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(publication));
@@ -43,11 +42,39 @@ LocalView prepare_local_callbacks(ros::Publication& publication, const MessageCo
     if (!subscription) continue;
     // roscpp keeps what is latched for callbacks that come later, which are not ready for faults.
     if (is_latching || has_writers(*subscription, codec)) return LocalView::copy;
-    if (!private_writes()) continue;
-    make_ready_for_faults(*subscription, codec);
-    view = LocalView::guarded;
+    view = private_writes() ? LocalView::guarded : LocalView::borrowed;
+    if (private_writes()) make_ready_for_faults(*subscription, codec);
   }
   return view;
+}
+
+std::uint64_t shared_bytes(const message::Encoded& encoded) {
+  std::uint64_t size = 0;
+  for (const BufferPtr& buffer : encoded.buffers) size += buffer->size();
+  return size;
+}
+
+}  // namespace
+
+LocalMessage LocalCallbacks::prepare(ros::Publication& publication, const MessageCodec& codec,
+                                     const message::Encoded& encoded) const {
+  const LocalView view = make_ready(publication, codec);
+  if (view == LocalView::unseen || view == LocalView::copy) return {view, nullptr};
+  const std::uint64_t bytes = shared_bytes(encoded);
+  if (!may_hold(publication.getName(), bytes)) return {LocalView::copy, nullptr};
+  return {view, limit_.hold(bytes, nullptr)};
+}
+
+bool LocalCallbacks::may_hold(const std::string& topic, std::uint64_t bytes) const {
+  if (limit_.allows(bytes)) return true;
+  TZC_WARN_THROTTLED_FOR(topic + " in this process", 60,
+                         "TZC: " << topic << ": subscribers in its publisher's process hold "
+                                 << limit_.held_messages() << " messages (" << limit_.held_bytes()
+                                 << " bytes) in its shared memory, of which they may hold "
+                                 << limit_.most_bytes() << " bytes; further ones are copied for them. Call "
+                                 << "their callbacks more often, keep fewer messages, or raise the "
+                                 << "publisher's ~tzc/memory_size");
+  return false;
 }
 
 }  // namespace detail

@@ -4,14 +4,33 @@
 #include <ros/publication.h>
 #include <tzc/detail/attachment.h>
 #include <tzc/detail/codec.h>
+#include <tzc/message.h>
+
+#include <cstdint>
+#include <string>
+
+#include "roscpp/hold_limit.h"
 
 namespace tzc {
 namespace detail {
 
-/// How callbacks of this process may see a message of type `codec.type` that the publication passes to them by pointer; those
-/// that may have a view of it are made ready for faults (fault_ready_queue.h). Call it before each such message. Takes
-/// subscriber_links_mutex_ and the subscriptions' callbacks_mutex_, briefly.
-LocalView prepare_local_callbacks(ros::Publication& publication, const MessageCodec& codec);
+/// The callbacks of the publisher's own process, which roscpp passes a message to by pointer. Thread-safe.
+class LocalCallbacks {
+ public:
+  /// @param most_bytes that all of them together may hold of the topic's memory (HoldLimit)
+  explicit LocalCallbacks(std::uint64_t most_bytes) { limit_.set_most_bytes(most_bytes); }
+
+  /// What they may see of a message of type `codec.type`; those that may have a view of it are made ready for faults
+  /// (fault_ready_queue.h). Call it before each such message. Takes subscriber_links_mutex_ and the subscriptions' callbacks_mutex_,
+  /// briefly.
+  LocalMessage prepare(ros::Publication& publication, const MessageCodec& codec,
+                       const message::Encoded& encoded) const;
+
+ private:
+  bool may_hold(const std::string& topic, std::uint64_t bytes) const;
+
+  HoldLimit limit_;
+};
 
 }  // namespace detail
 }  // namespace tzc

@@ -10,7 +10,6 @@
 #include <algorithm>
 
 #include "roscpp/descriptor_budget.h"
-#include "roscpp/publish/local_callbacks.h"
 #include "roscpp/publish/memory_of_no_topic.h"
 #include "roscpp/publish/publication_lock.h"
 #include "roscpp/publish/queued_messages.h"
@@ -100,6 +99,7 @@ PublicationEndpoint::PublicationEndpoint(const ros::PublicationPtr& publication,
       memory_(segments_),
       worker_(worker),
       stream_(publication, segments_, on_exhausted),
+      local_callbacks_(stream_.most_held_bytes()),
       negotiator_(std::make_shared<UpgradeNegotiator>(offer_of(*publication), peers)),
       migration_(std::make_shared<LinkMigration>(publication, negotiator_, worker)) {}
 
@@ -234,10 +234,12 @@ bool PublicationEndpoint::wants_pointer(const std::type_info& type) const {
   return by_pointer;
 }
 
-LocalView PublicationEndpoint::local_view(const std::type_info& type) const {
+LocalMessage PublicationEndpoint::local_message(const std::type_info& type,
+                                                const message::Encoded& encoded) const {
   const ros::PublicationPtr publication = publication_.lock();
   const MessageCodec* const codec = stream_.records().codecs().find(type);
-  return publication && codec ? prepare_local_callbacks(*publication, *codec) : LocalView::unseen;
+  if (!publication || !codec) return {LocalView::unseen, nullptr};
+  return local_callbacks_.prepare(*publication, *codec, encoded);
 }
 
 void PublicationEndpoint::send_queued() {

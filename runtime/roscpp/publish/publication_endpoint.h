@@ -14,6 +14,7 @@
 
 #include "roscpp/publish/endpoint_statistics.h"
 #include "roscpp/publish/link_migration.h"
+#include "roscpp/publish/local_callbacks.h"
 #include "roscpp/publish/publication_stream.h"
 #include "roscpp/upgrade/upgrade_negotiator.h"
 #include "roscpp/worker.h"
@@ -46,7 +47,7 @@ class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpo
   /// What the statistics page shows. Does not wait for a thread that publishes.
   EndpointStatistics look() const;
   bool wants_pointer(const std::type_info& type) const;
-  LocalView local_view(const std::type_info& type) const;
+  LocalMessage local_message(const std::type_info& type, const message::Encoded& encoded) const;
 
   /// Sends an encoded message of a known type to all subscribers, past roscpp's own publish, without building
   /// a view. Does nothing and returns false unless every link of the publication is a SharedLink and nothing
@@ -84,6 +85,7 @@ class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpo
   const std::shared_ptr<MemorySource> memory_;
   Worker& worker_;
   PublicationStream stream_;
+  const LocalCallbacks local_callbacks_;
   const std::shared_ptr<UpgradeNegotiator> negotiator_;
   const std::shared_ptr<LinkMigration> migration_;
   mutable std::mutex channel_mutex_;             ///< guards channel_; innermost, but for the channel's own

@@ -30,6 +30,13 @@ Bytes control_of(const channel::Message& message) {
   return {message.control(), message.control_size()};
 }
 
+/// What it takes of the publisher's memory.
+std::uint64_t shared_bytes(const channel::Message& message) {
+  std::uint64_t size = 0;
+  for (const ConstBlock& block : message.blocks()) size += block.size;
+  return size;
+}
+
 /// A received message as roscpp passes buffers around.
 ros::SerializedMessage as_buffer(const channel::Message& message,
                                  const boost::shared_array<std::uint8_t>& buffer, std::size_t size) {
@@ -124,7 +131,7 @@ void SubscriptionEndpoint::take_switch(const channel::Message& message) {
 }
 
 bool SubscriptionEndpoint::may_hold(const channel::Message& message) const {
-  if (limit_.allows(message)) return true;
+  if (limit_.allows(shared_bytes(message))) return true;
   TZC_WARN_THROTTLED_FOR(topic_ + " from " + link_->getCallerID(), 60,
                          "TZC: " << topic_ << ": this node holds " << limit_.held_messages() << " messages ("
                                  << limit_.held_bytes() << " bytes) in the shared memory of "
@@ -135,15 +142,18 @@ bool SubscriptionEndpoint::may_hold(const channel::Message& message) const {
   return false;
 }
 
+std::shared_ptr<const void> SubscriptionEndpoint::hold(const channel::MessagePtr& message) const {
+  return limit_.hold(shared_bytes(*message), message);
+}
+
 bool SubscriptionEndpoint::must_copy(const channel::Message& message, bool may_write) const {
   return may_write || !may_hold(message);
 }
 
 boost::shared_ptr<void> SubscriptionEndpoint::decode(const channel::MessagePtr& message, bool copied) const {
   const boost::shared_ptr<void> decoded =
-      copied
-          ? codec_.copy(message->control(), message->control_size(), message->blocks())
-          : codec_.view(message->control(), message->control_size(), message->blocks(), limit_.hold(message));
+      copied ? codec_.copy(message->control(), message->control_size(), message->blocks())
+             : codec_.view(message->control(), message->control_size(), message->blocks(), hold(message));
   if (!decoded) {
     TZC_WARN_THROTTLED_FOR(
         topic_ + " from " + link_->getCallerID(), 10,
@@ -202,9 +212,8 @@ void SubscriptionEndpoint::take_whole_message(ros::Subscription& subscription,
   if (message->control_size() == sizeof(size)) std::memcpy(&size, message->control(), sizeof(size));
   if (size > block.size) return;
   const Bytes bytes{block.data, size};
-  give(subscription,
-       may_hold(*message) ? borrow(*message, bytes, limit_.hold(message)) : copy(*message, bytes), true,
-       false);
+  give(subscription, may_hold(*message) ? borrow(*message, bytes, hold(message)) : copy(*message, bytes),
+       true, false);
 }
 
 void SubscriptionEndpoint::give(ros::Subscription& subscription, const ros::SerializedMessage& message,

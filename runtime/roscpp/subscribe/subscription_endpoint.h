@@ -11,8 +11,8 @@
 #include <memory>
 #include <mutex>
 
+#include "roscpp/hold_limit.h"
 #include "roscpp/subscribe/direct_call.h"
-#include "roscpp/subscribe/hold_limit.h"
 #include "roscpp/subscribe/tcpros_drain.h"
 
 namespace tzc {
@@ -58,6 +58,7 @@ class SubscriptionEndpoint {
   /// A view of the message, or a copy.
   boost::shared_ptr<void> decode(const channel::MessagePtr& message, bool copied) const;
   bool may_hold(const channel::Message& message) const;
+  std::shared_ptr<const void> hold(const channel::MessagePtr& message) const;
 
   const std::string topic_;
   const ros::SubscriptionWPtr subscription_;

@@ -54,6 +54,19 @@ class Hoarders(TopicCase):
         for word in (self.name("image"), self.name("talker"), f"holds {held} messages", "copied", "~tzc/memory_size"):
             self.assertIn(word, warnings[0])
 
+    def test_a_subscriber_in_the_publishers_process_that_keeps_everything_takes_the_memory_from_nobody(self):
+        listener = self.listen(queue=1000)
+        for keep in (False, True):
+            keeper = self.node("own_reader", f"own{int(keep)}", dict(
+                {"tzc/memory_size": 64 * 105000}, ported=True, keep=keep, count=120, bytes=100000, subscribers=2, shared=1))
+            self.assertEqual(keeper.wait(60), 0, keeper.tail())
+            self.assert_got(Listener(keeper), range(120))
+            warnings = [line for line in keeper.log().splitlines() if "WARN" in line and "TZC" in line]
+            self.assertEqual(len(warnings), int(keep), keeper.log())
+        self.assert_got(listener, [*range(120), *range(120)], shared=True)
+        for word in (self.name("image"), "in its publisher's process hold", "copied", "~tzc/memory_size"):
+            self.assertIn(word, warnings[0])
+
     def test_messages_that_wait_for_a_callback_take_the_memory_from_nobody(self):
         """All of them wait at once. What was copied keeps nothing of the publisher's memory."""
         waiting, listener = self.listen(spinner="afterwards", queue=1000), self.listen(queue=1000)

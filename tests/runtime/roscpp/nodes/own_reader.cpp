@@ -3,8 +3,8 @@
 /// prints a line for each that the callback got, and ends when it has all of them.
 ///
 /// Private parameters: library (roscpp, image_transport), ported (publishes twins through TZC), pointer (publishes by
-/// pointer), writer (the callback may write), count, subscribers (waits for so many), shared (and for so many of them on
-/// shared memory).
+/// pointer), writer (the callback may write), keep (it keeps all images), count, bytes (of an image), subscribers (waits for so many),
+/// shared (and for so many of them on shared memory).
 #include <image_transport/image_transport.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
@@ -15,6 +15,7 @@
 #include <boost/make_shared.hpp>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "image_line.h"
 
@@ -22,9 +23,12 @@ namespace {
 
 constexpr std::uint32_t kOwnNumber = 7000000;
 int seen = 0;
+bool keeps = false;
+std::vector<sensor_msgs::ImageConstPtr> kept;
 
 void on_image(const sensor_msgs::ImageConstPtr& image) {
   tzc_test::print_image(*image);
+  if (keeps) kept.push_back(image);
   ++seen;
 }
 void on_writable_image(const sensor_msgs::ImagePtr& image) {
@@ -46,6 +50,7 @@ template <class Image, class Publisher>
 void run(const Publisher& publisher) {
   const ros::NodeHandle options("~");
   const int count = options.param("count", 50), shared = options.param("shared", 0);
+  const auto bytes = static_cast<std::size_t>(options.param("bytes", 10000));
   const auto subscribers = static_cast<std::uint32_t>(options.param("subscribers", 1));
   const bool by_pointer = options.param("pointer", false);
   const auto is_ready = [&] {
@@ -54,7 +59,7 @@ void run(const Publisher& publisher) {
   for (; ros::ok() && !is_ready(); ros::spinOnce()) ros::WallDuration(0.01).sleep();
   for (int number = 0; ros::ok() && number < count; ++number, ros::spinOnce()) {
     const auto image = boost::make_shared<Image>();
-    tzc_test::fill_image(*image, static_cast<std::uint32_t>(number), 10000);
+    tzc_test::fill_image(*image, static_cast<std::uint32_t>(number), bytes);
     image->header.seq = kOwnNumber + static_cast<std::uint32_t>(number);
     if (by_pointer)
       publisher.publish(image);
@@ -72,6 +77,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "own_reader");
   ros::NodeHandle node;
   const ros::NodeHandle options("~");
+  keeps = options.param("keep", false);
   const ros::Subscriber reader = options.param("writer", false)
                                      ? node.subscribe("image", 1000, on_writable_image)
                                      : node.subscribe("image", 1000, on_image);

@@ -20,9 +20,15 @@ class PublicationEndpoint;
 
 /// What callbacks of the publisher's process get of a message that they get by pointer.
 enum class LocalView {
-  unseen,  ///< nothing, because there are none; or a view that must not be written to (~tzc/private_writes is off)
-  guarded,  ///< a view in which a write changes bytes of this process alone (message::callback_view)
-  copy,     ///< a copy: one of them may write to it by its signature, or comes later
+  unseen,    ///< nothing: there are none
+  borrowed,  ///< a view that must not be written to (~tzc/private_writes is off)
+  guarded,   ///< a view in which a write changes bytes of this process alone (message::callback_view)
+  copy,  ///< a copy: one of them may write to it by its signature, or comes later, or they hold too much of the topic's memory
+};
+/// A view counts as held until `hold` is destroyed. Null: nothing is to be counted.
+struct LocalMessage {
+  LocalView view;
+  std::shared_ptr<const void> hold;
 };
 
 /// What other threads of the process may publish while a message is published: nothing, as with roscpp, or (on any topic) what
@@ -76,9 +82,9 @@ class Attachment {
   /// Hot path: sends an encoded message to its subscribers past roscpp, if all of them take shared memory and
   /// the topic is not latched. False: it did nothing, publish through roscpp.
   bool publish_directly(const std::type_info& type, message::Encoded& encoded);
-  /// What to make for callbacks of this process of a message of this known type. Call it before each message that roscpp publishes by
-  /// pointer.
-  LocalView local_view(const std::type_info& type) const;
+  /// What to make for callbacks of this process of an encoded message of this known type. Call it before each message that roscpp publishes
+  /// by pointer.
+  LocalMessage local_message(const std::type_info& type, const message::Encoded& encoded) const;
   bool delivers_exhausted() const;
   /// Counts a message of so many bytes that found no memory and is dropped.
   void count_dropped(std::size_t bytes);

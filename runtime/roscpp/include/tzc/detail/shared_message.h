@@ -53,9 +53,12 @@ struct SharedMessage {
 
  private:
   bool make_local_view(const Attachment& attachment, const M& message) {
-    switch (attachment.local_view(typeid(Stock))) {
+    const LocalMessage local = attachment.local_message(typeid(Stock), encoded);
+    switch (local.view) {
       case LocalView::unseen:
-        return make_view(message);
+      case LocalView::borrowed:
+        make_view(message);
+        break;
       case LocalView::guarded:
         view = message::callback_view(message, encoded);
         break;
@@ -63,6 +66,11 @@ struct SharedMessage {
         view = message::stock_copy(message, encoded);
         break;
     }
+    if (view && local.hold)
+      view.reset(view.get(), [kept = view, hold = local.hold](const Stock*) mutable {
+        kept.reset();
+        hold.reset();
+      });
     return view != nullptr;
   }
 };
