@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "roscpp/descriptor_budget.h"
 #include "roscpp/publish/memory_of_no_topic.h"
@@ -17,7 +18,6 @@
 #include "roscpp/publish/statistics_file.h"
 #include "roscpp/roscpp_access.h"
 #include "roscpp/throttled_warning.h"
-#include "roscpp/upgrade/host_identity.h"
 #include "trace/trace.h"
 
 namespace tzc {
@@ -26,6 +26,9 @@ namespace detail {
 namespace access = roscpp_access;
 
 namespace {
+
+/// When to try again to open a channel.
+constexpr std::chrono::seconds kAfterFailure(5);
 
 /// Endpoints by publication: two publishers of one topic share one.
 struct Endpoints {
@@ -44,7 +47,6 @@ Offer offer_of(const ros::Publication& publication) {
   offer.topic = publication.getName();
   offer.md5sum = publication.getMD5Sum();
   offer.publisher = ros::this_node::getName();
-  offer.identity = host_identity();
   return offer;
 }
 
@@ -62,6 +64,18 @@ MemoryOptions memory_options(ros::Publication& publication, const PublisherOptio
 /// Of a memory whose size somebody chose a small part: the subscriber may hold half of it before it gets copies.
 std::size_t room_for_bursts(const MemoryOptions& memory) {
   return memory.size == 0 ? room_for_a_burst() : std::min(room_for_a_burst(), memory.size / 16);
+}
+
+std::vector<ros::TransportSubscriberLinkPtr> tcp_links(const ros::PublicationPtr& publication) {
+  std::vector<ros::TransportSubscriberLinkPtr> found;
+  if (!publication) return found;
+  ros::V_SubscriberLink links;  // outlives the lock: the last reference to one runs callbacks
+  const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(*publication));
+  links = access::subscriber_links_(*publication);
+  for (const ros::SubscriberLinkPtr& link : links)
+    if (auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link))
+      found.push_back(std::move(tcp));
+  return found;
 }
 
 }  // namespace
@@ -187,21 +201,33 @@ void PublicationEndpoint::invite(const TcpLink& link) {
                                << topic_
                                << " and other topics stay on TCPROS for now: " << descriptor_advice());
   if (is_listening()) return negotiator_->invite(link);
-  negotiator_->leave(link, "the publisher could not open a channel; its warning says why");
+  negotiator_->leave(link,
+                     "the publisher could not open a channel and tries again soon; its warning says why");
+  invite_later();
+}
+
+// One round at a time, for all that wait.
+void PublicationEndpoint::invite_later() {
+  {
+    const std::lock_guard<std::mutex> lock(channel_mutex_);
+    if (invites_later_) return;
+    invites_later_ = true;
+  }
+  const auto again = [weak = weak_from_this()] {
+    const std::shared_ptr<PublicationEndpoint> endpoint = weak.lock();
+    if (!endpoint) return;
+    {
+      const std::lock_guard<std::mutex> lock(endpoint->channel_mutex_);
+      endpoint->invites_later_ = false;
+    }
+    for (const TcpLink& link : tcp_links(endpoint->publication_.lock())) endpoint->invite(link);
+  };
+  worker_.post(again, kAfterFailure);
 }
 
 void PublicationEndpoint::offer_again(const std::string& caller_id) {
-  const ros::PublicationPtr publication = publication_.lock();
-  if (!publication) return;
-  ros::V_SubscriberLink links;
-  {
-    const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(*publication));
-    links = access::subscriber_links_(*publication);
-  }
-  for (const ros::SubscriberLinkPtr& link : links) {
-    const auto tcp = boost::dynamic_pointer_cast<ros::TransportSubscriberLink>(link);
-    if (tcp && tcp->getDestinationCallerID() == caller_id) invite(tcp);
-  }
+  for (const TcpLink& link : tcp_links(publication_.lock()))
+    if (link->getDestinationCallerID() == caller_id) invite(link);
 }
 
 PublisherStatistics PublicationEndpoint::statistics() const {

@@ -78,6 +78,7 @@ class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpo
   bool authorizes(const channel::Credentials& peer, const std::string& token);
   void could_not_connect(const std::string& token, const Error& error);
   void invite(const TcpLink& link);
+  void invite_later();
 
   const ros::PublicationWPtr publication_;
   const std::string topic_;
@@ -90,6 +91,7 @@ class PublicationEndpoint : public std::enable_shared_from_this<PublicationEndpo
   const std::shared_ptr<LinkMigration> migration_;
   mutable std::mutex channel_mutex_;             ///< guards channel_; innermost, but for the channel's own
   std::shared_ptr<channel::Publisher> channel_;  ///< null until the first subscriber is invited
+  bool invites_later_ = false;  ///< under channel_mutex_: the worker is to invite all that wait
 };
 
 /// The endpoint of a topic that this process advertises; null when there is none.

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <fstream>
+#include <mutex>
 
 namespace tzc {
 namespace detail {
@@ -19,9 +20,12 @@ std::string read_identity() {
 
 }  // namespace
 
-const std::string& host_identity() {
-  static const std::string identity = read_identity();
-  return identity;
+std::string host_identity() {
+  static auto* const mutex = new std::mutex;  // outlives every thread
+  static auto* const known = new std::string;
+  const std::lock_guard<std::mutex> lock(*mutex);
+  if (known->empty()) *known = read_identity();
+  return *known;
 }
 
 }  // namespace detail

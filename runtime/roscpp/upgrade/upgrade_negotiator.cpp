@@ -65,7 +65,6 @@ bool is_same(const boost::weak_ptr<ros::TransportSubscriberLink>& one, const Lin
 
 void UpgradeNegotiator::invite(const TcpLink& link) {
   if (link->getTransportType() != "TCPROS") return;
-  if (host_identity().empty()) return leave(link, "this system does not name its boot or network namespace");
   const InvitationPtr invitation = invitation_of(link);
   int round = 0;
   {
@@ -202,6 +201,7 @@ Offer UpgradeNegotiator::next_offer(Invitation& invitation, const TcpLink& link)
   const std::string connection = connection_name(*link->getConnection(), End::publisher);
   const std::lock_guard<std::mutex> lock(mutex_);
   Offer offer = offer_;
+  offer.identity = host_identity();
   offer.connection = connection;
   ++invitation.tries;
   offer.token = invitation.token;
@@ -210,6 +210,7 @@ Offer UpgradeNegotiator::next_offer(Invitation& invitation, const TcpLink& link)
 
 UpgradeNegotiator::Answer UpgradeNegotiator::ask(const std::string& subscriber, const Offer& offer) {
   if (!has_spare_descriptors()) return {false, "the publisher: " + descriptor_advice()};
+  if (offer.identity.empty()) return {true, "this system does not name its boot or network namespace"};
   if (offer.connection.empty()) return {false, "its TCPROS connection has no endpoints"};
   std::string trouble;
   const std::string uri = node_uri(subscriber, trouble);

@@ -123,14 +123,17 @@ void UpgradeResponder::answer(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& 
   clerk_.post(on_offer_);
   Offer offer;
   if (is_other_version(params, offer)) warn_of_other_version(offer.publisher, offer.topic);
-  const std::string refusal =
-      from_xmlrpc(params, offer) ? reason_to_refuse(offer) : std::string(kOtherVersionStatus);
-  if (!refusal.empty()) {
-    result = response(0, refusal);
+  if (!from_xmlrpc(params, offer)) {
+    result = response(0, kOtherVersionStatus);
     return;
   }
-  if (!has_spare_descriptors()) {
+  if (!has_spare_descriptors()) {  // asked first: a refusal is for ever, and host_identity() needs one
     result = response(1, "the subscriber: " + descriptor_advice());
+    return;
+  }
+  const std::string refusal = reason_to_refuse(offer);
+  if (!refusal.empty()) {
+    result = response(0, refusal);
     return;
   }
   clerk_.post([this, offer] { accept(offer, kLooks); });

@@ -21,6 +21,14 @@ class Descriptors(TopicCase):
         crowd = self.crowd(topics=1100, count=0)
         self.assertEqual(self.event(crowd, "advertised")["topics"], 1100)
 
+    def test_a_subscriber_that_came_when_there_were_none_is_invited_when_there_are(self):
+        listener = self.listen(queue=100)
+        scarce = self.node("scarce", "scarce", {})
+        self.assertEqual(scarce.wait(150), 0, scarce.tail())
+        events = {line["event"]: line["happened"] for line in Listener(scarce).lines()}
+        self.assertEqual(events, {"shared without descriptors": False, "shared with some": True})
+        self.assert_got(listener, range(10), shared=True)
+
     def publish_all(self, count, limit):
         """Each topic's messages arrive. Returns the crowd, and how many topics share memory."""
         listener = self.node("listener", "listener", {"topics": " ".join(f"image{i}" for i in range(count))})
