@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "emit/constants.h"
 #include "emit/types.h"
@@ -57,8 +58,13 @@ class ClassEmitter {
            std::any_of(message_.constants.begin(), message_.constants.end(), is);
   }
 
-  // A class cannot have a member of its own name; roscpp's class is called NAME_, so its message may.
-  std::string free_name() const { return is_member(message_.name) ? message_.name + "_" : message_.name; }
+  // A class cannot have a member of its own name; roscpp's class is called NAME_, so its message may, and may be called as one of
+  // the class's typedefs is.
+  std::string free_name() const {
+    static const std::set<std::string> typedefs{"Type", "Stock", "Ptr", "ConstPtr"};
+    const bool is_taken = is_member(message_.name) || typedefs.count(message_.name) != 0;
+    return is_taken ? message_.name + "_" : message_.name;
+  }
 
   // As in roscpp's class, but a field or constant of such a name comes first.
   std::string typedefs() const {
@@ -106,11 +112,21 @@ class ClassEmitter {
                        body.empty() ? "" : "\n" + body + "  ");
   }
 
+  // Into an object that is there: a message with large arrays of fixed length does not fit a stack.
   std::string to_stock() {
     std::string body;
     for (const Field& f : message_.fields) body += field_to_stock(f);
-    return fmt::format("  explicit operator {0}() const {{\n    {0} _stock;\n{1}    return _stock;\n  }}\n",
-                       stock_, body);
+    return fmt::format(
+        "  explicit operator {0}() const {{\n"
+        "    {0} _stock;\n"
+        "    _copy_to(_stock);\n"
+        "    return _stock;\n"
+        "  }}\n"
+        "  /// The same, into an object that is there.\n"
+        "  void _copy_to({0}& _stock) const {{\n"
+        "{1}"
+        "  }}\n",
+        stock_, body);
   }
 
   std::string field_to_stock(const Field& f) {
@@ -123,13 +139,10 @@ class ClassEmitter {
       case Part::mixed:
         break;
     }
-    const std::string element = stock_type(*f.message);
-    if (f.array == ArrayKind::none)
-      return fmt::format("    _stock.{0} = static_cast<{1}>({0});\n", name, element);
-    if (f.array == ArrayKind::fixed) {
-      return element_loop(fmt::format("_stock.{0}[_i] = static_cast<{1}>({0}[_i])", name, element));
-    }
-    return fmt::format("    _stock.{0} = ::std::vector<{1}>({0}.begin(), {0}.end());\n", name, element);
+    if (f.array == ArrayKind::none) return fmt::format("    {0}._copy_to(_stock.{0});\n", name);
+    const std::string sized =
+        f.array == ArrayKind::variable ? fmt::format("    _stock.{0}.resize({0}.size());\n", name) : "";
+    return sized + element_loop(fmt::format("{0}[_i]._copy_to(_stock.{0}[_i])", name));
   }
 
   static std::string element_loop(const std::string& statement) {
@@ -149,7 +162,9 @@ class ClassEmitter {
   std::string operators() {
     std::string text = fmt::format(
         "inline ::std::ostream& operator<<(::std::ostream& stream, const {0}& message) {{\n"
-        "  return stream << static_cast<{1}>(message);\n"
+        "  const auto stock = ::boost::make_shared<{1}>();\n"
+        "  message._copy_to(*stock);\n"
+        "  return stream << *stock;\n"
         "}}\n",
         name_, stock_);
     if (!analysis_.facts(message_).comparable) {

@@ -49,7 +49,7 @@ DataArray ControlReader::array(std::size_t element_size, std::size_t alignment) 
 
 std::size_t ControlReader::vector_size(std::size_t least) {
   const auto count = read<std::uint32_t>();
-  if (least == 0 || count > remaining() / least) throw_malformed();
+  if (count != 0 && (least == 0 || count > remaining() / least)) throw_malformed();
   return count;
 }
 

@@ -7,6 +7,10 @@
 #include <tzc/demo/Corners.h>
 #include <tzc/demo/Label.h>
 #include <tzc/demo/Picture.h>
+#include <tzc/demo/Shop.h>
+#include <tzc/demo/Stock.h>
+
+#include <pthread.h>
 
 #include <boost/make_shared.hpp>
 #include <cstdio>
@@ -37,6 +41,12 @@ void check_picture() {
   require_no_silent_copies<tzc::demo::Picture, demo::Picture>();
   static_assert(std::is_same<tzc::demo::Picture::Stock, demo::Picture>::value, "");
   static_assert(std::is_same<tzc::demo::Picture::Type, tzc::demo::Picture>::value, "");
+  static_assert(std::is_same<tzc::demo::Stock::Stock, demo::Stock>::value, "");
+  static_assert(std::is_same<tzc::demo::Stock::Type, tzc::demo::Stock>::value, "");
+  static_assert(tzc::message::IsGenerated<tzc::demo::Shop>::value, "whatever its fields are called");
+  static_assert(
+      !tzc::message::IsTwin<const demo::Stock>::value && tzc::message::IsTwin<const tzc::demo::Stock>::value,
+      "");
   static_assert(std::is_same<tzc::demo::Picture::_height_type, uint32_t>::value, "");
   static_assert(std::is_same<tzc::demo::Picture::_header_type, std_msgs::Header>::value,
                 "stock where nothing is data");
@@ -53,6 +63,32 @@ void check_picture() {
   REQUIRE(text.str() == stock_text.str() && text.str().find("camera") != std::string::npos);
   REQUIRE(ros::message_traits::HasHeader<tzc::demo::Picture>::value);
   REQUIRE(ros::message_traits::timeStamp(*picture) != nullptr);
+}
+
+/// A stack that a message does not fit.
+void on_small_stack(void* (*body)(void*)) {
+  pthread_attr_t attributes;
+  pthread_t thread;
+  REQUIRE(pthread_attr_init(&attributes) == 0 && pthread_attr_setstacksize(&attributes, 128 * 1024) == 0);
+  REQUIRE(pthread_create(&thread, &attributes, body, nullptr) == 0 && pthread_join(thread, nullptr) == 0);
+  pthread_attr_destroy(&attributes);
+}
+
+void* check_large(void*) {
+  const tzc::demo::StockPtr large = boost::make_shared<tzc::demo::Stock>();
+  large->shelf[19999] = 2.5;
+  large->labels[1].header.frame_id = "second";
+  large->prices.resize(3);
+  const boost::shared_ptr<demo::Stock> stock = tzc::message::make_stock(*large);
+  REQUIRE(stock->shelf[19999] == 2.5 && stock->prices.size() == 3);
+  REQUIRE(stock->labels[1].header.frame_id == "second");
+  const boost::shared_ptr<demo::Stock> copy = tzc::message::make_stock(*stock);
+  std::ostringstream text, printed, stock_text;
+  text << *large;
+  ros::message_operations::Printer<tzc::demo::Stock>::stream(printed, "", *large);
+  stock_text << *copy;
+  REQUIRE(text.str() == stock_text.str() && printed.str() == stock_text.str());
+  return nullptr;
 }
 
 void check_cloud() {
@@ -99,6 +135,7 @@ void check_corners() {
 
 int main() {
   check_picture();
+  on_small_stack(check_large);
   check_cloud();
   check_buttons();
   check_corners();

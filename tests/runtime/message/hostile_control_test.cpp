@@ -95,6 +95,13 @@ class HostileControl : public ::testing::Test {
   }
 };
 
+TEST(ControlReader, elements_without_bytes_are_refused_but_none_of_them_are_none) {
+  const std::vector<ConstBlock> blocks;
+  const std::uint8_t none[4] = {0, 0, 0, 0}, many[4] = {1, 0, 0, 0};
+  EXPECT_EQ(detail::ControlReader(none, 4, blocks).vector_size(0), 0u);
+  EXPECT_THROW(detail::ControlReader(many, 4, blocks).vector_size(0), detail::ControlReader::Malformed);
+}
+
 TEST_F(HostileControl, untouched_is_accepted) {
   for_all([](const Case& c) { EXPECT_TRUE(c.survives(c.received, c.received.control)); });
 }

@@ -149,6 +149,27 @@ TEST_F(Twin, allocate_after_publish_takes_room_but_copies_only_when_written) {
   EXPECT_EQ(1, read.data[1]);
 }
 
+TEST_F(Twin, what_allocate_has_reserved_is_there_however_often_it_is_called) {
+  Image message = image(1000);
+  ASSERT_TRUE(allocate(message, memory_));
+  encoded(message);
+  ASSERT_TRUE(allocate(message, memory_));
+  memory_->exhausted = true;
+  EXPECT_TRUE(allocate(message, memory_)) << "the program left a frame out";
+  message.data[0] = 1;
+  EXPECT_TRUE(in_segment(message.data.data()));
+}
+
+TEST_F(Twin, what_allocate_has_reserved_is_no_other_memorys) {
+  Image message = image(1000);
+  ASSERT_TRUE(allocate(message, memory_));
+  encoded(message);
+  ASSERT_TRUE(allocate(message, memory_));
+  const auto other = std::make_shared<test::TestMemory>();
+  ASSERT_TRUE(allocate(message, other));
+  EXPECT_EQ(other->allocations, 1);
+}
+
 TEST_F(Twin, allocate_takes_room_for_what_is_rebuilt_by_push_back) {
   Image message;
   ASSERT_TRUE(allocate(message, memory_));

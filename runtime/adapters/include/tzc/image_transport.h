@@ -123,8 +123,7 @@ class CameraPublisher : public detail::ImagePublisherBase<::image_transport::Cam
   /// Image and info by reference; either may be its tzc:: type.
   template <class Image, class Info>
   void publish(const Image& image, const Info& info) const {
-    publish_image(image, boost::make_shared<::sensor_msgs::CameraInfo>(message::to_stock(info)),
-                  ByReference::yes);
+    publish_image(image, message::make_stock(info), ByReference::yes);
   }
   /// A tzc::sensor_msgs::Image by pointer, with the camera info by pointer.
   template <class Image, class Info>
@@ -162,7 +161,7 @@ class CameraPublisher : public detail::ImagePublisherBase<::image_transport::Cam
   }
   template <class Info>
   static ::sensor_msgs::CameraInfoConstPtr stock_pointer(const boost::shared_ptr<Info>& info) {
-    return boost::make_shared<::sensor_msgs::CameraInfo>(message::to_stock(*info));
+    return message::make_stock(*info);
   }
   static ::sensor_msgs::CameraInfoConstPtr stock_pointer(const ::sensor_msgs::CameraInfoPtr& info) {
     return info;

@@ -44,8 +44,9 @@ constexpr uninitialized_t uninitialized{0};
 ///
 /// *Thread-safety* as std::vector's: concurrent const access is safe, publishing and copying count as const;
 /// so is concurrent access to different elements, also the first one after publishing: one thread copies, the
-/// others wait for it. But a begin() and an end() that are not const may belong to different memory when another
-/// thread publishes in between: go through elements that others may publish meanwhile by const access.
+/// others wait for it. But a begin() and an end() may belong to different memory, const or not, when in between another thread is
+/// the first to write after publishing; and such a writer may give the memory back that a const reader still reads. Where threads share a
+/// published array, let all of them read it by const access, and write to copies.
 /// *Errors*: std::length_error, std::out_of_range and std::bad_alloc where std::vector throws them.
 template <class T>
 class Array {
@@ -231,7 +232,7 @@ class Array {
     const difference_type at = first - cbegin(), n = last - first;
     iterator gap = begin() + at;
     std::copy(gap + n, end(), gap);
-    storage_.set_size(size() - n);
+    storage_.set_size(size() - static_cast<size_type>(n));
     return gap;
   }
 

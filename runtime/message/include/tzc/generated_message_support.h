@@ -11,6 +11,7 @@
 #include <ros/types.h>
 
 #include <boost/array.hpp>
+#include <boost/make_shared.hpp>
 #include <boost/shared_ptr.hpp>
 
 #include <cstdint>
@@ -29,6 +30,7 @@ namespace message {
 /// wire order:
 ///
 ///     typedef ::pkg::Type Stock;
+///     typedef std::true_type Generated;
 ///     template <class V> static void visit_data(tzc::pkg::Type&, V&& v);
 ///     template <class V> static void visit_data(const tzc::pkg::Type&, V&& v);
 template <class M>
@@ -44,14 +46,50 @@ struct StockOf {
   typedef typename Traits<typename std::remove_cv<M>::type>::Stock type;
 };
 
-/// True for tzc:: messages.
+/// True for tzc:: messages, and for types of other libraries that travel as another type's messages (pcl::PointCloud).
 template <class M>
-struct IsTwin : std::integral_constant<bool, !std::is_same<typename StockOf<M>::type, M>::value> {};
+struct IsTwin : std::integral_constant<
+                    bool, !std::is_same<typename StockOf<M>::type, typename std::remove_cv<M>::type>::value> {
+};
+
+/// True for tzc:: messages alone. Names inside a message are its definition's, so they tell nothing.
+template <class M>
+struct IsGenerated {
+ private:
+  template <class T>
+  static typename Traits<T>::Generated test(int);
+  template <class T>
+  static std::false_type test(...);
+
+ public:
+  static constexpr bool value = decltype(test<typename std::remove_cv<M>::type>(0))::value;
+};
 
 /// A deep copy as the stock type; all of it lies on the heap.
 template <class M>
 typename StockOf<M>::type to_stock(const M& message) {
   return static_cast<typename StockOf<M>::type>(message);
+}
+
+namespace detail {
+
+template <class M>
+boost::shared_ptr<typename StockOf<M>::type> make_stock(const M& message, std::true_type) {
+  const auto stock = boost::make_shared<typename StockOf<M>::type>();
+  message._copy_to(*stock);
+  return stock;
+}
+template <class M>
+boost::shared_ptr<typename StockOf<M>::type> make_stock(const M& message, std::false_type) {
+  return boost::make_shared<typename StockOf<M>::type>(message);
+}
+
+}  // namespace detail
+
+/// The same where it stays: a message with large arrays of fixed length does not fit a stack.
+template <class M>
+boost::shared_ptr<typename StockOf<M>::type> make_stock(const M& message) {
+  return detail::make_stock(message, std::integral_constant<bool, IsGenerated<M>::value>());
 }
 
 }  // namespace message
@@ -76,7 +114,7 @@ struct Serializer<tzc::Array<T> > {
   static void read(Stream& stream, tzc::Array<T>& array) {
     std::uint32_t count;
     stream.next(count);
-    if (std::uint64_t(count) * element_length() > stream.getLength()) throwStreamOverrun();
+    if (std::uint64_t(count) * least_length() > stream.getLength()) throwStreamOverrun();
     array.resize(count, tzc::uninitialized);
     read_elements(stream, array, Simple());
   }
@@ -91,6 +129,8 @@ struct Serializer<tzc::Array<T> > {
     static const std::uint32_t length = serializationLength(*tzc::detail::ElementCopy<T>());
     return length;
   }
+  /// Elements without fields (std_msgs/Empty) take memory, too, and the stream has nothing of them: a byte each must do.
+  static std::uint32_t least_length() { return element_length() != 0 ? element_length() : 1; }
 
   template <class Stream>
   static void write_elements(Stream& stream, const tzc::Array<T>& array, message_traits::TrueType) {

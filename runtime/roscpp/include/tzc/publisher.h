@@ -48,7 +48,7 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
   template <class M>
   using IsForeign = typename detail::IsForeign<typename std::remove_const<M>::type>::type;
   template <class M>
-  using IsGenerated = std::integral_constant<bool, message::IsTwin<M>::value && !IsForeign<M>::value>;
+  using IsGenerated = std::integral_constant<bool, message::IsGenerated<M>::value>;
 
   template <class M>
   void publish_value(const M& message, ByReference how, std::true_type) const {
@@ -113,7 +113,7 @@ class Publisher : public detail::PublisherBase<ros::Publisher> {
   }
   template <class M>
   static boost::shared_ptr<Stock<M>> private_copy(const M& message, std::false_type) {
-    return boost::make_shared<Stock<M>>(message::to_stock(message));
+    return message::make_stock(message);
   }
   /// The foreign library's adapter serializes it; TZC knows no conversion to the stock type.
   template <class M>

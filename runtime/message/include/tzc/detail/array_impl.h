@@ -81,7 +81,7 @@ T* Array<T>::make_room(size_type n) {
 template <class T>
 typename Array<T>::iterator Array<T>::make_gap(const_iterator position, size_type n) {
   const difference_type at = position - cbegin();
-  const size_type behind = size() - at;
+  const size_type behind = size() - static_cast<size_type>(at);
   if (n != 0) grow_by(n);
   const iterator gap = begin() + at;
   if (n != 0 && behind != 0) std::memmove(static_cast<void*>(gap + n), gap, behind * sizeof(T));
@@ -116,7 +116,7 @@ void Array<T>::assign_range(It first, It last, std::input_iterator_tag) {
 template <class T>
 template <class It>
 void Array<T>::assign_range(It first, It last, std::forward_iterator_tag) {
-  std::copy(first, last, replace(std::distance(first, last)));
+  std::copy(first, last, replace(static_cast<size_type>(std::distance(first, last))));
 }
 
 template <class T>
@@ -131,7 +131,7 @@ template <class T>
 template <class It>
 typename Array<T>::iterator Array<T>::insert_range(const_iterator position, It first, It last,
                                                    std::forward_iterator_tag) {
-  const iterator gap = make_gap(position, std::distance(first, last));
+  const iterator gap = make_gap(position, static_cast<size_type>(std::distance(first, last)));
   std::copy(first, last, gap);
   return gap;
 }

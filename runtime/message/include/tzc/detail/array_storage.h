@@ -170,7 +170,10 @@ class ArrayStorage {
   }
 
   /// Later growth takes memory from `memory`, or from the heap when that is exhausted.
-  void bind(std::shared_ptr<MemorySource> memory) noexcept { memory_ = std::move(memory); }
+  void bind(std::shared_ptr<MemorySource> memory) noexcept {
+    if (memory != memory_) spare_ = ArrayBlock<T>();
+    memory_ = std::move(memory);
+  }
   void share_memory_with(ArrayStorage& other) noexcept {
     if (!memory_) memory_ = other.memory_;
     if (!other.memory_) other.memory_ = memory_;
@@ -180,9 +183,11 @@ class ArrayStorage {
     spare_ = std::move(other.spare_);
   }
 
-  /// Elements that allocate() must find memory for; 0 when they are writable in a segment already.
+  /// Elements that allocate() must find memory for; 0 when they are writable in a segment already, or an earlier allocate() has reserved memory for
+  /// the next write.
   std::size_t elements_to_place() const noexcept {
     if (block_.buffer && is_writable()) return 0;
+    if (is_shared() && spare_.begin != nullptr && spare_.capacity >= capacity_) return 0;
     return is_writable() && size_ != 0 ? size_ : capacity_;
   }
 

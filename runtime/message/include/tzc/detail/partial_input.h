@@ -39,7 +39,8 @@ class ControlReader {
   std::size_t remaining() const { return static_cast<std::size_t>(end_ - at_); }
 
   DataArray array(std::size_t element_size, std::size_t alignment);
-  /// The length of a vector whose elements take at least `least` control bytes each.
+  /// The length of a vector whose elements take at least `least` control bytes each; of such that may take none only an empty one is
+  /// read.
   std::size_t vector_size(std::size_t least);
 
   [[noreturn]] static void throw_malformed();

@@ -62,10 +62,9 @@ struct Void {
 /// True for message types of other libraries that ROS knows through an adapter (pcl::PointCloud): neither
 /// stock nor generated. They are published by pointer as they are, since subscribers of the same process may
 /// use the same type.
-template <class M, class = void>
-struct IsForeign : message::IsTwin<M> {};
 template <class M>
-struct IsForeign<M, typename Void<typename M::Stock>::type> : std::false_type {};
+struct IsForeign
+    : std::integral_constant<bool, message::IsTwin<M>::value && !message::IsGenerated<M>::value> {};
 
 /// True for what gencpp generates, whose wire format is known.
 template <class M>

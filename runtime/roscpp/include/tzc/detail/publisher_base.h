@@ -72,7 +72,7 @@ class PublisherBase {
     SharedMessage<M> shared;
     if (attachment_ && shared.encode(message, attachment_->memory()))
       if (const auto view = message::callback_view(message, shared.encoded)) return view;
-    return boost::make_shared<View>(message::to_stock(message));
+    return message::make_stock(message);
   }
 
   PublisherStatistics statistics() const {

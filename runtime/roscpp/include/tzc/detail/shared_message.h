@@ -86,7 +86,7 @@ void publish_as_stock(Attachment* attachment, const M& message, ByReference how,
       shared.publish_view(*attachment, message, how, Others::publish, publish)) {
     return;
   } else if (!attachment || attachment->delivers_exhausted()) {
-    publish(boost::shared_ptr<const Stock>(boost::make_shared<Stock>(message::to_stock(message))));
+    publish(boost::shared_ptr<const Stock>(message::make_stock(message)));
   } else {
     attachment->count_dropped(ros::serialization::serializationLength(message));
   }

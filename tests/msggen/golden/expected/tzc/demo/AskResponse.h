@@ -30,9 +30,13 @@ struct AskResponse {
 
   explicit operator ::demo::AskResponse() const {
     ::demo::AskResponse _stock;
-    _stock.view = static_cast<::demo::Picture>(view);
-    _stock.found = found;
+    _copy_to(_stock);
     return _stock;
+  }
+  /// The same, into an object that is there.
+  void _copy_to(::demo::AskResponse& _stock) const {
+    view._copy_to(_stock.view);
+    _stock.found = found;
   }
 
   typedef ::tzc::demo::Picture _view_type;
@@ -45,7 +49,9 @@ typedef ::boost::shared_ptr<AskResponse> AskResponsePtr;
 typedef ::boost::shared_ptr<AskResponse const> AskResponseConstPtr;
 
 inline ::std::ostream& operator<<(::std::ostream& stream, const AskResponse& message) {
-  return stream << static_cast<::demo::AskResponse>(message);
+  const auto stock = ::boost::make_shared<::demo::AskResponse>();
+  message._copy_to(*stock);
+  return stream << *stock;
 }
 
 inline bool operator==(const AskResponse& lhs, const AskResponse& rhs) {
@@ -68,6 +74,7 @@ namespace message {
 template <>
 struct Traits<::tzc::demo::AskResponse> {
   typedef ::demo::AskResponse Stock;
+  typedef ::std::true_type Generated;
 
   /// Visits every data array, in wire order. Message is the twin, const or not.
   template <class Message, class Visitor>
@@ -139,7 +146,7 @@ template <>
 struct Printer<::tzc::demo::AskResponse> {
   template <typename Stream>
   static void stream(Stream& stream, const ::std::string& indent, const ::tzc::demo::AskResponse& message) {
-    Printer<::demo::AskResponse>::stream(stream, indent, static_cast<::demo::AskResponse>(message));
+    Printer<::demo::AskResponse>::stream(stream, indent, *::tzc::message::make_stock(message));
   }
 };
 

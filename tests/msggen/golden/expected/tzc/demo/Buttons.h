@@ -31,10 +31,14 @@ struct Buttons {
 
   explicit operator ::demo::Buttons() const {
     ::demo::Buttons _stock;
+    _copy_to(_stock);
+    return _stock;
+  }
+  /// The same, into an object that is there.
+  void _copy_to(::demo::Buttons& _stock) const {
     array.copy_to(_stock.array);
     pressed.copy_to(_stock.pressed);
     since.copy_to(_stock.since);
-    return _stock;
   }
 
   typedef ::tzc::Array<::demo::Button> _array_type;
@@ -49,7 +53,9 @@ typedef ::boost::shared_ptr<Buttons> ButtonsPtr;
 typedef ::boost::shared_ptr<Buttons const> ButtonsConstPtr;
 
 inline ::std::ostream& operator<<(::std::ostream& stream, const Buttons& message) {
-  return stream << static_cast<::demo::Buttons>(message);
+  const auto stock = ::boost::make_shared<::demo::Buttons>();
+  message._copy_to(*stock);
+  return stream << *stock;
 }
 
 inline bool operator==(const Buttons& lhs, const Buttons& rhs) {
@@ -73,6 +79,7 @@ namespace message {
 template <>
 struct Traits<::tzc::demo::Buttons> {
   typedef ::demo::Buttons Stock;
+  typedef ::std::true_type Generated;
 
   /// Visits every data array, in wire order. Message is the twin, const or not.
   template <class Message, class Visitor>
@@ -147,7 +154,7 @@ template <>
 struct Printer<::tzc::demo::Buttons> {
   template <typename Stream>
   static void stream(Stream& stream, const ::std::string& indent, const ::tzc::demo::Buttons& message) {
-    Printer<::demo::Buttons>::stream(stream, indent, static_cast<::demo::Buttons>(message));
+    Printer<::demo::Buttons>::stream(stream, indent, *::tzc::message::make_stock(message));
   }
 };
 

@@ -29,9 +29,13 @@ struct Channel {
 
   explicit operator ::demo::Channel() const {
     ::demo::Channel _stock;
+    _copy_to(_stock);
+    return _stock;
+  }
+  /// The same, into an object that is there.
+  void _copy_to(::demo::Channel& _stock) const {
     _stock.name = name;
     values.copy_to(_stock.values);
-    return _stock;
   }
 
   typedef ::std::string _name_type;
@@ -44,7 +48,9 @@ typedef ::boost::shared_ptr<Channel> ChannelPtr;
 typedef ::boost::shared_ptr<Channel const> ChannelConstPtr;
 
 inline ::std::ostream& operator<<(::std::ostream& stream, const Channel& message) {
-  return stream << static_cast<::demo::Channel>(message);
+  const auto stock = ::boost::make_shared<::demo::Channel>();
+  message._copy_to(*stock);
+  return stream << *stock;
 }
 
 inline bool operator==(const Channel& lhs, const Channel& rhs) {
@@ -67,6 +73,7 @@ namespace message {
 template <>
 struct Traits<::tzc::demo::Channel> {
   typedef ::demo::Channel Stock;
+  typedef ::std::true_type Generated;
 
   /// Visits every data array, in wire order. Message is the twin, const or not.
   template <class Message, class Visitor>
@@ -138,7 +145,7 @@ template <>
 struct Printer<::tzc::demo::Channel> {
   template <typename Stream>
   static void stream(Stream& stream, const ::std::string& indent, const ::tzc::demo::Channel& message) {
-    Printer<::demo::Channel>::stream(stream, indent, static_cast<::demo::Channel>(message));
+    Printer<::demo::Channel>::stream(stream, indent, *::tzc::message::make_stock(message));
   }
 };
 

@@ -36,12 +36,17 @@ struct Cloud {
 
   explicit operator ::demo::Cloud() const {
     ::demo::Cloud _stock;
+    _copy_to(_stock);
+    return _stock;
+  }
+  /// The same, into an object that is there.
+  void _copy_to(::demo::Cloud& _stock) const {
     _stock.header = header;
     _stock.origin = origin;
     points.copy_to(_stock.points);
-    _stock.channels = ::std::vector<::demo::Channel>(channels.begin(), channels.end());
+    _stock.channels.resize(channels.size());
+    for (::std::size_t _i = 0; _i < channels.size(); ++_i) channels[_i]._copy_to(_stock.channels[_i]);
     _stock.notes = notes;
-    return _stock;
   }
 
   typedef ::std_msgs::Header _header_type;
@@ -60,7 +65,9 @@ typedef ::boost::shared_ptr<Cloud> CloudPtr;
 typedef ::boost::shared_ptr<Cloud const> CloudConstPtr;
 
 inline ::std::ostream& operator<<(::std::ostream& stream, const Cloud& message) {
-  return stream << static_cast<::demo::Cloud>(message);
+  const auto stock = ::boost::make_shared<::demo::Cloud>();
+  message._copy_to(*stock);
+  return stream << *stock;
 }
 
 inline bool operator==(const Cloud& lhs, const Cloud& rhs) {
@@ -86,6 +93,7 @@ namespace message {
 template <>
 struct Traits<::tzc::demo::Cloud> {
   typedef ::demo::Cloud Stock;
+  typedef ::std::true_type Generated;
 
   /// Visits every data array, in wire order. Message is the twin, const or not.
   template <class Message, class Visitor>
@@ -161,7 +169,7 @@ template <>
 struct Printer<::tzc::demo::Cloud> {
   template <typename Stream>
   static void stream(Stream& stream, const ::std::string& indent, const ::tzc::demo::Cloud& message) {
-    Printer<::demo::Cloud>::stream(stream, indent, static_cast<::demo::Cloud>(message));
+    Printer<::demo::Cloud>::stream(stream, indent, *::tzc::message::make_stock(message));
   }
 };
 

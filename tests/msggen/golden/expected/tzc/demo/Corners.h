@@ -63,9 +63,14 @@ struct Corners_ : CornersConstants_<void> {
 
   explicit operator ::demo::Corners() const {
     ::demo::Corners _stock;
+    _copy_to(_stock);
+    return _stock;
+  }
+  /// The same, into an object that is there.
+  void _copy_to(::demo::Corners& _stock) const {
     _stock.fixed = fixed;
-    for (::std::size_t _i = 0; _i < _stock.both.size(); ++_i) _stock.both[_i] = static_cast<::demo::Channel>(both[_i]);
-    _stock.one = static_cast<::demo::Channel>(one);
+    for (::std::size_t _i = 0; _i < both.size(); ++_i) both[_i]._copy_to(_stock.both[_i]);
+    one._copy_to(_stock.one);
     Corners.copy_to(_stock.Corners);
     _stock.none = none;
     _stock.nothing = nothing;
@@ -73,7 +78,6 @@ struct Corners_ : CornersConstants_<void> {
     i.copy_to(_stock.i);
     _stock.stream = stream;
     _stock.message = message;
-    return _stock;
   }
 
   enum {
@@ -109,7 +113,9 @@ typedef ::boost::shared_ptr<Corners> CornersPtr;
 typedef ::boost::shared_ptr<Corners const> CornersConstPtr;
 
 inline ::std::ostream& operator<<(::std::ostream& stream, const Corners_& message) {
-  return stream << static_cast<::demo::Corners>(message);
+  const auto stock = ::boost::make_shared<::demo::Corners>();
+  message._copy_to(*stock);
+  return stream << *stock;
 }
 
 // No operator==: a message without fields is inside, and roscpp does not compare those.
@@ -127,6 +133,7 @@ namespace message {
 template <>
 struct Traits<::tzc::demo::Corners> {
   typedef ::demo::Corners Stock;
+  typedef ::std::true_type Generated;
 
   /// Visits every data array, in wire order. Message is the twin, const or not.
   template <class Message, class Visitor>
@@ -209,7 +216,7 @@ template <>
 struct Printer<::tzc::demo::Corners> {
   template <typename Stream>
   static void stream(Stream& stream, const ::std::string& indent, const ::tzc::demo::Corners& message) {
-    Printer<::demo::Corners>::stream(stream, indent, static_cast<::demo::Corners>(message));
+    Printer<::demo::Corners>::stream(stream, indent, *::tzc::message::make_stock(message));
   }
 };
 

@@ -35,12 +35,16 @@ struct Picture {
 
   explicit operator ::demo::Picture() const {
     ::demo::Picture _stock;
+    _copy_to(_stock);
+    return _stock;
+  }
+  /// The same, into an object that is there.
+  void _copy_to(::demo::Picture& _stock) const {
     _stock.header = header;
     _stock.height = height;
     _stock.width = width;
     _stock.encoding = encoding;
     data.copy_to(_stock.data);
-    return _stock;
   }
 
   typedef ::std_msgs::Header _header_type;
@@ -59,7 +63,9 @@ typedef ::boost::shared_ptr<Picture> PicturePtr;
 typedef ::boost::shared_ptr<Picture const> PictureConstPtr;
 
 inline ::std::ostream& operator<<(::std::ostream& stream, const Picture& message) {
-  return stream << static_cast<::demo::Picture>(message);
+  const auto stock = ::boost::make_shared<::demo::Picture>();
+  message._copy_to(*stock);
+  return stream << *stock;
 }
 
 inline bool operator==(const Picture& lhs, const Picture& rhs) {
@@ -85,6 +91,7 @@ namespace message {
 template <>
 struct Traits<::tzc::demo::Picture> {
   typedef ::demo::Picture Stock;
+  typedef ::std::true_type Generated;
 
   /// Visits every data array, in wire order. Message is the twin, const or not.
   template <class Message, class Visitor>
@@ -159,7 +166,7 @@ template <>
 struct Printer<::tzc::demo::Picture> {
   template <typename Stream>
   static void stream(Stream& stream, const ::std::string& indent, const ::tzc::demo::Picture& message) {
-    Printer<::demo::Picture>::stream(stream, indent, static_cast<::demo::Picture>(message));
+    Printer<::demo::Picture>::stream(stream, indent, *::tzc::message::make_stock(message));
   }
 };
 
