@@ -109,20 +109,35 @@ bool folder_has(const CmakeProject& project, const CmakeListFile& file, const st
                                   [&](std::size_t parent) { return has(project.files[parent]); });
 }
 
-/// Appends to the target's last command of that name, or adds one behind the command that makes the target.
+/// CMake refuses a target whose libraries are linked with a keyword here and without one there.
+bool has_scope(const std::vector<CmakeCommandRef>& commands) {
+  static const std::set<std::string> scopes{"PUBLIC", "PRIVATE", "INTERFACE"};
+  return std::any_of(commands.begin(), commands.end(), [](const CmakeCommandRef& ref) {
+    return ref.command->arguments.size() > 1 && scopes.count(ref.command->arguments[1].text) != 0;
+  });
+}
+
+/// Appends to the target's last command of that name that runs wherever the target is made, or adds one behind the command that makes it.
 Edits extend(const CmakeProject& project, const std::string& target, const std::string& name,
              const std::string& scope, const std::string& value) {
   const std::vector<CmakeCommandRef> present = commands_of_target(project, name, target);
-  if (!present.empty()) {
-    const CmakeCommandRef last = present.back();
-    return {add_argument(last.file->path, last.file->content, *last.command,
-                         last.command->arguments.size() - 1, value)};
-  }
   const CmakeCommandRef made = find_target(project, target);
+  const auto last = std::find_if(present.rbegin(), present.rend(), [&](const CmakeCommandRef& command) {
+    return !made || runs_with(command, made);
+  });
+  if (last != present.rend())
+    return {add_argument(last->file->path, last->file->content, *last->command,
+                         last->command->arguments.size() - 1, value)};
   if (!made) return {};
   const std::string written = made.command->arguments[0].text;
   return {add_command(made.file->path, made.file->content, *made.command,
-                      name + "(" + written + " " + scope + value + ")")};
+                      name + "(" + written + " " + (has_scope(present) ? "PRIVATE " : scope) + value + ")")};
+}
+
+/// The last of the commands that runs in any case; the last where none does.
+CmakeCommandRef last_that_runs(const std::vector<CmakeCommandRef>& commands) {
+  const auto last = std::find_if(commands.rbegin(), commands.rend(), always_runs);
+  return last != commands.rend() ? *last : commands.back();
 }
 
 /// A keyword with its values behind the last argument: on a line of its own where the command has several.
@@ -207,7 +222,7 @@ Expected<Edits> add_foreign_messages(const CmakeProject& project, const std::str
   if (commands.empty())
     return Error{"no place was found for " + line, project.files.front().path + ":1",
                  "write it behind the command that finds catkin with the component tzc, then run again"};
-  const CmakeCommandRef last = commands.back();
+  const CmakeCommandRef last = last_that_runs(commands);
   return Edits{add_command(last.file->path, last.file->content, *last.command, line)};
 }
 
@@ -216,7 +231,7 @@ Edits add_optional_tzc(const CmakeProject& project, const std::set<std::string>&
   std::vector<CmakeCommandRef> commands = find_packages(project, "catkin_simple");
   if (commands.empty()) commands = find_packages(project, "catkin");
   if (commands.empty()) return {};
-  const CmakeCommandRef last = commands.back();
+  const CmakeCommandRef last = last_that_runs(commands);
   const std::string& content = last.file->content;
   const std::string line = line_ending(content) + indentation(content, last.command->begin);
   std::string block =

@@ -103,7 +103,33 @@ void add_of_macro(const CmakeProject& project, const std::string& macro, const s
       if (is_definition(file.commands[i], macro)) add_of_body(file, i, name, found);
 }
 
+/// The branches and loops that a command stands in, outermost first, each by the offset of the command that begins it.
+std::vector<std::size_t> blocks_around(const CmakeCommandRef& ref) {
+  static const std::set<std::string> begin{"if", "foreach", "while"}, change{"elseif", "else"},
+      end{"endif", "endforeach", "endwhile"};
+  std::vector<std::size_t> blocks;
+  for (const CmakeCommand& command : ref.file->commands) {
+    if (&command == ref.command) break;
+    if (begin.count(command.name)) blocks.push_back(command.begin);
+    if (blocks.empty()) continue;
+    if (change.count(command.name)) blocks.back() = command.begin;
+    if (end.count(command.name)) blocks.pop_back();
+  }
+  return blocks;
+}
+
 }  // namespace
+
+bool runs_with(const CmakeCommandRef& command, const CmakeCommandRef& other) {
+  const std::vector<std::size_t> blocks = blocks_around(command);
+  if (blocks.empty() || command.file != other.file) return blocks.empty();
+  const std::vector<std::size_t> others = blocks_around(other);
+  return blocks.size() <= others.size() && std::equal(blocks.begin(), blocks.end(), others.begin());
+}
+
+bool always_runs(const CmakeCommandRef& command) {
+  return blocks_around(command).empty();
+}
 
 Expected<CmakeProject> load_cmake_project(const std::string& package_dir) {
   return Loader().load(package_dir);

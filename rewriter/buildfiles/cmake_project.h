@@ -44,6 +44,12 @@ CmakeCommandRef find_target(const CmakeProject& project, const std::string& targ
 std::vector<CmakeCommandRef> commands_of_target(const CmakeProject& project, const std::string& command,
                                                 const std::string& target);
 
+/// Whether a command runs whenever another one does: it stands in no branch of an if(), and in no loop, that the other does not stand in.
+bool runs_with(const CmakeCommandRef& command, const CmakeCommandRef& other);
+
+/// Whether a command runs whatever its file decides.
+bool always_runs(const CmakeCommandRef& command);
+
 /// The files whose settings reach a target, as indices: those in which a command's first argument may be its name, and those above
 /// them.
 std::set<std::size_t> files_of_target(const CmakeProject& project, const std::string& target);
