@@ -4,15 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
+#include "parse/candidates.h"
 #include "parse/library_hints.h"
 #include "parse/source.h"
 
 namespace tzc::msggen {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::uint64_t largest_message = 0xFFFFFFFFu;
 constexpr std::size_t deepest_nesting = 100;
@@ -32,7 +30,8 @@ Name split_name(const std::string& full_name) {
 struct Library::Entry {
   enum class State { fresh, resolving, good, bad };
   Message message;
-  bool broken = false;  // its own file has faults; what it uses is looked at nevertheless
+  bool broken = false;      // its own file has faults; what it uses is looked at nevertheless
+  bool of_service = false;  // to genmsg it is no message, which a field could have
   State state = State::fresh;
 };
 
@@ -46,28 +45,33 @@ std::vector<std::string> Library::add_file(const std::string& file, const std::s
 }
 
 std::vector<std::string> Library::add_source(const Source& source, const std::string& package) {
-  const std::size_t faults_before = diagnostics_.size();
+  const std::size_t faults_before = diagnostics_.reported();
   ParsedFile parsed = parse_file(source, package, diagnostics_);
-  const bool broken = diagnostics_.size() > faults_before;
-  if (parsed.kind == ParsedFile::Kind::service) services_.push_back({package, parsed.name});
+  const bool broken = diagnostics_.reported() > faults_before;
+  const bool of_service = parsed.kind == ParsedFile::Kind::service;
+  if (of_service) services_.push_back({package, parsed.name});
   std::vector<std::string> names;
-  for (Message& message : parsed.messages) add_message(std::move(message), broken, names);
+  for (Message& message : parsed.messages) {
+    names.push_back(message.full_name());
+    add_entry({std::move(message), broken, of_service});
+  }
   return names;
 }
 
 // The same definition may come twice (an action and the messages that were made of it), two different ones
 // may not.
-void Library::add_message(Message message, bool broken, std::vector<std::string>& names) {
+void Library::add_entry(Entry added) {
+  const Message& message = added.message;
   const std::string name = message.full_name();
-  names.push_back(name);
   auto& entry = entries_[name];
   if (!entry) {
-    entry = std::make_unique<Entry>();
-    entry->broken = broken;
-    entry->message = std::move(message);
+    entry = std::make_unique<Entry>(std::move(added));
     return;
   }
-  if (entry->message.text == message.text) return;
+  if (entry->message.text == message.text) {
+    entry->of_service &= added.of_service;
+    return;
+  }
   Diagnostic d;
   d.file = message.file;
   d.message = fmt::format("{} is defined twice", name);
@@ -76,42 +80,32 @@ void Library::add_message(Message message, bool broken, std::vector<std::string>
 }
 
 const Message* Library::find(const std::string& full_name) {
-  Entry* entry = load(full_name);
+  Entry* entry = load(full_name, Wanted::any);
   return entry && resolve(*entry) ? &entry->message : nullptr;
 }
 
-Library::Entry* Library::load(const std::string& full_name) {
-  auto known = entries_.find(full_name);
-  if (known != entries_.end()) return known->second.get();
+Library::Entry* Library::known(const std::string& full_name, Wanted wanted) const {
+  const auto found = entries_.find(full_name);
+  if (found == entries_.end()) return nullptr;
+  return wanted == Wanted::field_type && found->second->of_service ? nullptr : found->second.get();
+}
+
+Library::Entry* Library::load(const std::string& full_name, Wanted wanted) {
+  if (Entry* entry = known(full_name, wanted)) return entry;
   const Name name = split_name(full_name);
   for (const std::string& folder : folders_of(name.package)) {
-    if (!load_from(name.package, folder, name.type)) continue;
-    known = entries_.find(full_name);
-    return known == entries_.end() ? nullptr : known->second.get();
+    const bool found = load_from(message_candidates(folder, name.type), full_name) ||
+                       (wanted == Wanted::any && load_from(service_candidates(folder, name.type), full_name));
+    if (found) return known(full_name, wanted);
   }
   return nullptr;
 }
 
-// NAME.msg, or the action or service that it comes from, in the folder itself or in the one beside it.
-bool Library::load_from(const std::string& package, const std::string& folder, const std::string& name) {
-  std::vector<fs::path> candidates = {fs::path(folder) / (name + ".msg")};
-  auto add_origin = [&](const char* suffix, const char* kind) {
-    const std::string_view tail = suffix;
-    if (name.size() <= tail.size() || name.compare(name.size() - tail.size(), tail.size(), tail) != 0) return;
-    const std::string file = name.substr(0, name.size() - tail.size()) + "." + kind;
-    candidates.push_back(fs::path(folder) / file);
-    candidates.push_back(fs::path(folder).parent_path() / kind / file);
-  };
-  for (const char* suffix :
-       {"ActionGoal", "ActionResult", "ActionFeedback", "Action", "Goal", "Result", "Feedback"}) {
-    add_origin(suffix, "action");
-  }
-  add_origin("Request", "srv");
-  add_origin("Response", "srv");
-  for (const fs::path& candidate : candidates) {
-    if (!is_file(candidate.string())) continue;
-    const auto names = add_file(candidate.string(), package);
-    if (std::find(names.begin(), names.end(), package + "/" + name) != names.end()) return true;
+bool Library::load_from(const std::vector<std::string>& candidates, const std::string& full_name) {
+  for (const std::string& candidate : candidates) {
+    if (!is_file(candidate)) continue;
+    const auto names = add_file(candidate, split_name(full_name).package);
+    if (std::find(names.begin(), names.end(), full_name) != names.end()) return true;
   }
   return false;
 }
@@ -145,10 +139,10 @@ bool Library::resolve(Entry& entry) {
 }
 
 bool Library::resolve_field(const Message& message, Field& field) {
-  const std::size_t faults_before = diagnostics_.size();
-  Entry* inner = load(field.base);
+  const std::size_t faults_before = diagnostics_.reported();
+  Entry* inner = load(field.base, Wanted::field_type);
   if (!inner) {
-    if (diagnostics_.size() == faults_before) report_unknown(message, field);
+    if (diagnostics_.reported() == faults_before) report_unknown(message, field);
     return false;
   }
   if (inner->state == Entry::State::resolving) {
@@ -211,6 +205,8 @@ void Library::report(const Message& message, const Field& field, std::string tex
 void Library::report_unknown(const Message& user, const Field& field) {
   const Name name = split_name(field.base);
   const bool own = name.package == user.package;
+  // A hint takes a search; nobody would read it.
+  if (diagnostics_.has_enough_of(user.file)) return report(user, field, "unknown type", "");
   if (!own && folders_of(name.package).empty()) {
     return report(user, field, fmt::format("unknown package '{}'", name.package),
                   unknown_package_hint(name.package));
@@ -240,9 +236,13 @@ std::string Library::unknown_package_hint(const std::string& package) {
 }
 
 std::string Library::unknown_type_hint(const std::string& package, const std::string& name) {
+  const bool is_of_service = known(package + "/" + name, Wanted::any) != nullptr;
+  if (is_of_service || comes_from_service(folders_of(package), name))
+    return "it is a service's request or response, which only the service can use: make a .msg of it";
   std::vector<std::string> names;
   for (const auto& [full_name, entry] : entries_) {
-    if (split_name(full_name).package == package) names.push_back(split_name(full_name).type);
+    if (!entry->of_service && split_name(full_name).package == package)
+      names.push_back(split_name(full_name).type);
   }
   return type_hint(package, name, {folders_of(package), std::move(names)}, options_.path, installed());
 }

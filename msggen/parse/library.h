@@ -48,9 +48,12 @@ class Library {
 
  private:
   struct Entry;
-  Entry* load(const std::string& full_name);
-  bool load_from(const std::string& package, const std::string& folder, const std::string& name);
-  void add_message(Message message, bool broken, std::vector<std::string>& names);
+  /// Messages of services are found when somebody asks for them, not when a field does: genmsg would not.
+  enum class Wanted { field_type, any };
+  Entry* known(const std::string& full_name, Wanted wanted) const;
+  Entry* load(const std::string& full_name, Wanted wanted);
+  bool load_from(const std::vector<std::string>& candidates, const std::string& full_name);
+  void add_entry(Entry added);
   bool resolve(Entry& entry);
   bool resolve_field(const Message& message, Field& field);
   bool check_size(const Message& message);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "parse/source.h"
 #include "parse/text.h"
 
 namespace tzc::msggen {
@@ -20,9 +21,9 @@ void add_messages(const std::string& folder, std::vector<std::string>& names) {
   }
 }
 
-bool has_message(const std::string& folder, const std::string& name) {
-  std::error_code ignored;
-  return fs::is_regular_file(fs::path(folder) / (name + ".msg"), ignored);
+bool have_message(const std::vector<std::string>& folders, const std::string& name) {
+  return std::any_of(folders.begin(), folders.end(),
+                     [&](const std::string& folder) { return is_file(folder + "/" + name + ".msg"); });
 }
 
 // Packages with a message of that name, those that the user named first.
@@ -30,12 +31,10 @@ std::vector<std::string> packages_with(const std::string& name, const SearchPath
                                        const PackageIndex& installed) {
   std::vector<std::string> result;
   for (const auto& [package, folders] : path) {
-    for (const auto& folder : folders) {
-      if (has_message(folder, name)) result.push_back(package);
-    }
+    if (have_message(folders, name)) result.push_back(package);
   }
   for (const auto& [package, where] : installed.all()) {
-    if (!path.count(package) && has_message(where.message_directory(), name)) result.push_back(package);
+    if (!path.count(package) && have_message(where.message_directories(), name)) result.push_back(package);
   }
   return result;
 }
@@ -45,7 +44,7 @@ std::vector<std::string> packages_with(const std::string& name, const SearchPath
 std::string package_hint(const std::string& package, const SearchPath& path, const PackageIndex& installed,
                          bool installed_was_searched) {
   if (const Package* found = installed.find(package); found && !installed_was_searched) {
-    return fmt::format("add -I {}:{}", package, found->message_directory());
+    return fmt::format("add -I {}:{}", package, found->message_directories().front());
   }
   std::vector<std::string> names;
   for (const auto& [name, folders] : path) names.push_back(name);

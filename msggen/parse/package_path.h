@@ -6,28 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "parse/package.h"
+
 namespace tzc::msggen {
 
 /// Where the definitions of a package lie: package name to folders of .msg files.
 using SearchPath = std::map<std::string, std::vector<std::string>>;
 
-/// A package's folder, and those inside it that hold definitions.
-struct Package {
-  std::string name;
-  std::string directory;
-  /// It, or one of its name that it hides, lies in PREFIX/share, its C++ headers therefore in PREFIX/include.
-  bool installed = false;
-
-  std::string message_directory() const { return directory + "/msg"; }
-  /// That folder and those below it: add_message_files(DIRECTORY msg/sub) puts messages there. Their names do not tell.
-  std::vector<std::string> message_directories() const;
-  /// All .msg, .srv and .action files, sorted, without an action's messages that are also installed as .msg.
-  std::vector<std::string> definition_files() const;
-};
-
 /// The packages under some folders. A package is a folder with a package.xml, or one with a msg/, srv/ or
-/// action/ folder inside; packages inside packages do not count. Of two packages with one
-/// name, the first found counts.
+/// action/ folder or one that genmsg's CMake file names; packages inside packages do not count. Of two packages
+/// with one name, the first found counts.
 class PackageIndex {
  public:
   /// Looks into each folder. A folder called `share` is an install space: packages lie directly in it.
@@ -38,7 +26,7 @@ class PackageIndex {
 
  private:
   void add_install_space(const std::string& share);
-  void add_tree(const std::string& folder, int depth);
+  void add_tree(const std::string& root);
   bool add_package(const std::string& folder, bool installed);
 
   std::map<std::string, Package> packages_;

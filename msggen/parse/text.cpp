@@ -109,6 +109,16 @@ std::size_t character_count(std::string_view text) {
       text.begin(), text.end(), [](char c) { return !is_continuation(static_cast<unsigned char>(c)); }));
 }
 
+std::vector<std::string> split(std::string_view list, char separator) {
+  std::vector<std::string> items;
+  while (!list.empty()) {
+    const std::size_t end = std::min(list.find(separator), list.size());
+    if (end != 0) items.emplace_back(list.substr(0, end));
+    list.remove_prefix(std::min(end + 1, list.size()));
+  }
+  return items;
+}
+
 std::size_t column_of(std::string_view line, std::string_view piece) {
   const auto offset = static_cast<std::size_t>(piece.data() - line.data());
   return character_count(line.substr(0, std::min(offset, line.size()))) + 1;

@@ -23,6 +23,9 @@ std::string_view without_comment(std::string_view line);
 /// The line's words. Only blanks separate them (a tab does not: that is genmsg's rule); each is stripped.
 std::vector<std::string_view> words(std::string_view text);
 
+/// The items of a list, empty ones left out.
+std::vector<std::string> split(std::string_view list, char separator);
+
 /// The column, counted in characters from 1, of a piece of the line.
 std::size_t column_of(std::string_view line, std::string_view piece);
 

@@ -7,7 +7,8 @@
 #include <ostream>
 #include <set>
 
-#include "parse/identifier.h"
+#include "parse/folders.h"
+#include "parse/source.h"
 #include "tool/commands.h"
 #include "tool/inputs.h"
 
@@ -26,13 +27,21 @@ struct Input {
   std::string file, package;
 };
 
-// PACKAGE/msg/Type.msg, else the folder that the file is in.
-std::string package_of_file(const std::string& file) {
-  const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
+bool holds_definitions(const fs::path& folder) {
   const std::string name = folder.filename().string();
-  if (name != "msg" && name != "srv" && name != "action") return name;
-  const auto package = package_in(folder.parent_path().string());
-  return package ? package->name : folder.parent_path().filename().string();
+  return name == "msg" || name == "srv" || name == "action";
+}
+
+// That of the next folder above that has a package.xml, or is above a msg/, srv/ or action/; else the folder
+// that the file is in.
+Package package_of_file(const std::string& file) {
+  const fs::path own_folder = fs::absolute(file).lexically_normal().parent_path();
+  for (fs::path folder = own_folder; folder != folder.parent_path(); folder = folder.parent_path()) {
+    const fs::path above = holds_definitions(folder) ? folder.parent_path() : folder;
+    if (above == folder && !is_file(folder / "package.xml")) continue;
+    if (auto package = package_in(above.string())) return *package;
+  }
+  return {own_folder.filename().string(), own_folder.string()};
 }
 
 class Census {
@@ -65,10 +74,19 @@ class Census {
     if (fs::is_directory(input, ignored)) return collect_folder(input, path);
     if (!fs::is_regular_file(input, ignored))
       return report_usage(input + ": no such file or folder", "", usage_);
-    const std::string package = options_.package.empty() ? package_of_file(input) : options_.package;
-    inputs_.push_back({input, package});
+    const Package package = package_of_file(input);
+    const std::string name = options_.package.empty() ? package.name : options_.package;
+    inputs_.push_back({input, name});
     const fs::path folder = fs::absolute(input).lexically_normal().parent_path();
-    path[package].push_back(folder.string());
+    add_to_path(folder.string(), path[name]);
+    if (!options_.package.empty()) return;
+    for (const std::string& inner : package.message_directories()) {
+      if (is_folder(inner)) add_to_path(inner, path[name]);
+    }
+  }
+
+  static void add_to_path(const std::string& folder, std::vector<std::string>& folders) {
+    if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
   }
 
   void collect_folder(const std::string& folder, SearchPath& path) {

@@ -97,7 +97,12 @@ void describe_service(const std::string& name, const Message& request, const Mes
 
 int explain(const ExplainOptions& options, Console console) {
   Diagnostics diagnostics;
-  Library library({parse_includes(options.includes, diagnostics), installed_packages, true}, diagnostics);
+  SearchPath path = parse_includes(options.includes, diagnostics);
+  if (!diagnostics.empty()) {
+    finish(diagnostics, console);
+    return exit_usage;
+  }
+  Library library({std::move(path), installed_packages, true}, diagnostics);
   if (const Message* message = library.find(options.type)) {
     describe(*message, library.analysis(), console.out);
     return finish(diagnostics, console);

@@ -16,8 +16,7 @@ struct OutputOptions {
   bool if_changed = false;
 };
 
-/// Writes all headers or none: each is written beside its place first, and moved there when all are complete.
-/// Returns how many files were replaced.
+/// Writes all headers or none (see Staging). Returns how many files were replaced.
 std::size_t write_headers(const std::vector<Header>& headers, const OutputOptions& options,
                           Diagnostics& diagnostics);
 

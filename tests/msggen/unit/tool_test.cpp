@@ -1,57 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
-#include <sys/stat.h>
 
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <sstream>
-
-#include "support/temp_dir.h"
-#include "tool/commands.h"
-#include "tool/output.h"
+#include "tool_case.h"
 
 namespace tzc::msggen::test {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-class Tool : public ::testing::Test {
- protected:
-  std::string path(const std::string& name) const { return folder_ / name; }
-  std::string write(const std::string& name, const std::string& text) { return folder_.write(name, text); }
-  std::string read(const std::string& name) const { return folder_.read(name); }
-  std::vector<std::string> files_below(const std::string& name) const {
-    std::vector<std::string> files;
-    if (!fs::exists(path(name))) return files;
-    for (const auto& entry : fs::recursive_directory_iterator(path(name))) {
-      if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), path(name)).string());
-    }
-    return files;
-  }
-
-  int generate_files(const std::vector<std::string>& files, bool if_changed = false) {
-    GenerateOptions options;
-    options.package = "demo";
-    options.output = path("out");
-    options.files = files;
-    options.if_changed = if_changed;
-    return generate(options, console_);
-  }
-  nlohmann::json census(const std::vector<std::string>& inputs, const std::string& package = "") {
-    ClassifyOptions options;
-    options.inputs = inputs;
-    options.package = package;
-    options.json = true;
-    EXPECT_EQ(classify(options, console_), exit_good) << err_.str();
-    return nlohmann::json::parse(out_.str());
-  }
-
-  tzc::test::TempDir folder_;
-  std::ostringstream out_, err_;
-  Console console_{out_, err_};
-};
 
 TEST_F(Tool, generates_services_and_messages) {
   EXPECT_EQ(generate_files({write("msg/A.msg", "uint8[] x\n"), write("srv/B.srv", "A a\n---\n")}), exit_good)
@@ -100,60 +56,6 @@ TEST_F(Tool, does_not_keep_going_past_files_that_are_no_definitions) {
   }
 }
 
-/// An install space beside the machine's own.
-class Installed : public Tool {
- protected:
-  void SetUp() override { ::setenv("ROS_PACKAGE_PATH", (path("src") + ":" + path("share")).c_str(), 1); }
-  void TearDown() override { ::unsetenv("ROS_PACKAGE_PATH"); }
-  void install(const std::string& package, const std::string& file, const std::string& text) {
-    write("share/" + package + "/package.xml", "<package><name>" + package + "</name></package>");
-    write("share/" + package + "/" + file, text);
-  }
-  std::string header(const std::string& name) {
-    GenerateOptions options;
-    options.output = path("out");
-    options.installed = true;
-    EXPECT_EQ(generate(options, console_), exit_good) << err_.str();
-    return fs::exists(path("out/tzc/" + name)) ? read("out/tzc/" + name) : "";
-  }
-};
-
-TEST_F(Installed, one_odd_package_costs_the_others_nothing) {
-  install("python_only", "msg/Odd.msg", "string class\n");
-  install("good_msgs", "msg/A.msg", "uint8[] x\n");
-  EXPECT_THAT(header("good_msgs/A.h"), HasSubstr("struct A {"));
-  EXPECT_THAT(read("out/tzc/python_only/Odd.h"), HasSubstr("#error"));
-  EXPECT_THAT(err_.str(), HasSubstr("warning:"));
-}
-
-TEST_F(Installed, a_message_and_a_service_of_one_name) {
-  install("twice_msgs", "msg/Foo.msg", "uint8[] x\n");
-  install("twice_msgs", "srv/Foo.srv", "uint8 a\n---\nuint8 b\n");
-  install("twice_msgs", "msg/BarRequest.msg", "uint8[] x\n");
-  install("twice_msgs", "srv/Bar.srv", "uint8 a # \xE9\n---\n");
-  EXPECT_THAT(header("twice_msgs/Foo.h"), HasSubstr("struct Foo {"));
-  EXPECT_THAT(read("out/tzc/twice_msgs/BarRequest.h"), HasSubstr("struct BarRequest {"));
-  EXPECT_THAT(read("out/tzc/twice_msgs/Bar.h"), HasSubstr("#error"));
-}
-
-TEST_F(Installed, messages_in_folders_below_msg) {
-  install("deep_msgs", "msg/inner/A.msg", "uint8[] x\n");
-  install("deep_msgs", "msg/.hidden/A.msg", "uint16[] y\n");
-  install("deep_msgs", "msg/B.msg", "A[] a\n");
-  EXPECT_THAT(header("deep_msgs/B.h"), HasSubstr("tzc/deep_msgs/A.h"));
-  EXPECT_THAT(read("out/tzc/deep_msgs/A.h"), HasSubstr("struct A {"));
-  EXPECT_EQ(err_.str(), "");
-}
-
-TEST_F(Installed, a_checkout_that_hides_an_installed_package_stands_for_it) {
-  install("some_msgs", "msg/A.msg", "uint8[] x\n");
-  write("src/some_msgs/package.xml", "<package><name>some_msgs</name></package>");
-  write("src/some_msgs/msg/A.msg", "uint16[] newer\n");
-  write("src/own_msgs/msg/A.msg", "uint16[] x\n");
-  EXPECT_THAT(header("some_msgs/A.h"), HasSubstr("newer"));
-  EXPECT_FALSE(fs::exists(path("out/tzc/own_msgs"))) << "it generates its headers itself";
-}
-
 TEST_F(Tool, what_was_there_survives_a_bad_run) {
   generate_files({write("msg/A.msg", "uint8[] x\n")});
   const std::string before = read("out/tzc/demo/A.h");
@@ -172,15 +74,6 @@ TEST_F(Tool, a_folder_that_is_named_like_a_definition_is_named) {
   fs::create_directories(path("Folder.msg"));
   EXPECT_EQ(generate_files({path("Folder.msg")}), exit_bad_input);
   EXPECT_THAT(err_.str(), AllOf(HasSubstr("Folder.msg"), HasSubstr("Is a directory")));
-}
-
-TEST_F(Tool, a_failure_in_the_middle_of_writing_takes_everything_back) {
-  fs::create_directories(path("out/tzc/demo/B.h"));  // a folder where the second header should be
-  Diagnostics diagnostics;
-  write_headers({{"tzc/new/A.h", "a"}, {"tzc/demo/B.h/C.h/x", "b"}, {"tzc/demo/B.h", "c"}},
-                {path("out"), false}, diagnostics);
-  EXPECT_FALSE(diagnostics.empty());
-  for (const std::string& file : files_below("out")) EXPECT_THAT(file, Not(HasSubstr(".tmp")));
 }
 
 TEST_F(Tool, if_changed_leaves_files_alone_and_otherwise_their_time_is_new) {
@@ -227,6 +120,22 @@ TEST_F(Tool, census_of_one_package_and_of_single_files) {
   EXPECT_EQ(census({path("pkg/msg")})["types"].size(), 2u);
 }
 
+TEST_F(Tool, census_of_a_folder_inside_msg_knows_its_package) {
+  write("pkg/package.xml", "<package><name>some_msgs</name></package>");
+  write("pkg/msg/B.msg", "uint8 x\n");
+  const auto file = write("pkg/msg/part/A.msg", "B[] b\n");
+  for (const std::string& input : {path("pkg/msg/part"), file}) {
+    EXPECT_EQ(census({input})["types"]["some_msgs/A"]["data_fields"], nlohmann::json({"b"})) << err_.str();
+    out_.str("");
+  }
+  fs::remove(path("pkg/package.xml"));
+  EXPECT_EQ(census({file})["types"].begin().key(), "pkg/A");
+}
+
+TEST_F(Tool, a_file_in_no_package_belongs_to_its_folder) {
+  EXPECT_EQ(census({write("loose/A.msg", "uint8 x\n")})["types"].begin().key(), "loose/A");
+}
+
 TEST_F(Tool, census_with_nothing_to_count_is_bad_usage) {
   fs::create_directories(path("empty"));
   ClassifyOptions options;
@@ -247,6 +156,15 @@ TEST_F(Tool, explain_marks_each_field) {
             "  data       uint8 kind         1 byte\n"
             "  data       float32 x          4 bytes\n"
             "  control  string name          at least 4 bytes\n");
+}
+
+TEST_F(Tool, explain_with_a_folder_that_is_not_there_is_bad_usage) {
+  write("d/A.msg", "uint8 x\n");
+  for (const char* include : {"nope", "other:/no/such/folder"}) {
+    EXPECT_EQ(explain({{include, "demo:" + path("d")}, "demo/A"}, console_), exit_usage) << include;
+    EXPECT_EQ(out_.str(), "");
+    EXPECT_THAT(err_.str(), HasSubstr(include));
+  }
 }
 
 TEST_F(Tool, explain_takes_services) {
