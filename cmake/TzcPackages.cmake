@@ -45,10 +45,17 @@ set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "tzc-tools")
 
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME tzc-tools)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION devel)
-set(CPACK_DEBIAN_TOOLS_DESCRIPTION "Towards zero-copy messages for ROS 1: tzc-rewrite, which ports packages
- Reads a roscpp package as the compiler does, and changes its sources so that messages are not copied.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
-# Clang's own headers; the libraries are found by dpkg-shlibdeps.
-set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libtzc-dev (= ${PROJECT_VERSION}), libclang-common-${TZC_CLANG_MAJOR}-dev, patch")
-set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "git, rosbash")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libtzc-dev (= ${PROJECT_VERSION})")
+if(TARGET tzc-rewrite)
+  set(CPACK_DEBIAN_TOOLS_DESCRIPTION "Towards zero-copy messages for ROS 1: tzc-rewrite, which ports packages
+ Reads a roscpp package as the compiler does, and changes its sources so that messages are not copied.")
+  # Clang's own headers; the libraries are found by dpkg-shlibdeps.
+  string(APPEND CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS ", libclang-common-${TZC_CLANG_MAJOR}-dev, patch")
+  set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "git, rosbash")
+else()
+  set(CPACK_DEBIAN_TOOLS_DESCRIPTION "Towards zero-copy messages for ROS 1: tzc-monitor, which shows what nodes share
+ Reads what the nodes of this machine tell of their connections, and says why one does not use shared memory.")
+  set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "rosbash")
+endif()
 include(CPack)

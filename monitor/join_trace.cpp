@@ -17,17 +17,21 @@ bool TraceJoin::add_event(std::string line) {
   return true;
 }
 
-void TraceJoin::add(std::istream& trace, const std::string& name) {
+bool TraceJoin::add(std::istream& trace, const std::string& name) {
   std::size_t events = 0, others = 0;
   for (std::string line; std::getline(trace, line);) {
     if (line.empty() || line == "[" || line == "]") continue;
     ++(add_event(std::move(line)) ? events : others);
   }
-  if (trace.bad()) return troubles_.push_back(fmt::format("{} cannot be read", name));
+  if (trace.bad()) {
+    troubles_.push_back(fmt::format("{} cannot be read", name));
+    return false;
+  }
   if (events == 0) troubles_.push_back(fmt::format("{} has no event of a trace", name));
   if (events > 0 && others > 0)
     troubles_.push_back(
         fmt::format("{}: {} lines are no events and are left out (was its process killed?)", name, others));
+  return true;
 }
 
 bool TraceJoin::finish() {

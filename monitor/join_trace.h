@@ -13,7 +13,8 @@ class TraceJoin {
  public:
   explicit TraceJoin(std::ostream& joined) : joined_(joined) {}
 
-  void add(std::istream& trace, const std::string& name);
+  /// False: reading it failed, perhaps after some of its events.
+  bool add(std::istream& trace, const std::string& name);
   /// Writes the end. False: no file had an event.
   bool finish();
   /// What was left out, and which files have no event.

@@ -3,6 +3,7 @@
 ///
 ///   /proc/PID/fd -> take_sample (read_page) -> keep_topic, add_rates -> table, json_report, explain
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -87,13 +88,26 @@ int explain_why(const Options& options) {
   return explanation.sentences.empty() ? nothing_found : found;
 }
 
+/// The file that standard output goes to, as in `--join-trace t.json.* >t.json.all`: what is read of it would be written
+/// to it, without an end.
+bool is_output(const std::string& name) {
+  struct stat output{}, input{};
+  return ::fstat(STDOUT_FILENO, &output) == 0 && S_ISREG(output.st_mode) &&
+         ::stat(name.c_str(), &input) == 0 && input.st_dev == output.st_dev && input.st_ino == output.st_ino;
+}
+
 int join_traces(const Options& options) {
+  const auto own = std::find_if(options.traces.begin(), options.traces.end(), is_output);
+  if (own != options.traces.end()) {
+    fmt::print(stderr, "tzc-monitor: {} is the output, too: name another file for it\n", *own);
+    return wrong_usage;
+  }
   TraceJoin join(std::cout);
   bool is_readable = true;
   for (const std::string& name : options.traces) {
     std::ifstream file(name);
     if (file) {
-      join.add(file, name);
+      is_readable = join.add(file, name) && is_readable;
       continue;
     }
     fmt::print(stderr, "tzc-monitor: cannot read {}: {}\n", name, std::strerror(errno));

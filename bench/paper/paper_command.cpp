@@ -3,7 +3,6 @@
 #include <time.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <memory>
 
@@ -73,7 +72,7 @@ std::vector<Section> counted_sections(const PaperOptions& options, std::vector<s
 
 /// Nothing, where no run has begun in this folder.
 std::vector<CellResult> measured_already(const PaperOptions& options, const std::vector<Cell>& cells) {
-  if (std::filesystem::exists(options.output + "/run.json")) {
+  if (Store::has_begun(options.output)) {
     const Store store(options.output);
     store.begin(description_of(options));
     return store.load(cells);

@@ -6,6 +6,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -30,9 +31,18 @@ void remove_unfinished(const std::string& folder) {
     if (entry.path().extension() == unfinished) fs::remove(entry.path());
 }
 
+/// An error where that cannot be found out, as in a folder that may not be entered.
+bool is_there(const std::string& path) {
+  std::error_code failed;
+  const bool found = fs::exists(path, failed);
+  if (failed) throw StoreError(fmt::format("cannot use {}: {}", path, failed.message()));
+  return found;
+}
+
 int lock(const std::string& folder) {
   const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (fd >= 0 && ::flock(fd, LOCK_EX | LOCK_NB) == 0) return fd;
+  if (fd < 0) throw fs::filesystem_error("cannot be opened", std::error_code(errno, std::generic_category()));
+  if (::flock(fd, LOCK_EX | LOCK_NB) == 0) return fd;
   ::close(fd);
   throw StoreError(
       fmt::format("another run uses {}: wait for it, or give another folder with --output", folder));
@@ -85,6 +95,16 @@ Cell cell_of(const std::string& path, const std::string& text) {
   }
 }
 
+/// Of an earlier run, with all that this one's has.
+json run_of(const std::string& path, const std::string& text, const json& run) {
+  json earlier = parsed(path, text);
+  for (const auto& [part, value] : run.items())
+    if (!earlier.is_object() || !earlier.contains(part))
+      throw StoreError(path +
+                       " does not describe a run of tzc-bench paper: give another folder with --output");
+  return earlier;
+}
+
 }  // namespace
 
 Store::Store(std::string folder) : folder_(std::move(folder)), lock_(-1) {
@@ -124,19 +144,27 @@ void Store::discard(const std::string& name) const {
 
 std::string Store::read(const std::string& name) const {
   std::ifstream file(path_of(name), std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw StoreError("cannot read " + path_of(name));
-  return text;
+  try {
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (file) return text;
+  } catch (const std::ios_base::failure&) {
+    // A folder, or a disk that fails.
+  }
+  throw StoreError("cannot read " + path_of(name));
+}
+
+bool Store::has_begun(const std::string& folder) {
+  return is_there(folder + "/run.json");
 }
 
 void Store::begin(const json& run) const {
-  if (!fs::exists(path_of("run.json"))) return write("run.json", run.dump(2) + "\n");
-  const json earlier = parsed(path_of("run.json"), read("run.json"));
+  if (!has_begun(folder_)) return write("run.json", run.dump(2) + "\n");
+  const json earlier = run_of(path_of("run.json"), read("run.json"), run);
   for (const char* part : {"settings", "machine", "versions"}) {
-    if (earlier.value(part, json()) == run.at(part)) continue;
+    if (earlier.at(part) == run.at(part)) continue;
     throw StoreError(
         fmt::format("{} holds results of another run ({}: {}, now {}): give another folder with --output",
-                    folder_, part, earlier.value(part, json()).dump(), run.at(part).dump()));
+                    folder_, part, earlier.at(part).dump(), run.at(part).dump()));
   }
 }
 
@@ -157,7 +185,7 @@ std::vector<Cell> Store::cells() const {
 CellResult Store::load(const Cell& cell) const {
   CellResult result{cell, {}};
   const std::string path = path_of(name_of(cell));
-  if (!fs::exists(path)) return result;
+  if (!is_there(path)) return result;
   const json document = parsed(path, read(name_of(cell)));
   try {
     for (const auto& [number, round] : document.at("rounds").items())

@@ -37,6 +37,8 @@ class Store {
   /// Removes NAME, if it is there.
   void remove(const std::string& name) const;
 
+  /// Whether a run has begun in the folder, which need not be there.
+  static bool has_begun(const std::string& folder);
   /// Writes run.json, or compares it with an earlier one: "settings", "machine" and "versions" must be the same,
   /// so that the results are of one kind.
   void begin(const nlohmann::json& run) const;

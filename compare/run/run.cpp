@@ -33,6 +33,14 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+/// Of what tzc-compare runs itself, between the nodes: under names that the user's namespace does not change, and with
+/// roscore's files out of the user's folder.
+Environment own_environment(Environment environment, const std::string& folder) {
+  environment.erase("ROS_NAMESPACE");
+  environment["ROS_HOME"] = folder;
+  return environment;
+}
+
 class WorkspaceRun {
  public:
   WorkspaceRun(const std::string& workspace, std::string folder, const Input& input, const Recorded& recorded,
@@ -41,8 +49,9 @@ class WorkspaceRun {
         input_(input),
         progress_(progress),
         environment_(session_environment(workspace, master_port_.number())),
-        core_(environment_, folder_),
-        recorder_(recorder_arguments(recorded), environment_, folder_ + "/recorder.log") {
+        own_environment_(own_environment(environment_, folder_)),
+        core_(own_environment_, folder_),
+        recorder_(recorder_arguments(recorded), own_environment_, folder_ + "/recorder.log") {
     if (input_.simulates_time) core_.set_simulated_time();
   }
 
@@ -70,7 +79,6 @@ class WorkspaceRun {
   Environment session_environment(const std::string& workspace, int master_port) const {
     Environment environment = workspace_environment(workspace);
     environment["ROS_IP"] = "127.0.0.1";
-    environment["ROS_HOME"] = folder_;
     environment["ROS_LOG_DIR"] = folder_ + "/log";
     environment["TZC_STATISTICS"] = folder_ + "/statistics.json";
     environment["PYTHONUNBUFFERED"] = "1";
@@ -176,7 +184,7 @@ class WorkspaceRun {
     if (input_.simulates_time) command.emplace_back("--clock");
     command.insert(command.end(), input_.play_arguments.begin(), input_.play_arguments.end());
     command.insert(command.end(), {input_.bag, std::string("__name:=") + player_name});
-    Child player(command, environment_, folder_ + "/player.log");
+    Child player(command, own_environment_, folder_ + "/player.log");
     while (player.is_running()) look("playing the bag");
     if (player.status() != 0) throw Failure("rosbag play has failed:" + player.log_tail());
     return wait_until_quiet();
@@ -209,7 +217,8 @@ class WorkspaceRun {
   const Input& input_;
   const Progress& progress_;
   const loopback::ReservedPort master_port_;
-  const Environment environment_;
+  const Environment environment_;  // of the nodes
+  const Environment own_environment_;
   RosCore core_;
   RecorderProcess recorder_;
   std::vector<std::unique_ptr<Child>> nodes_;

@@ -48,9 +48,8 @@ Environment workspace_environment(const std::string& path) {
     entry.clear();
   }
   if (environment.count("PATH") == 0)
-    throw Failure(setup + " cannot be sourced", "try it: bash -c '. " + setup + "'");
-  for (const char* name :
-       {"ROS_MASTER_URI", "ROS_IP", "ROS_HOSTNAME", "ROS_HOME", "ROS_LOG_DIR", "TZC_STATISTICS", "_"})
+    throw Failure(setup + " cannot be sourced", "try it: bash -c '. \"$0\"' " + quoted(setup));
+  for (const char* name : {"ROS_MASTER_URI", "ROS_IP", "ROS_HOSTNAME", "ROS_LOG_DIR", "TZC_STATISTICS", "_"})
     environment.erase(name);
   return environment;
 }

@@ -171,14 +171,21 @@ int run(const Options& options) {
   const Result result = Tool(options).run();
   if (options.json != "-") std::fputs(text_report(result).c_str(), stdout);
   if (!options.json.empty()) write_json(result, options.json);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw Failure("cannot write to standard output", std::strerror(errno));
   return result.is_different() ? different : equal;
 }
 
-int run_and_explain(const Options& options) {
+int run(int argc, char** argv) {
+  int status = equal;
+  const auto options = parse_options(argc, argv, status);
+  if (options) status = run(*options);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw Failure("cannot write to standard output", std::strerror(errno));
+  return status;
+}
+
+int run_and_explain(int argc, char** argv) {
   try {
-    return run(options);
+    return run(argc, argv);
   } catch (const Stopped&) {
     std::fputs("tzc-compare: stopped\n", stderr);
     return interrupted;
@@ -195,7 +202,5 @@ int run_and_explain(const Options& options) {
 }  // namespace tzc::compare
 
 int main(int argc, char** argv) {
-  int status = 0;
-  const auto options = tzc::compare::parse_options(argc, argv, status);
-  return options ? tzc::compare::run_and_explain(*options) : status;
+  return tzc::compare::run_and_explain(argc, argv);
 }

@@ -5,7 +5,9 @@
 #include <ros/ros.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,13 +60,20 @@ const char* const help =
     "  rosrun tzc tzc-diagnostics\n"
     "  rosrun tzc tzc-diagnostics _period:=5 /diagnostics:=/robot/diagnostics\n";
 
+/// The exit status of an answer.
+int say(const std::string& text) {
+  if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return 0;
+  std::fprintf(stderr, "tzc-diagnostics: cannot write to standard output: %s\n", std::strerror(errno));
+  return 2;
+}
+
 /// The exit status of what is answered without a ROS master, whose own arguments do not begin with a dash.
 std::optional<int> answer(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument.empty() || argument.front() != '-') continue;
-    if (argument == "--help" || argument == "-h") return std::fputs(help, stdout) < 0 ? 2 : 0;
-    if (argument == "--version") return std::puts("tzc-diagnostics " TZC_VERSION) < 0 ? 2 : 0;
+    if (argument == "--help" || argument == "-h") return say(help);
+    if (argument == "--version") return say("tzc-diagnostics " TZC_VERSION "\n");
     std::fprintf(stderr, "tzc-diagnostics: unknown option %s; --help shows what there is\n", argv[i]);
     return 2;
   }

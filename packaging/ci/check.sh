@@ -12,6 +12,8 @@
 #
 # Exit status as tzc-rewrite's: 0 nothing is left, 1 something is, 2 an error.
 set -eo pipefail
+trap 'exit 2' EXIT  # whatever ends this script before tzc-rewrite takes its place
+unset CDPATH
 cd "${TZC_WORKSPACE:-.}"
 # shellcheck source=/dev/null
 [ -z "${TZC_SETUP:-}" ] || source "$TZC_SETUP"

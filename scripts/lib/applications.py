@@ -18,8 +18,9 @@ import sys
 
 from braking import PARTS, VERSIONS, Comparison, middle, read_stops
 from braking_plot import draw
-from demo_pairs import row, workspace_env
+from demo_pairs import row
 from pair_run import RosSession, read_statistics
+from workspace_env import workspace_env
 
 TOPIC = "/camera/image"
 SECONDS_PER_STOP = 20  # it takes 4; the rest is for a machine that has much else to do

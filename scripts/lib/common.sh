@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the project's scripts: where things are, how they speak, how the project is configured and built.
 set -euo pipefail
+unset CDPATH  # with it, cd goes elsewhere and says where
 
 TZC_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 TZC_BUILD=$(realpath -m "${TZC_BUILD_DIR:-$TZC_ROOT/build}")
@@ -12,7 +13,13 @@ export LANG=C.UTF-8
 
 if [ -t 1 ] && [ -z "${NO_COLOR:-}" ]; then bold=$'\e[1m' red=$'\e[31m' plain=$'\e[0m'; else bold='' red='' plain=''; fi
 say() { printf '%s== %s%s\n' "$bold" "$*" "$plain"; }
-fail() { printf '%serror:%s %s\n' "$red" "$plain" "$*" >&2; exit 1; }
+error() { printf '%serror:%s %s\n' "$red" "$plain" "$*" >&2; }
+fail() { error "$@"; exit 1; }
+refuse() { error "$@"; exit 2; }  # a mistake on the command line
+
+# whole_number OPTION VALUE, positive_number OPTION VALUE: refuse what is none, before the work begins.
+whole_number() { [[ ${2:-} =~ ^[1-9][0-9]*$ ]] || refuse "$1 needs a number of at least 1, not '${2:-}'"; }
+positive_number() { [[ ${2:-} =~ ^[0-9]+([.][0-9]+)?$ && $2 == *[1-9]* ]] || refuse "$1 needs a number above 0, not '${2:-}'"; }
 
 # Runs a long, chatty command quietly; shows its output only when it fails. quietly LOGFILE COMMAND...
 quietly() {
@@ -21,7 +28,7 @@ quietly() {
   "$@" >"$log" 2>&1 && return
   local status=$?
   tail -n 60 "$log" >&2
-  printf '%serror:%s %s failed with status %d; its whole output is in %s\n' "$red" "$plain" "$1" "$status" "$log" >&2
+  error "$1 failed with status $status; its whole output is in $log"
   return "$status"
 }
 

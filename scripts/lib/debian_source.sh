@@ -4,21 +4,35 @@
 # debian_source PACKAGE FOLDER: fetches and unpacks the package below FOLDER (once); prints the folder of its sources.
 debian_source() {
   local package=$1 folder=$2 found
-  mkdir -p "$folder"
-  found=$(find "$folder" -mindepth 1 -maxdepth 1 -type d -name "$package-[0-9]*" | head -n 1)
+  found=$(unpacked_source "$package" "$folder")
   if [ -z "$found" ]; then
-    source_apt_configuration "$folder/apt"
-    (
-      cd "$folder"
-      export APT_CONFIG=$folder/apt/apt.conf
-      quietly "$TZC_BUILD/log/apt-source-update.log" apt-get update
-      quietly "$TZC_BUILD/log/apt-source-$package.log" apt-get source "$package"
-    )
-    found=$(find "$folder" -mindepth 1 -maxdepth 1 -type d -name "$package-[0-9]*" | head -n 1)
+    fetch_source "$package" "$folder" || return
+    found=$(unpacked_source "$package" "$folder")
   fi
-  [ -n "$found" ] || fail "apt-get source $package left no folder in $folder"
   printf '%s\n' "$found"
 }
+
+unpacked_source() {
+  local package=$1 folder=$2
+  mkdir -p "$folder"
+  find "$folder" -mindepth 1 -maxdepth 1 -type d -name "$package-[0-9]*" | head -n 1
+}
+
+# Unpacks in a folder of its own: what stands in FOLDER is complete, whenever this ends. Each step says what its failure
+# does: where a caller looks at the status, as in `|| exit 2`, set -e does nothing.
+fetch_source() (
+  local package=$1 folder=$2 unpacking=$2/unpacking-$1 found
+  source_apt_configuration "$folder/apt"
+  rm -rf "$unpacking"
+  mkdir "$unpacking" && cd "$unpacking" || exit
+  export APT_CONFIG=$folder/apt/apt.conf
+  quietly "$TZC_BUILD/log/apt-source-update.log" apt-get update || exit
+  quietly "$TZC_BUILD/log/apt-source-$package.log" apt-get source "$package" || exit
+  found=$(unpacked_source "$package" "$unpacking")
+  [ -n "$found" ] || fail "apt-get source $package left no folder"
+  mv "$found" "$folder/" || exit
+  rm -rf "$unpacking"
+)
 
 # A private copy of apt's sources with deb-src wherever the machine has deb for Debian itself.
 source_apt_configuration() {

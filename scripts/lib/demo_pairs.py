@@ -10,6 +10,7 @@ import subprocess
 import sys
 
 from pair_run import PairRun, run_tools
+from workspace_env import workspace_env
 
 IMAGE_BYTES = 1920 * 1080 * 3
 MUST_BE_FASTER = 20  # camera_pair with 4 viewers, median
@@ -39,12 +40,6 @@ class ImagePublisher:
 def viewer(workspace, topic):
     node = os.path.join(workspace, "devel/lib/camera_pair/viewer_node")
     return lambda csv: [node, f"_csv:={csv}", f"camera/image:={topic}"]
-
-
-def workspace_env(workspace):
-    """The environment that the workspace's setup.sh makes."""
-    lines = subprocess.run(["sh", "-c", f". {workspace}/devel/setup.sh && env -0"], check=True, capture_output=True)
-    return dict(line.split("=", 1) for line in lines.stdout.decode().split("\0") if "=" in line)
 
 
 class Demo:

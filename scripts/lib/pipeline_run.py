@@ -10,7 +10,6 @@ import hashlib
 import io
 import os
 import random
-import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tests", "support"))
@@ -18,6 +17,7 @@ import genpy  # noqa: E402
 import rosbag  # noqa: E402
 from ros_session import RosSession  # noqa: E402
 from sensor_msgs.msg import CameraInfo, Image  # noqa: E402
+from workspace_env import workspace_env  # noqa: E402
 
 FRAMES, RATE, WIDTH, HEIGHT = 12, 2, 320, 240
 TOPICS = ["/stereo/left/image_rect", "/stereo/left/image_rect_color", "/stereo/right/image_rect",
@@ -63,11 +63,8 @@ def make_recording(path):
 
 def environment(workspace):
     """What a shell has after setup.bash, without what the session decides."""
-    text = subprocess.run(["bash", "-c", f". {workspace}/devel/setup.bash && env -0"], check=True,
-                          stdout=subprocess.PIPE).stdout.decode()
-    entries = dict(entry.split("=", 1) for entry in text.split("\0") if "=" in entry)
     of_session = ("ROS_MASTER_URI", "ROS_IP", "ROS_HOSTNAME", "ROS_HOME", "ROS_LOG_DIR")
-    return {name: value for name, value in entries.items() if name not in of_session}
+    return {name: value for name, value in workspace_env(workspace).items() if name not in of_session}
 
 
 def run(scratch, workspace, recording):

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Catkin workspaces for demonstrations and tests.
 
-# fill_workspace WORKSPACE PACKAGE_DIR...: a workspace with fresh copies of the packages.
+# fill_workspace WORKSPACE PACKAGE_DIR...: a workspace with fresh copies of the packages, which can be changed and removed
+# where the originals are read-only.
 fill_workspace() {
   local workspace=$1 package; shift
   mkdir -p "$workspace/src"
   for package in "$@"; do
     rm -rf "$workspace/src/$(basename "$package")"
     cp -a "$package" "$workspace/src/"
+    chmod -R u+w "$workspace/src/$(basename "$package")"
   done
 }
 

@@ -281,6 +281,16 @@ def mistakes(bench, scratch):
         pass
     no_folder = run(bench, scratch, *ROS_FREE, "--no-plots", output="file")
     assert no_folder.returncode == 1 and folder in no_folder.stderr, no_folder
+    too_long = "n" * 300
+    for plan in ([], ["--dry-run"]):
+        unusable = run(bench, scratch, *ROS_FREE, "--no-plots", *plan, output=too_long)
+        assert unusable.returncode == 1 and too_long in unusable.stderr, unusable
+    damaged = os.path.join(scratch, "damaged", "run.json")
+    os.mkdir(os.path.dirname(damaged))
+    with open(damaged, "w", encoding="utf-8") as file:
+        file.write("[]")
+    no_run = run(bench, scratch, *ROS_FREE, "--no-plots", output="damaged")
+    assert no_run.returncode == 1 and damaged in no_run.stderr, no_run
     without_ros = run(bench, scratch, "--only", "tcpros", "--no-plots", "--count", "3", *TINY, "--sizes", "4k",
                       output="without_ros", PATH=scratch)
     assert without_ros.returncode == 1 and "rosmaster" in without_ros.stderr, without_ros

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 import unittest
+import unittest.mock
 
 BUILD, REPOSITORY, SCRATCH = (os.path.abspath(path) for path in sys.argv[1:4])
 COMPARE = os.path.join(BUILD, "bin", "tzc-compare")
@@ -252,6 +253,13 @@ class Relay(unittest.TestCase):
         self.assertEqual(status, 0, text)
 
 
+    def test_the_users_namespace_moves_the_nodes_and_not_the_input(self):
+        with unittest.mock.patch.dict(os.environ, ROS_NAMESPACE="/robot"):
+            status, text, result = self.compare(self.RELAY, "--runs", "1")
+        outputs = [(stream["topic"], stream["node"], stream["pairs"]) for stream in result["streams"]]
+        self.assertEqual((status, outputs), (0, [("/out", "/robot/relay", 40)]), text)
+
+
 class Launch(unittest.TestCase):
     """A launch file with a node that ends after some seconds, as the workspace says."""
 
@@ -288,9 +296,16 @@ class Errors(unittest.TestCase):
 
     def test_nodes_that_do_not_start(self):
         workspace = node_workspace("original", "")
-        status, text, _ = compare(workspace, workspace, "--command", "echo a bad day; exit 3")
+        with unittest.mock.patch.dict(os.environ, ROS_HOME="/the/users"):
+            status, text, _ = compare(workspace, workspace, "--command", "echo a bad day in $ROS_HOME; exit 3")
         self.assertEqual(status, 2)
-        self.assertIn("a bad day", text)
+        self.assertIn("a bad day in /the/users", text)
+
+    def test_a_setup_file_that_fails_comes_with_a_command_that_shows_it(self):
+        workspace = node_workspace("that's broken", "'; echo it is broken; exit 1; '")
+        status, text, _ = compare(workspace, workspace, "--command", "true")
+        shown = subprocess.run(text.split("try it: ")[1], shell=True, stdout=subprocess.PIPE, text=True, check=False)
+        self.assertEqual((status, shown.returncode, shown.stdout), (2, 1, "it is broken\n"), text)
 
     def test_nodes_that_are_not_there_are_named(self):
         launch = os.path.join(SCRATCH, "missing.launch")

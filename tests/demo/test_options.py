@@ -15,13 +15,20 @@ def demo(*options):
 class Options(unittest.TestCase):
     def test_of_an_application_need_an_application(self):
         for option in (["--quick"], ["--build-only"], ["--runs", "3"]):
-            self.assertEqual(demo(*option), (1, f"error: {option[0]} goes with --red-light or --rotation\n"))
+            self.assertEqual(demo(*option), (2, f"error: {option[0]} goes with --red-light or --rotation\n"))
 
     def test_with_a_number_need_one(self):
         for number in ("0", "-1", "many"):
             status, output = demo("--red-light", "--runs", number)
-            self.assertEqual((status, output), (1, f"error: --runs needs a number of at least 1, not '{number}'\n"))
-        self.assertIn("--runs needs a number", demo("--red-light", "--runs")[1])
+            self.assertEqual((status, output), (2, f"error: --runs needs a number of at least 1, not '{number}'\n"))
+        for number in ("0", "0.0", "-1", "many", "1 2"):
+            self.assertEqual(demo("--seconds", number), (2, f"error: --seconds needs a number above 0, not '{number}'\n"))
+
+    def test_with_a_number_have_one(self):
+        for option in ("--runs", "--seconds"):
+            status, output = demo("--red-light", option)
+            self.assertEqual(status, 2)
+            self.assertIn(f"{option} needs a number", output)
 
     def test_that_are_unknown_show_the_usage(self):
         status, output = demo("--blue-light")

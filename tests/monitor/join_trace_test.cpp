@@ -13,7 +13,7 @@ namespace {
 struct JoinTrace : testing::Test {
   void add(const std::string& name, const std::string& text) {
     std::istringstream file(text);
-    join.add(file, name);
+    EXPECT_TRUE(join.add(file, name));
   }
 
   std::ostringstream out;
@@ -47,7 +47,7 @@ TEST_F(JoinTrace, of_files_that_are_no_traces_is_a_failure_and_writes_nothing) {
 
 TEST_F(JoinTrace, of_what_cannot_be_read_says_so) {
   std::ifstream folder("/");
-  join.add(folder, "/");
+  EXPECT_FALSE(join.add(folder, "/"));
   ASSERT_EQ(join.troubles().size(), 1U);
   EXPECT_EQ(join.troubles()[0], "/ cannot be read");
 }

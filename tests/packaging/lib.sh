@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the packaging tests: a scratch folder, and a user without rights in a fresh environment, as a new shell has.
 set -euo pipefail
+unset CDPATH
 
 scratch=$(mktemp -d)
 chmod 755 "$scratch"

@@ -4,7 +4,8 @@
 # catkin's. (docs/ci.md is followed with the true ones.)
 # usage: test_ci_scripts.sh SOURCE_DIR
 source "$(dirname "$0")/lib.sh"
-ci=$1/packaging/ci
+source_dir=$1
+ci=$source_dir/packaging/ci
 programs=$scratch/programs
 mkdir "$programs"
 export PATH=$programs:$PATH HOME=$scratch/home GIT_CONFIG_NOSYSTEM=1
@@ -18,7 +19,7 @@ cat >"$programs/tzc-rewrite" <<'END'
 shift
 packages=()
 for word; do case $word in --report) ;; *.sarif) ;; *) packages+=("$word") ;; esac; done
-! grep -rq --include='*.cpp' --include='*.h' unported "${packages[@]}" || { echo "not ported yet"; exit 1; }
+! grep -rq --exclude=README.md unported "${packages[@]}" || { echo "not ported yet"; exit 1; }
 END
 for builder in catkin catkin_make catkin_make_isolated; do
   printf '#!/usr/bin/env bash\necho %s "$@" >>builders\n' "$builder" >"$programs/$builder"
@@ -76,6 +77,28 @@ echo "unported" >>demo/src/four.cpp
 git add demo/src
 ! git commit -qm unported 2>/dev/null || wrong "a file that was moved and changed was not checked"
 
+# Every kind of file that tzc-rewrite takes for a source makes the hook look, as it is staged and as it lies there.
+mapfile -t endings < <(sed -nE '/^bool is_(cpp|cuda)_/,/^}/p' "$source_dir/rewriter/edits/files.cpp" | grep -oE '"\.[^"]+"' | tr -d '"')
+[ "${#endings[@]}" -ge 20 ] || wrong "tzc-rewrite's list of sources was not found: ${endings[*]}"
+for ending in .c "${endings[@]}"; do
+  repository
+  echo unported >"demo/src/new$ending"
+  git add .
+  ! git commit -qm unported 2>"$scratch/said" || wrong "an unported file *$ending was committed"
+  grep -q "not ported yet" <(git commit -qm unported 2>&1) || wrong "*$ending was refused for another reason: $(cat "$scratch/said")"
+  echo ported >"demo/src/new$ending"
+  ! git commit -qm unported 2>"$scratch/said" || wrong "an unported file *$ending was committed when it was ported after git add"
+done
+for name in demo/CMakeLists.txt demo/package.xml demo/.tzc-rewrite.yaml demo/more.cmake demo/msg/Own.msg; do
+  repository
+  echo "// changed" >>demo/src/one.cpp
+  mkdir -p demo/msg
+  echo staged >"$name"
+  git add .
+  echo changed >"$name"
+  ! git commit -qm x 2>"$scratch/said" || wrong "$name was judged as it lies there and committed as it was staged"
+done
+
 # check.sh builds with what has built the workspace before.
 builds_with() { # EXPECTED FOLDER...
   local expected=$1; shift
@@ -96,5 +119,16 @@ status=0
 TZC_BUILD_COMMAND=false TZC_WORKSPACE=$scratch/ws "$ci/check.sh" 2>"$scratch/said" || status=$?
 [ "$status" = 2 ] || wrong "a build that fails ends with $status"
 grep -q TZC_BUILD_COMMAND "$scratch/said" || wrong "a build that fails ends without a word: $(cat "$scratch/said")"
+
+# What is wrong with the script's own settings is an error, and no unported site.
+export CDPATH=$scratch
+mkdir -p "$scratch/empty"
+for settings in TZC_WORKSPACE=/no/such/folder TZC_WORKSPACE=ws TZC_SETUP=/no/such/setup.bash TZC_SETUP="$scratch/ends.bash"; do
+  echo 'echo it ends >&2; exit 1' >"$scratch/ends.bash"
+  status=0
+  (cd "$scratch/empty" && env TZC_WORKSPACE="$scratch/ws" "$settings" "$ci/check.sh" >/dev/null 2>"$scratch/said") || status=$?
+  [ "$status" = 2 ] || wrong "check.sh with $settings ends with $status"
+  [ -s "$scratch/said" ] || wrong "check.sh with $settings ends without a word"
+done
 
 echo "the commit hook and the script for CI do what they say"

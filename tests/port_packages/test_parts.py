@@ -56,6 +56,28 @@ class Inputs(unittest.TestCase):
             self.assertTrue(all({"name", "pkg", "type"} <= set(node.keys()) for node in nodes), name)
 
 
+class Comparing(Folder):
+    def said_by(self, inputs):
+        said = []
+
+        class NotBuilt(Repository):
+            say = staticmethod(said.append)
+
+            def build_original(self):
+                raise RuntimeError("not in this test")
+
+        NotBuilt("wild", self.path, types.SimpleNamespace(out=self.path, inputs=inputs, key="", tzc="/tzc")).run()
+        return "\n".join(said)
+
+    def test_a_source_without_arguments_is_told(self):
+        self.put("inputs/other.args")
+        inputs = os.path.join(self.path, "inputs")
+        self.assertIn(f"{inputs} has no wild.args", self.said_by(inputs))
+        self.put("inputs/wild.args")
+        self.assertNotIn("wild.args", self.said_by(inputs))
+        self.assertNotIn("wild.args", self.said_by(None))
+
+
 class KeptSteps(Folder):
     def test_what_a_step_found_is_kept_for_what_it_depends_on(self):
         kept = os.path.join(self.path, "kept.json")

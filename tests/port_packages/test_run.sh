@@ -24,6 +24,7 @@ port --no-tests --only camera_pair --only broken --only image_publisher "$work/w
 holds "$work/out/table.txt" '^wild +1 \(-1\) +3, 3 +1/0/0/0 +1/0/0/0 +1/0/0 .* equal '
 holds "$work/out/table.txt" '^wild: broken is left out: CMake Error at broken/CMakeLists.txt:3'
 holds "$work/out/table.txt" '^ros-image-pipeline +1 '
+holds "$work/printed" '^ros-image-pipeline: its runs are not compared: .*/inputs has no ros-image-pipeline.args'
 holds "$work/out/wild/port.diff" '^\+.*tzc::advertise'
 holds "$work/out/wild/ported/build/CMakeCache.txt" '^CMAKE_BUILD_TYPE:.*=None'
 [ -x "$work/out/wild/ported/devel/lib/camera_pair/camera_node" ] || fail "the port was not built"
@@ -62,6 +63,10 @@ refused 'lie one in the other' --out "$work/tested/tested" "$work/tested"
 refused 'lie one in the other' --out "$work" "$work/tested"
 refused 'needs a value' --only
 refused 'needs a value' --jobs= "$work/tested"
+refused '--jobs needs a number' --jobs 0 "$work/tested"
+refused '--timeout needs a number' --timeout many "$work/tested"
+refused 'no such folder: .*/missing' --inputs "$work/missing" "$work/tested"
+refused 'no such folder: .*/missing' "$work/missing"
 refused 'two sources are called' "$work/tested" "$work/out/../tested"
 refused 'File exists|Not a directory' --out "$work/tested/tested/passes.cpp" "$work/wild"
 [ ! -e "$work/tested/original" ] || fail "it wrote into its source"

@@ -35,6 +35,8 @@ class Repository:
         return result if same else None
 
     def run(self):
+        if self.settings.inputs and not self.arguments():
+            self.say(f"its runs are not compared: {self.settings.inputs} has no {self.name}.args")
         for step in (self.build_original, self.port, self.build_port, self.measure, self.test, self.compare):
             self.say(step.__name__.replace("_", " "))
             try:
@@ -157,11 +159,15 @@ class Repository:
         for test in self.result["broken_tests"]:
             self.problem(f"test passed before and not after: {test}")
 
+    def arguments(self):
+        """The file of tzc-compare's arguments; None: there is none."""
+        path = self.settings.inputs and os.path.join(self.settings.inputs, f"{self.name}.args")
+        return path if path and os.path.exists(path) else None
+
     def compare(self):
-        arguments = os.path.join(self.settings.inputs or "", f"{self.name}.args")
-        if not self.settings.inputs or not os.path.exists(arguments):
+        if not self.arguments():
             return
-        with open(arguments) as file:
+        with open(self.arguments()) as file:
             words = [line.strip().replace("{inputs}", self.settings.inputs) for line in file if line.strip()]
         log = os.path.join(self.out, "log/compare.log")
         # Guard mode ends a node that writes to what it has published, so that its messages are missed.

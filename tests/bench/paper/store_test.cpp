@@ -2,6 +2,7 @@
 #include "paper/store.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -117,6 +118,37 @@ TEST(Store, says_which_folder_cannot_be_used) {
   const TempDir folder;
   folder.write("file", "");
   EXPECT_NE(problem_of([&] { Store(folder / "file"); }).find("file"), std::string::npos);
+  const std::string too_long(300, 'n');
+  EXPECT_NE(problem_of([&] { Store(folder / too_long); }).find(too_long), std::string::npos);
+  EXPECT_NE(problem_of([&] { (void)Store::has_begun(folder / too_long); }).find(too_long), std::string::npos);
+}
+
+TEST(Store, names_the_description_that_is_none) {
+  for (const char* content : {"[", "[]", "7", "null", "{}", R"({"settings": {"rounds": 2}})"}) {
+    const TempDir folder;
+    folder.write("run.json", content);
+    const Store store(folder.path());
+    EXPECT_NE(problem_of([&] { store.begin(run_with(2)); }).find("run.json"), std::string::npos) << content;
+  }
+}
+
+TEST(Store, names_the_file_that_cannot_be_read) {
+  const TempDir folder;
+  folder.write("run.json/file", "");
+  folder.write("cells/tcpros-4096-2.json/file", "");
+  const Store store(folder.path());
+  EXPECT_NE(problem_of([&] { store.begin(run_with(2)); }).find("run.json"), std::string::npos);
+  EXPECT_NE(problem_of([&] { (void)store.load(cell); }).find("tcpros-4096-2.json"), std::string::npos);
+}
+
+TEST(Store, says_how_a_folder_cannot_be_entered) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root enters every folder";
+  const TempDir folder;
+  const std::string closed = folder / "closed";
+  std::filesystem::create_directory(closed);
+  std::filesystem::permissions(closed, std::filesystem::perms::none);
+  EXPECT_NE(problem_of([&] { (void)Store::has_begun(closed); }).find("closed"), std::string::npos);
+  EXPECT_NE(problem_of([&] { Store{closed}; }).find("closed"), std::string::npos);
 }
 
 }  // namespace
