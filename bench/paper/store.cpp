@@ -143,14 +143,15 @@ void Store::discard(const std::string& name) const {
 }
 
 std::string Store::read(const std::string& name) const {
-  std::ifstream file(path_of(name), std::ios::binary);
+  const std::string failure = "cannot read " + path_of(name);
   try {
+    std::ifstream file(path_of(name), std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (file) return text;
-  } catch (const std::ios_base::failure&) {
-    // A folder, or a disk that fails.
+    if (!file) throw StoreError(failure);
+    return text;
+  } catch (const std::ios_base::failure&) {  // a folder, or a disk that fails
+    throw StoreError(failure);
   }
-  throw StoreError("cannot read " + path_of(name));
 }
 
 bool Store::has_begun(const std::string& folder) {

@@ -2,7 +2,6 @@
 #include "paper/store.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -141,12 +140,11 @@ TEST(Store, names_the_file_that_cannot_be_read) {
   EXPECT_NE(problem_of([&] { (void)store.load(cell); }).find("tcpros-4096-2.json"), std::string::npos);
 }
 
+// A link to itself, since root enters every folder that may be closed to others.
 TEST(Store, says_how_a_folder_cannot_be_entered) {
-  if (::geteuid() == 0) GTEST_SKIP() << "root enters every folder";
   const TempDir folder;
   const std::string closed = folder / "closed";
-  std::filesystem::create_directory(closed);
-  std::filesystem::permissions(closed, std::filesystem::perms::none);
+  std::filesystem::create_symlink(closed, closed);
   EXPECT_NE(problem_of([&] { (void)Store::has_begun(closed); }).find("closed"), std::string::npos);
   EXPECT_NE(problem_of([&] { Store{closed}; }).find("closed"), std::string::npos);
 }
