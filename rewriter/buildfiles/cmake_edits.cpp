@@ -123,7 +123,7 @@ Edits extend(const CmakeProject& project, const std::string& target, const std::
   const std::vector<CmakeCommandRef> present = commands_of_target(project, name, target);
   const CmakeCommandRef made = find_target(project, target);
   const auto last = std::find_if(present.rbegin(), present.rend(), [&](const CmakeCommandRef& command) {
-    return !made || runs_with(command, made);
+    return !made || runs_with_target(command, made, target);
   });
   if (last != present.rend())
     return {add_argument(last->file->path, last->file->content, *last->command,

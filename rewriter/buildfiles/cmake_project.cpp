@@ -103,32 +103,44 @@ void add_of_macro(const CmakeProject& project, const std::string& macro, const s
       if (is_definition(file.commands[i], macro)) add_of_body(file, i, name, found);
 }
 
-/// The branches and loops that a command stands in, outermost first, each by the offset of the command that begins it.
-std::vector<std::size_t> blocks_around(const CmakeCommandRef& ref) {
+/// if(TARGET engine)
+bool asks_for(const CmakeListFile& file, const CmakeCommand& condition, const std::string& target) {
+  const std::vector<CmakeArgument>& asked = condition.arguments;
+  return condition.name == "if" && asked.size() == 2 && asked[0].text == "TARGET" &&
+         file.values.may_be(asked[1].text, target);
+}
+
+/// The branches and loops that a command stands in, outermost first, each by the offset of the command that begins it; not a condition that asks
+/// for the target.
+std::vector<std::size_t> blocks_around(const CmakeCommandRef& ref, const std::string& target) {
   static const std::set<std::string> begin{"if", "foreach", "while"}, change{"elseif", "else"},
       end{"endif", "endforeach", "endwhile"};
+  constexpr std::size_t no_condition = std::string::npos;
   std::vector<std::size_t> blocks;
   for (const CmakeCommand& command : ref.file->commands) {
     if (&command == ref.command) break;
-    if (begin.count(command.name)) blocks.push_back(command.begin);
+    if (begin.count(command.name))
+      blocks.push_back(asks_for(*ref.file, command, target) ? no_condition : command.begin);
     if (blocks.empty()) continue;
     if (change.count(command.name)) blocks.back() = command.begin;
     if (end.count(command.name)) blocks.pop_back();
   }
+  blocks.erase(std::remove(blocks.begin(), blocks.end(), no_condition), blocks.end());
   return blocks;
 }
 
 }  // namespace
 
-bool runs_with(const CmakeCommandRef& command, const CmakeCommandRef& other) {
-  const std::vector<std::size_t> blocks = blocks_around(command);
-  if (blocks.empty() || command.file != other.file) return blocks.empty();
-  const std::vector<std::size_t> others = blocks_around(other);
+bool runs_with_target(const CmakeCommandRef& command, const CmakeCommandRef& maker,
+                      const std::string& target) {
+  const std::vector<std::size_t> blocks = blocks_around(command, target);
+  if (blocks.empty() || command.file != maker.file) return blocks.empty();
+  const std::vector<std::size_t> others = blocks_around(maker, target);
   return blocks.size() <= others.size() && std::equal(blocks.begin(), blocks.end(), others.begin());
 }
 
 bool always_runs(const CmakeCommandRef& command) {
-  return blocks_around(command).empty();
+  return blocks_around(command, "").empty();
 }
 
 Expected<CmakeProject> load_cmake_project(const std::string& package_dir) {

@@ -44,8 +44,10 @@ CmakeCommandRef find_target(const CmakeProject& project, const std::string& targ
 std::vector<CmakeCommandRef> commands_of_target(const CmakeProject& project, const std::string& command,
                                                 const std::string& target);
 
-/// Whether a command runs whenever another one does: it stands in no branch of an if(), and in no loop, that the other does not stand in.
-bool runs_with(const CmakeCommandRef& command, const CmakeCommandRef& other);
+/// Whether a command runs wherever `maker` makes the target: it stands in no branch of an if(), and in no loop, that the latter does not stand in,
+/// but for one that asks for the target.
+bool runs_with_target(const CmakeCommandRef& command, const CmakeCommandRef& maker,
+                      const std::string& target);
 
 /// Whether a command runs whatever its file decides.
 bool always_runs(const CmakeCommandRef& command);
