@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "roscpp/publish/queued_messages.h"
 
-#include <ros/serialization.h>
-
+#include "roscpp/publish/record_encoder.h"
 #include "roscpp/publish/shared_link.h"
 #include "roscpp/roscpp_access.h"
 
@@ -17,13 +16,6 @@ access::SerializedMessages take_queue(ros::Publication& publication) {
   const boost::mutex::scoped_lock lock(access::publish_queue_mutex_(publication));
   messages.swap(access::publish_queue_(publication));
   return messages;
-}
-
-/// The sequence number is the first field of the header, which is the first one of the message.
-void write_number(const ros::SerializedMessage& message, std::uint32_t number) {
-  constexpr std::uint32_t length_prefix = 4;
-  ros::serialization::OStream stream(message.buf.get() + length_prefix, sizeof(number));
-  stream.next(number);
 }
 
 /// Gives a link what needs no socket. False: the message goes to TCPROS.
@@ -46,7 +38,9 @@ ros::V_SubscriberLink send_without_sockets(ros::Publication& publication,
   const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(publication));
   if (publication.isDropped()) return rest;
   const std::uint32_t number = publication.incrementSequence();
-  if (access::has_header_(publication)) write_number(message, number);
+  constexpr std::size_t length_prefix = 4;
+  if (access::has_header_(publication))
+    write_sequence(message.buf.get() + length_prefix, message.num_bytes - length_prefix, number);
   for (const ros::SubscriberLinkPtr& link : access::subscriber_links_(publication))
     if (!takes_without_socket(*link, message)) rest.push_back(link);
   return rest;

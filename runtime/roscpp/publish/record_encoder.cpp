@@ -29,11 +29,6 @@ constexpr std::size_t kMostControlBytes = std::size_t{1} << 30;
 thread_local const void* scoped_message = nullptr;
 thread_local message::Encoded* scoped_encoded = nullptr;
 
-/// Like roscpp, writes the sequence number into the first four bytes of a serialized message.
-void write_sequence(std::uint8_t* bytes, std::size_t size, std::uint32_t sequence) {
-  if (size >= sizeof(sequence)) std::memcpy(bytes, &sequence, sizeof(sequence));
-}
-
 /// What roscpp wrote there, if the message has a header.
 std::uint32_t read_sequence(const std::uint8_t* bytes) {
   std::uint32_t sequence;
@@ -51,6 +46,10 @@ ros::SerializedMessage numbered_bytes(const MessageCodec& codec, const void* mes
 }
 
 }  // namespace
+
+void write_sequence(std::uint8_t* bytes, std::size_t size, std::uint32_t sequence) {
+  if (size >= sizeof(sequence)) std::memcpy(bytes, &sequence, sizeof(sequence));
+}
 
 EncodedScope::EncodedScope(const void* message, message::Encoded& encoded)
     : previous_message_(scoped_message), previous_encoded_(scoped_encoded) {

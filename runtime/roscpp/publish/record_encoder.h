@@ -22,6 +22,9 @@
 namespace tzc {
 namespace detail {
 
+/// Like roscpp, writes the sequence number into the first four bytes of a serialized message that has a header.
+void write_sequence(std::uint8_t* bytes, std::size_t size, std::uint32_t sequence);
+
 /// Writes a sequence number into an encoded message, if messages of its topic have one.
 void write_number(const MessageCodec& codec, message::Encoded& encoded, std::uint32_t sequence);
 

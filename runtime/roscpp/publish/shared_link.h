@@ -54,7 +54,7 @@ class SharedLink : public ros::SubscriberLink {
   void getPublishTypes(bool& ser, bool& nocopy, const std::type_info& type) override;
   /// @}
 
-  /// Sends the message, or keeps it while draining. Under subscriber_links_mutex_; never blocks.
+  /// Sends the message, or keeps it while draining. Under advertised_topics_mutex_, as everybody who publishes; never blocks.
   void deliver(const OutgoingMessage& message);
 
   /// Takes a message that roscpp has serialized and numbered. Under subscriber_links_mutex_; never blocks. False: it belongs to the
