@@ -13,6 +13,7 @@
 #include "buildfiles/unread_files.h"
 #include "edits/in_parallel.h"
 #include "engine/completeness.h"
+#include "engine/debug_builds.h"
 #include "engine/demotion_loop.h"
 #include "engine/notes.h"
 #include "engine/pending_sites.h"
@@ -46,6 +47,7 @@ class PortPlanner {
   std::optional<Error> collect();
   std::optional<Error> read(const std::vector<std::size_t>& units, const CollectOptions& options,
                             const std::string& stage);
+  std::vector<std::size_t> add_debug_builds();
   std::vector<std::size_t> units_of_more_headers_in_use(CollectOptions& options) const;
   std::optional<Error> lacks_units() const;
   std::optional<Error> sort_out(const CompileUnit& unit, const UnitReading& reading);
@@ -59,8 +61,9 @@ class PortPlanner {
   UnitOwners owners_;
   RuleSet rules_;
   TrustedFunctions trusted_;
-  std::vector<UnitReading> readings_;  ///< of units_
-  UnitReading reading_;                ///< of all together
+  std::vector<UnitReading> readings_;   ///< of units_
+  UnitReading reading_;                 ///< of all together
+  std::set<std::string> debug_builds_;  ///< ids of units that nobody has compiled so
   std::vector<CompileUnit> parsed_;
   std::vector<Note> left_out_;      ///< units that do not parse
   std::set<std::string> exported_;  ///< headers, or folders of headers, that other packages may include
@@ -120,6 +123,7 @@ std::vector<std::string> PortPlanner::include_dirs() const {
 /// A unit that does not parse is left out when the package's compiler rejects it, too: then it is not part of
 /// the build. Otherwise it is an error.
 std::optional<Error> PortPlanner::sort_out(const CompileUnit& unit, const UnitReading& reading) {
+  if (debug_builds_.count(unit.id()) != 0) return {};  // there is no debug build that a port could break
   const Diagnostic& error = reading.errors.front();
   if (reading.crashed) return defect(error, unit);
   if (options_.strict || !options_.judges.original_errors) return does_not_parse(error, unit);
@@ -150,6 +154,7 @@ std::optional<Error> PortPlanner::collect() {
   std::vector<std::size_t> all(units_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   std::optional<Error> failure = read(all, options, "parsing");
+  if (!failure) failure = read(add_debug_builds(), options, "parsing debug builds");
   if (!failure) failure = read(units_of_more_headers_in_use(options), options, "parsing again");
   if (failure) return failure;
   exported_ = options.exported_dirs;
@@ -164,6 +169,21 @@ std::optional<Error> PortPlanner::collect() {
   reading_.facts.add_overrides();
   leave_light_types(reading_.facts, options_.small);
   return lacks_units();
+}
+
+/// Of units in which macros drop what they are given: what assert() is given must compile, and mean the same, after the port, too.
+std::vector<std::size_t> PortPlanner::add_debug_builds() {
+  std::vector<std::size_t> added;
+  for (std::size_t i = 0, count = units_.size(); i < count; ++i) {
+    if (readings_[i].preprocessor.dropped.empty()) continue;
+    std::optional<CompileUnit> build = debug_build_of(units_[i]);
+    if (!build) continue;
+    debug_builds_.insert(build->id());
+    added.push_back(units_.size());
+    units_.push_back(std::move(*build));
+  }
+  readings_.resize(units_.size());
+  return added;
 }
 
 /// What a header declares counts otherwise once others may include it: for the units that read it, which are read once more.
@@ -220,7 +240,9 @@ std::optional<Error> PortPlanner::lacks_units() const {
 }
 
 UnseenCode PortPlanner::unseen_code() const {
-  UnseenCode code{compiled_by_none(reading_.skipped, reading_.compiled), {}};
+  const PreprocessorNotes& notes = reading_.preprocessor;
+  UnseenCode code{
+      compiled_by_none(notes.skipped, notes.compiled), {}, dropped_by_all(notes.dropped, notes.kept)};
   if (options_.others.unseen_files) code.files = options_.others.unseen_files(reading_.facts.units_of_file);
   return code;
 }
@@ -263,7 +285,7 @@ Expected<PortPlans> PortPlanner::run() {
                     parse_options, options_.jobs, read_file, options_.judges);
   const UnseenCode code = unseen_code();
   const UnseenUses unseen(code, reading_.facts, components, read_file);
-  const OtherCodeLimits others(options_.others, exported_, unseen);
+  const OtherCodeLimits others(options_.others, exported_, unseen, reading_.preprocessor.texts);
   Expected<DemotionLoop::Result> result =
       DemotionLoop(reading_.facts, components, options_, others, verifier, read_file).run();
   if (!result) return result.error();

@@ -57,7 +57,7 @@ std::set<std::string> read_files(const UnitReading& reading, const std::vector<C
 std::vector<Note> notes_of(const UnitReading& reading, const std::vector<CompileUnit>& units,
                            const EngineOptions& options) {
   std::vector<Note> notes;
-  note_branches(compiled_by_none(reading.skipped, reading.compiled), notes);
+  note_branches(compiled_by_none(reading.preprocessor.skipped, reading.preprocessor.compiled), notes);
   const std::set<std::string> read = read_files(reading, units);
   for (const std::string& package : options.packages) {
     const auto build = options.build_dirs.find(package);

@@ -11,6 +11,7 @@ namespace tzc::rewriter {
 std::map<ComponentId, Obstacle> OtherCodeLimits::broken_by(const PortEdits& plan) const {
   std::map<ComponentId, Obstacle> found = unseen_.users_of(plan.edits);
   add_copied(plan, found);
+  add_texts(plan, found);
   add_unshared(plan, found);
   return found;
 }
@@ -26,6 +27,16 @@ void OtherCodeLimits::add_copied(const PortEdits& plan, std::map<ComponentId, Ob
             Obstacle{codes::TZC1005,
                      "another package has the same definition, and one program may have both: " + copied.copy,
                      Location{copied.file, 1, 1}});
+}
+
+/// FIELD(type, name) may write the type, and tell its name.
+void OtherCodeLimits::add_texts(const PortEdits& plan, std::map<ComponentId, Obstacle>& found) const {
+  for (const Edit& edit : plan.edits)
+    for (const Place& text : texts_)
+      if (edit.component && edit.file == text.file && edit.offset >= text.begin && edit.offset <= text.end)
+        found.emplace(*edit.component,
+                      Obstacle{codes::TZC1006, "a macro makes a text of the code that would be changed",
+                               location_of(text)});
 }
 
 /// Who includes an exported header has to find what the port makes it include.

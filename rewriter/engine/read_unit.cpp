@@ -3,20 +3,24 @@
 
 #include <clang/AST/ASTContext.h>
 
+#include <algorithm>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include "engine/api_calls.h"
 
 namespace tzc::rewriter {
 namespace {
 
-std::vector<Place> skipped_in_packages(const ParseResult& parsed, const CollectOptions& options) {
-  std::vector<Place> skipped;
-  for (const SkippedBranch& branch : parsed.skipped)
-    if (options.packages.hold(branch.file) && !options.generated.hold(branch.file))
-      skipped.push_back({branch.file, branch.begin, branch.end, branch.line, 1});
-  return skipped;
+/// Without what concerns other packages, or code that the build makes.
+PreprocessorNotes in_packages(PreprocessorNotes notes, const CollectOptions& options) {
+  const auto is_foreign = [&](const Place& place) {
+    return !options.packages.hold(place.file) || options.generated.hold(place.file);
+  };
+  for (std::vector<Place>* places : {&notes.skipped, &notes.dropped, &notes.texts})
+    places->erase(std::remove_if(places->begin(), places->end(), is_foreign), places->end());
+  return notes;
 }
 
 template <class T>
@@ -30,8 +34,7 @@ void UnitReading::merge(UnitReading&& other) {
   facts.merge(std::move(other.facts));
   api_calls.merge(other.api_calls);
   calls.merge(other.calls);
-  append(skipped, other.skipped);
-  compiled.merge(other.compiled);
+  preprocessor.merge(std::move(other.preprocessor));
   append(errors, other.errors);
 }
 
@@ -51,8 +54,7 @@ UnitReading read_unit(const CompileUnit& unit, const CollectOptions& options, Fi
     reading = std::make_unique<UnitReading>();
   }
   reading->crashed = parsed.crashed;
-  reading->skipped = skipped_in_packages(parsed, options);
-  reading->compiled = std::move(parsed.compiled);
+  reading->preprocessor = in_packages(std::move(parsed.preprocessor), options);
   reading->errors = std::move(parsed.errors);
   return std::move(*reading);
 }

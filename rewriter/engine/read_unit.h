@@ -18,12 +18,11 @@ namespace tzc::rewriter {
 /// The result of parsing one unit, or every unit of a package.
 struct UnitReading {
   Facts facts;
-  std::set<ApiCall> api_calls;         ///< what the report is compared with
-  CallsOfUnits calls;                  ///< unit id -> the functions that overload resolution picked
-  std::vector<Place> skipped;          ///< preprocessor branches that a unit does not compile
-  std::set<BranchDirective> compiled;  ///< of the branches that a unit compiles
-  std::vector<Diagnostic> errors;      ///< the unit does not parse; all else is empty
-  bool crashed = false;                ///< reading it did, which is the only error
+  std::set<ApiCall> api_calls;     ///< what the report is compared with
+  CallsOfUnits calls;              ///< unit id -> the functions that overload resolution picked
+  PreprocessorNotes preprocessor;  ///< of the packages' own files
+  std::vector<Diagnostic> errors;  ///< the unit does not parse; all else is empty
+  bool crashed = false;            ///< reading it did, which is the only error
 
   void merge(UnitReading&& other);
 };

@@ -225,7 +225,8 @@ bool AllocationCollector::takes_over(const clang::Expr* expr) const {
 std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr* expr, const EntityId& id,
                                                               const FlowEnd& end) {
   const bool is_value = message_of(expr->getType()).has_value();
-  if (is_value || takes_over(expr))
+  const bool is_made_once = end.variable && !end.variable->hasLocalStorage();  // its statement may run again
+  if (is_value || is_made_once || takes_over(expr))
     return {};  // its variable is the site, what it is assigned to keeps its memory, or it has no arrays
   AllocationDraft draft = draft_at(unit_, entities_, id, *expr);
   InsertedAllocation how;

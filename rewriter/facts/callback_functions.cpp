@@ -6,8 +6,86 @@
 
 #include <set>
 
+#include "parse/ast_visitor.h"
+
 namespace tzc::rewriter {
 namespace {
+
+/// Function pointers, std::function and boost::function, and containers of such.
+bool may_hold_function(clang::QualType type) {
+  type = type.getNonReferenceType().getCanonicalType();
+  if (const clang::ArrayType* array = type->getAsArrayTypeUnsafe())
+    return may_hold_function(array->getElementType());
+  if (type->isFunctionPointerType() || type->isMemberFunctionPointerType()) return true;
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  if (!record || !record->getIdentifier()) return false;
+  if (record->getName() == "function") return true;
+  const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
+  return made && llvm::any_of(made->getTemplateArgs().asArray(), [](const clang::TemplateArgument& argument) {
+           return argument.getKind() == clang::TemplateArgument::Type &&
+                  may_hold_function(argument.getAsType());
+         });
+}
+
+/// Whether a variable begins with a function: an object made of nothing has none.
+bool begins_with_function(const clang::VarDecl* variable) {
+  if (llvm::isa<clang::ParmVarDecl>(variable) || !variable->getInit()) return false;
+  const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(variable->getInit()->IgnoreImplicit());
+  return !made || made->getNumArgs() > 0;
+}
+
+/// A variable is assigned, swapped, or something else may write to it.
+class LaterWrites : public AstVisitor {
+ public:
+  explicit LaterWrites(const clang::VarDecl* variable) : variable_(variable) {}
+  bool found = false;
+
+  bool VisitBinaryOperator(clang::BinaryOperator* op) override {
+    return note(op->isAssignmentOp() && is_named(op->getLHS()));
+  }
+  bool VisitCXXOperatorCallExpr(clang::CXXOperatorCallExpr* op) override {
+    return note(op->isAssignmentOp() && is_named(op->getArg(0)));
+  }
+  bool VisitUnaryOperator(clang::UnaryOperator* op) override {
+    return note(op->getOpcode() == clang::UO_AddrOf && is_named(op->getSubExpr()));
+  }
+  bool VisitCXXMemberCallExpr(clang::CXXMemberCallExpr* call) override {
+    const clang::CXXMethodDecl* method = call->getMethodDecl();
+    return note(method && !method->isConst() && is_named(call->getImplicitObjectArgument()));
+  }
+  bool VisitCallExpr(clang::CallExpr* call) override {
+    if (llvm::isa<clang::CXXOperatorCallExpr>(call)) return !found;  // see above
+    const clang::FunctionDecl* function = call->getDirectCallee();
+    for (unsigned i = 0; function && i < call->getNumArgs() && i < function->getNumParams(); ++i) {
+      const auto* reference = function->getParamDecl(i)->getType()->getAs<clang::LValueReferenceType>();
+      // One that is written as T&& passes it on.
+      if (reference && reference->isSpelledAsLValue() && !reference->getPointeeType().isConstQualified())
+        note(is_named(call->getArg(i)));
+    }
+    return !found;
+  }
+
+ private:
+  bool is_named(const clang::Expr* expr) const {
+    const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(expr->IgnoreParenImpCasts());
+    return name && name->getDecl() == variable_;
+  }
+  bool note(bool writes) {
+    found |= writes;
+    return !found;
+  }
+  const clang::VarDecl* variable_;
+};
+
+/// Of one that lasts, anybody may change what it holds.
+bool may_change(const clang::VarDecl* variable) {
+  if (variable->getType().isConstQualified()) return false;
+  const auto* function = llvm::dyn_cast<clang::FunctionDecl>(variable->getDeclContext());
+  if (!function || !function->getBody() || variable->isStaticLocal()) return true;
+  LaterWrites writes(variable);
+  writes.TraverseStmt(function->getBody());
+  return writes.found;
+}
 
 class CallbackSearch {
  public:
@@ -20,6 +98,7 @@ class CallbackSearch {
     if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt))
       of_object(made->getConstructor()->getParent());
     if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(stmt)) of_name(name->getDecl());
+    if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) of_call(call);
     if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt))
       has_unknown |=
           llvm::isa<clang::FieldDecl>(member->getMemberDecl()) && may_hold_function(member->getType());
@@ -29,21 +108,21 @@ class CallbackSearch {
   bool has_unknown = false;
 
  private:
-  /// What a parameter, a member or a variable that is set later leads to.
-  static bool may_hold_function(clang::QualType type) {
-    type = type.getNonReferenceType().getCanonicalType();
-    if (type->isFunctionPointerType() || type->isMemberFunctionPointerType()) return true;
-    const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-    return record && record->getIdentifier() && record->getName() == "function";
-  }
   void of_name(const clang::ValueDecl* named) {
     if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(named)) found.push_back(function);
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(named);
     if (!variable || !seen_.insert(variable).second) return;
     of_object(variable->getType().getNonReferenceType()->getAsCXXRecordDecl());
-    const bool is_set_here = !llvm::isa<clang::ParmVarDecl>(variable) && variable->getInit();
-    has_unknown |= may_hold_function(variable->getType()) && !is_set_here;
+    has_unknown |=
+        may_hold_function(variable->getType()) && (!begins_with_function(variable) || may_change(variable));
     in(variable->getInit());
+  }
+  /// A function of the package may return any function, or a closure.
+  void of_call(const clang::CallExpr* call) {
+    const clang::FunctionDecl* function = call->getDirectCallee();
+    if (!function || !unit_.declares(function)) return;
+    has_unknown |= may_hold_function(call->getType());
+    of_object(call->getType().getNonReferenceType()->getAsCXXRecordDecl());
   }
 
   /// Its call operators; of a generic one the instances.

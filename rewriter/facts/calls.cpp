@@ -99,6 +99,13 @@ bool removes_const(const clang::ExplicitCastExpr* cast) {
   return !before->isArrayType() && !from.isNull() && !to.isNull() && loses_const(from, to);
 }
 
+const clang::CallExpr* call_behind(const clang::Expr* value) {
+  value = value->IgnoreImplicit();
+  const auto* copy = llvm::dyn_cast<clang::CXXConstructExpr>(value);
+  if (copy && copy->getNumArgs() == 1) return call_behind(copy->getArg(0));
+  return llvm::dyn_cast<clang::CallExpr>(value);
+}
+
 bool is_publish(const clang::CXXMemberCallExpr* call) {
   const clang::CXXMethodDecl* method = call->getMethodDecl();
   return method && method->getNameAsString() == "publish" &&

@@ -36,6 +36,8 @@ bool is_publisher_class(const std::string& name);
 bool is_single_subscriber(const std::string& name);
 /// Whether what a cast yields may be written through, and what it was given may not.
 bool removes_const(const clang::ExplicitCastExpr* cast);
+/// The call that a value comes from, copies aside; null: it comes from none.
+const clang::CallExpr* call_behind(const clang::Expr* value);
 /// publisher.publish(...)
 bool is_publish(const clang::CXXMemberCallExpr* call);
 /// tzc::publish(publisher, message), and its likes for images

@@ -57,6 +57,20 @@ void note_overrides(const clang::CXXMethodDecl* method, const clang::CXXMethodDe
   }
 }
 
+/// Why the program may rely on the size or layout of the type: the memory is its own, or what lies there is not shown. Empty: it
+/// does not.
+std::string why_not_another_type(const clang::Expr* expr, const RuleSet& rules) {
+  const auto* made = llvm::dyn_cast<clang::CXXNewExpr>(expr);
+  if (made && made->getOperatorNew() && made->getOperatorNew()->isReservedGlobalPlacementOperator())
+    return "it is made in memory whose size the program has chosen";
+  const auto* cast = llvm::dyn_cast<clang::ExplicitCastExpr>(expr);
+  const clang::QualType from = cast ? cast->getSubExprAsWritten()->getType() : clang::QualType();
+  const bool is_address = cast && !message_of(cast->getType()) && from->isScalarType();
+  return is_address && !from->isNullPtrType() && !carried_by(from, rules)
+             ? "it is cast from '" + from.getAsString() + "', which does not tell what lies there"
+             : "";
+}
+
 }  // namespace
 
 void Collectors::declaration(const clang::VarDecl* variable) {
@@ -109,6 +123,9 @@ void Collectors::object(const clang::Expr* expr, const clang::TypeSourceInfo* ty
   const EntityId id = entities_.declare_temporary(expr);
   if (id.empty()) return;
   if (type) entities_.retype(id, type->getTypeLoc());
+  if (const std::string reason = why_not_another_type(expr, unit_.rules); !reason.empty())
+    entities_.add_obstacle(id, entities_.is_message(id) ? codes::TZC1001 : codes::TZC1010, reason,
+                           expr->getBeginLoc());
   const FlowEnd end = flow_.follow(expr, id);
   const clang::QualType pointee = pointee_of(expr->getType());
   const bool makes = llvm::isa<clang::CXXNewExpr>(expr) || message_of(expr->getType());

@@ -2,6 +2,8 @@
 #include <clang/Analysis/CFG.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <set>
 
 #include "facts/content_events.h"
@@ -10,6 +12,8 @@
 
 namespace tzc::rewriter {
 namespace {
+
+constexpr std::size_t many_blocks = 4096;  // of a function's graph, or of what one call may run
 
 using Given = std::vector<std::pair<MessagePart, MessagePart>>;
 
@@ -87,6 +91,7 @@ class FlowBuilder {
   unsigned add(const clang::CFGElement& element, const clang::FunctionDecl* function, unsigned at);
   unsigned perhaps(Part part, unsigned at);
   unsigned run(const ClosureRun& closure, unsigned at);
+  Part graph_of(const clang::FunctionDecl* closure);
   unsigned call(const PerhapsCall& perhaps_called, unsigned at);
   unsigned call_unknown(const IfShown& if_shown, unsigned at);
   Part anything(AnyCode& calls);
@@ -104,6 +109,7 @@ class FlowBuilder {
   std::set<const clang::FunctionDecl*> open_;       ///< which are being added
   std::vector<const clang::LambdaExpr*> closures_;  ///< that an unknown call may run
   UnknownCode unknown_;
+  std::map<std::pair<const clang::FunctionDecl*, std::vector<Given>>, Part> shared_;
 };
 
 /// Blocks in Clang's order, the entry first.
@@ -199,11 +205,25 @@ FlowBuilder::Part FlowBuilder::add_instance(const clang::CFG& cfg, const clang::
 unsigned FlowBuilder::run(const ClosureRun& closure, unsigned at) {
   if (open_.count(closure.body) != 0) return call_unknown({}, at);
   given_.push_back(closure.given);
-  const Part part = body_of(closure.body);
+  const Part part = graph_of(closure.body);
   given_.pop_back();
   if (!closure.once) return perhaps(part, at);
   connect(at, part.entry);
   return part.exit;
+}
+
+/// Each call has a graph of its own, since with one for all of them paths would lead from one to the next: that is what large
+/// functions get. Closures that call closures twice would have 2^n otherwise.
+FlowBuilder::Part FlowBuilder::graph_of(const clang::FunctionDecl* closure) {
+  if (flow_.blocks.size() < many_blocks) return body_of(closure);
+  std::vector<Given> given;
+  std::copy_if(given_.begin(), given_.end(), std::back_inserter(given),
+               [](const Given& one) { return !one.empty(); });
+  const auto known = shared_.find({closure, given});
+  if (known != shared_.end()) return known->second;
+  const Part part = body_of(closure);
+  shared_.emplace(std::pair(closure, std::move(given)), part);
+  return part;
 }
 
 unsigned FlowBuilder::call(const PerhapsCall& perhaps_called, unsigned at) {
@@ -234,7 +254,6 @@ unsigned FlowBuilder::call_unknown(const IfShown& if_shown, unsigned at) {
 /// Each call has a graph of its own, in which the closures call one another: with one for all of them, paths would lead from one
 /// to the next. That is what large functions get, for want of a limit otherwise.
 FlowBuilder::Part FlowBuilder::anything(AnyCode& calls) {
-  constexpr std::size_t many_blocks = 4096;
   if (calls.shared) return *calls.shared;
   const std::size_t before = flow_.blocks.size();
   const Part any{new_block(), new_block()};

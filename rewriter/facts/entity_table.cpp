@@ -157,7 +157,8 @@ void EntityTable::respell(Entity& entity, clang::TypeLoc written) const {
   Respelling respelling = rewriter::respell(unit_, written);
   for (Change& change : respelling.changes) {
     const bool known = llvm::any_of(entity.changes, [&](const Change& c) {
-      return c.where.file == change.where.file && c.where.begin == change.where.begin;
+      return c.where.file == change.where.file && c.where.begin == change.where.begin &&
+             c.text == change.text;
     });
     if (!known) entity.changes.push_back(std::move(change));
   }

@@ -25,7 +25,20 @@ FlowSources foreign() {
   return sources;
 }
 
+/// Of a function object or pointer, or an override: it may be the package's own, or a library's.
+bool is_known_when_run(const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(function);
+  return !function || (method && (method->isVirtual() || method->getOverloadedOperator() == clang::OO_Call));
+}
+
 }  // namespace
+
+std::string builder_of(const clang::Expr* value) {
+  const clang::CallExpr* call = call_behind(value);
+  return call && is_known_when_run(call) ? "a function that is known only when it runs"
+                                         : "code outside the package";
+}
 
 FlowSources SourceFinder::of_member(const clang::MemberExpr* member) {
   if (message_of(member->getBase()->getType()) ||
@@ -121,6 +134,7 @@ const clang::Expr* SourceFinder::operand_of(const clang::Expr* expr) const {
   if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(expr)) return bound->getSubExpr();
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr)) return op->getSubExpr();
   if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(expr)) {
+    if (op->isPtrMemOp()) return nullptr;  // object.*member: nothing shows which
     const bool is_offset = op->getOpcode() == clang::BO_Add && op->getLHS()->getType()->isIntegerType();
     return is_offset || op->getOpcode() == clang::BO_Comma ? op->getRHS() : op->getLHS();
   }

@@ -3,6 +3,7 @@
 
 #include <clang/AST/ExprCXX.h>
 
+#include <string>
 #include <vector>
 
 #include "facts/entity_table.h"
@@ -14,6 +15,9 @@ struct FlowSources {
   std::vector<EntityId> entities;
   bool foreign = false;  ///< also from something outside the package
 };
+
+/// Who builds a value that comes from something outside the package, as the subject of a sentence.
+std::string builder_of(const clang::Expr* value);
 
 /// Backward value flow: from an expression down to the entities that its value comes from.
 class SourceFinder {

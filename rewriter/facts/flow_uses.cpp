@@ -23,12 +23,20 @@ unsigned argument_index(llvm::ArrayRef<const clang::Expr*> arguments, const clan
   return static_cast<unsigned>(arguments.size());
 }
 
-/// Of array.resize(n).
-std::optional<Change> without_zero_fill_of(const Unit& unit, const clang::MemberExpr* array) {
+/// array.resize(n); null: it is no such call.
+const clang::CXXMemberCallExpr* resize_of(const Unit& unit, const clang::MemberExpr* array) {
   const auto* method = parent_as<clang::MemberExpr>(unit.ast(), *array);
-  if (!method || method->getMemberDecl()->getNameAsString() != "resize") return {};
-  const auto* resize = parent_as<clang::CXXMemberCallExpr>(unit.ast(), *method);
-  return resize ? without_zero_fill(unit, resize) : std::nullopt;
+  if (!method || method->getMemberDecl()->getNameAsString() != "resize") return nullptr;
+  return parent_as<clang::CXXMemberCallExpr>(unit.ast(), *method);
+}
+
+/// Leaves the fill of a resize out, or says that it is needed; none: this is none. Instances of a template have one text.
+std::optional<Change> zero_fill_change(const Unit& unit, const clang::MemberExpr* array) {
+  const clang::CXXMemberCallExpr* resize = resize_of(unit, array);
+  if (resize == nullptr) return {};
+  if (std::optional<Change> change = without_zero_fill(unit, resize)) return change;
+  const std::optional<Place> where = zero_fill_place(unit, resize);
+  return where ? std::optional(Change{*where, "", zero_fill_rule, {}}) : std::nullopt;
 }
 
 /// What a message is copied into is another object; what a pointer is copied into leads to the same one.
@@ -176,6 +184,9 @@ bool UseFollower::into_expression(const clang::Expr* parent) {
   if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(parent))
     return into_constructor(construct);
   if (const auto* cast = llvm::dyn_cast<clang::ExplicitCastExpr>(parent)) return into_cast(cast);
+  if (parent->getType()->isMemberPointerType())
+    return refuse(entities_.is_message(id_) ? codes::TZC1001 : codes::TZC1010,
+                  "a pointer to the member leads to it");
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(parent)) return go_on(op);
   if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(parent)) return into_binary(op);
   if (const auto* choice = llvm::dyn_cast<clang::ConditionalOperator>(parent))
@@ -203,6 +214,8 @@ bool UseFollower::into_method(const clang::MemberExpr* member) {
   const std::string method = member->getMemberDecl()->getNameAsString();
   for (const clang::Expr* argument : call->arguments())
     if (carried_by(argument->getType(), unit_.rules)) check_source(argument);
+  if (entities_.is_message(id_) && (method == "type" || method == "target_type"))
+    return refuse(codes::TZC1001, asks_for_its_type);
   static const std::set<std::string> of_holders = {"use_count", "unique", "expired", "lock"};
   if (entities_.is_message(id_) && of_holders.count(method) != 0)
     return refuse(codes::TZC1001, "the program asks who else holds it");
@@ -215,7 +228,7 @@ bool UseFollower::into_member(const clang::MemberExpr* member) {
   if (!llvm::isa<clang::FieldDecl>(member->getMemberDecl())) return false;
   if (is_data_array(member->getType())) {
     entities_.add_data_use(id_, member->getMemberLoc(), growth_at(unit_, member, entities_[id_].type));
-    if (std::optional<Change> change = without_zero_fill_of(unit_, member))
+    if (std::optional<Change> change = zero_fill_change(unit_, member))
       entities_.add_use(id_, std::move(*change));
     for (Change& change : changes_for_stock_vector(unit_, member)) entities_.add_use(id_, std::move(change));
     return false;
@@ -247,9 +260,9 @@ void UseFollower::check_source(const clang::Expr* value) {
 
   const std::string text = unit_.text(value);
   if (entities_.is_message(id_))
-    refuse(codes::TZC1013, "'" + text + "' is a message that code outside the package builds");
+    refuse(codes::TZC1013, "'" + text + "' is a message that " + builder_of(value) + " builds");
   else
-    refuse(codes::TZC1017, "'" + text + "' is a publisher that code outside the package advertises");
+    refuse(codes::TZC1017, "'" + text + "' is a publisher that " + builder_of(value) + " advertises");
 }
 
 void UseFollower::assign(const clang::Expr* target, const clang::Expr* value, const clang::Expr* statement) {

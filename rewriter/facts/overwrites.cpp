@@ -160,10 +160,16 @@ std::optional<Place> size_place(const Unit& unit, const clang::CXXMemberCallExpr
 
 }  // namespace
 
+std::optional<Place> zero_fill_place(const Unit& unit, const clang::CXXMemberCallExpr* resize) {
+  std::optional<Place> behind = written_arguments(resize) == 1 ? size_place(unit, resize) : std::nullopt;
+  if (behind) behind->begin = behind->end;
+  return behind;
+}
+
 std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMemberCallExpr* resize) {
   const auto* block = parent_as<clang::CompoundStmt>(unit.ast(), *resize);
-  const auto behind = size_place(unit, resize);
-  if (!block || !behind || written_arguments(resize) != 1) return {};
+  const std::optional<Place> behind = zero_fill_place(unit, resize);
+  if (!block || !behind) return {};
   const clang::Expr* object = resize->getImplicitObjectArgument();
   const std::string array = unit.squeezed(object);
   if (array.empty() || !is_steady_name(unit, object)) return {};
@@ -175,10 +181,8 @@ std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMember
   for (const clang::Stmt* statement : block->body()) {
     const ResizedArray resized{array, object, resize->getArg(0), is_fresh};
     if (behind_it && (overwrites(unit, statement, array, size, bytes, is_stable(unit, resize->getArg(0))) ||
-                      writes_each_element(unit, statement, resized))) {
-      const Place at{behind->file, behind->end, behind->end, behind->line, behind->column};
-      return Change{at, ", tzc::uninitialized", "uninitialized", {}};
-    }
+                      writes_each_element(unit, statement, resized)))
+      return Change{*behind, ", tzc::uninitialized", uninitialized_rule, {}};
     const bool is_sister = resizes_sister(unit, statement, object);
     if (behind_it && !is_sister && !is_harmless(unit, statement, object)) return {};
     behind_it |= statement == resize;

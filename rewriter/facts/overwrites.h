@@ -12,5 +12,7 @@ namespace tzc::rewriter {
 
 /// The edit that leaves out the zero-fill of a resize, where what follows provably writes every element.
 std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMemberCallExpr* resize);
+/// Where it would be made; none: nowhere.
+std::optional<Place> zero_fill_place(const Unit& unit, const clang::CXXMemberCallExpr* resize);
 
 }  // namespace tzc::rewriter

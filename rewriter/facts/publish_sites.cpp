@@ -79,7 +79,7 @@ void describe_message(Publish& site, const Unit& unit, ValueFlow& flow, const cl
   const FlowSources sources = flow.sources_of(argument);
   site.messages = sources.entities;
   if (sources.foreign && is_message && site.has_data_part)
-    site.obstacles.push_back({codes::TZC1013, "code outside the package builds the message",
+    site.obstacles.push_back({codes::TZC1013, builder_of(argument) + " builds the message",
                               unit.location(argument->getBeginLoc())});
 }
 

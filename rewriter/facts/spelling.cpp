@@ -74,6 +74,17 @@ std::string hidden_arguments(clang::QualType type, const clang::PrintingPolicy& 
   return message ? "<" + stock_name(message->name) + ">" : "";
 }
 
+/// Whether an expression names something of the package that may be ported: then its type changes with that.
+bool names_entity(const Unit& unit, const clang::Stmt* expr) {
+  const clang::ValueDecl* decl = nullptr;
+  if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(expr)) decl = name->getDecl();
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr)) decl = member->getMemberDecl();
+  if (decl && unit.source.in_package(decl->getLocation()) && carried_by(decl->getType(), unit.rules))
+    return true;
+  return llvm::any_of(expr->children(),
+                      [&](const clang::Stmt* child) { return child && names_entity(unit, child); });
+}
+
 class Speller {
  public:
   explicit Speller(const Unit& unit) : unit_(unit) {}
@@ -86,6 +97,7 @@ class Speller {
   void respell_template(clang::TemplateSpecializationTypeLoc type, clang::SourceLocation begin);
   void respell_name(clang::TypeLoc type, clang::SourceRange tokens, clang::NestedNameSpecifierLoc qualifier);
   bool respell_qualifier(clang::NestedNameSpecifierLoc qualifier);
+  void respell_decltype(clang::DecltypeTypeLoc type);
   void obstruct(const char* code, const std::string& reason, clang::SourceLocation where) {
     result_.obstacles.push_back({code, reason, unit_.location(where)});
   }
@@ -152,6 +164,14 @@ bool Speller::respell_qualifier(clang::NestedNameSpecifierLoc qualifier) {
   return false;
 }
 
+void Speller::respell_decltype(clang::DecltypeTypeLoc type) {
+  const clang::Expr* operand = type.getUnderlyingExpr();
+  if (carried_by(type.getType(), unit_.rules) && !names_entity(unit_, operand))
+    obstruct(codes::TZC1005,
+             "its type hides behind the name '" + unit_.source.text(type.getSourceRange()) + "'",
+             type.getBeginLoc());
+}
+
 void Speller::respell(clang::TypeLoc type) {
   const clang::SourceRange tokens = type.getSourceRange();
   if (type.isNull() || tokens.isInvalid()) return;
@@ -161,7 +181,8 @@ void Speller::respell(clang::TypeLoc type) {
   if (const auto reference = type.getAs<clang::ReferenceTypeLoc>()) return respell(reference.getPointeeLoc());
   if (const auto array = type.getAs<clang::ArrayTypeLoc>()) return respell(array.getElementLoc());
   if (const auto parens = type.getAs<clang::ParenTypeLoc>()) return respell(parens.getInnerLoc());
-  if (type.getAs<clang::AutoTypeLoc>() || type.getAs<clang::DecltypeTypeLoc>()) return;
+  if (type.getAs<clang::AutoTypeLoc>()) return;
+  if (const auto asked = type.getAs<clang::DecltypeTypeLoc>()) return respell_decltype(asked);
   const auto elaborated = type.getAs<clang::ElaboratedTypeLoc>();
   const clang::TypeLoc named = elaborated ? elaborated.getNamedTypeLoc() : type;
   if (const auto templated = named.getAs<clang::TemplateSpecializationTypeLoc>())

@@ -4,6 +4,9 @@
 #include <clang/AST/ExprCXX.h>
 #include <clang/Basic/SourceManager.h>
 
+#include <set>
+#include <string>
+
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -55,6 +58,53 @@ bool names_trait(llvm::StringRef name) {
   return name.starts_with("is_") || name.starts_with("has_") || llvm::is_contained(others, name);
 }
 
+/// Library functions that do the same with a message as with its twin when a template gives them its type: they make, move or cast
+/// an object, or tell what both have in common.
+bool treats_alike(const clang::NamedDecl* function) {
+  static const std::set<std::string> names = {"make_shared",
+                                              "make_unique",
+                                              "allocate_shared",
+                                              "make_pair",
+                                              "make_tuple",
+                                              "forward",
+                                              "move",
+                                              "declval",
+                                              "get",
+                                              "swap",
+                                              "min",
+                                              "max",
+                                              "bind",
+                                              "ref",
+                                              "cref",
+                                              "static_pointer_cast",
+                                              "begin",
+                                              "end",
+                                              "distance",
+                                              "const_pointer_cast",
+                                              "addressof",
+                                              "advertise",
+                                              "subscribe",
+                                              "dynamic_pointer_cast",
+                                              "datatype",
+                                              "md5sum",
+                                              "definition",
+                                              "serializationLength",
+                                              "serialize",
+                                              "deserialize",
+                                              "serializeMessage",
+                                              "deserializeMessage",
+                                              "lexical_cast",
+                                              "count_if",
+                                              "timeStamp",
+                                              "header",
+                                              "frameId"};
+  return names.count(function->getNameAsString()) != 0;
+}
+
+bool is_dependent(const clang::TemplateArgumentLoc& argument) {
+  return argument.getArgument().isDependent();
+}
+
 class TypeQuestions : public AstVisitor {
  public:
   explicit TypeQuestions(const Unit& unit) : unit_(unit) {}
@@ -83,6 +133,16 @@ class TypeQuestions : public AstVisitor {
   bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr*) override { return note(true); }
   bool VisitTypeTraitExpr(clang::TypeTraitExpr*) override { return note(true); }
   bool VisitCXXTypeidExpr(clang::CXXTypeidExpr*) override { return note(true); }
+  bool VisitCXXNoexceptExpr(clang::CXXNoexceptExpr*) override { return note(true); }
+  bool VisitRequiresExpr(clang::RequiresExpr*) override { return note(true); }
+  bool VisitConceptSpecializationExpr(clang::ConceptSpecializationExpr*) override { return note(true); }
+  /// __PRETTY_FUNCTION__ names the template's arguments. Where a library's macro writes it, it is for the log.
+  bool VisitPredefinedExpr(clang::PredefinedExpr* name) override {
+    const clang::SourceManager& manager = unit_.ast().getSourceManager();
+    const llvm::StringRef kind = name->getIdentKindName();
+    return note(kind != "__func__" && kind != "__FUNCTION__" &&
+                !manager.isInSystemHeader(manager.getSpellingLoc(name->getLocation())));
+  }
   bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc) override { return note(true); }
   bool VisitVarDecl(clang::VarDecl* variable) override {
     const auto* made = variable->getType()->getAs<clang::TemplateSpecializationType>();
@@ -95,8 +155,10 @@ class TypeQuestions : public AstVisitor {
   }
   bool VisitTemplateSpecializationTypeLoc(clang::TemplateSpecializationTypeLoc named) override {
     const clang::TemplateDecl* name = named.getTypePtr()->getTemplateName().getAsTemplateDecl();
-    return note(in_parameters_ && name && named.getTypePtr()->isDependentType() &&
-                (is_own(name) || has_statics(name) || is_specialised(name)));
+    if (!name || !named.getTypePtr()->isDependentType()) return note(false);
+    if (in_parameters_) return note(is_own(name) || has_statics(name) || is_specialised(name));
+    if (is_own(name)) look_into(name);
+    return !found;
   }
   bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc name) override {
     const clang::NestedNameSpecifier* qualifier = name.getTypePtr()->getQualifier();
@@ -105,7 +167,8 @@ class TypeQuestions : public AstVisitor {
   bool VisitUnresolvedLookupExpr(clang::UnresolvedLookupExpr* name) override {
     const bool chooses = name->hasExplicitTemplateArgs() || name->getNumDecls() > 1;
     return note(llvm::any_of(name->decls(), [&](const clang::NamedDecl* decl) {
-      return llvm::isa<clang::VarTemplateDecl>(decl->getUnderlyingDecl()) || (chooses && is_own(decl));
+      return llvm::isa<clang::VarTemplateDecl>(decl->getUnderlyingDecl()) || (chooses && is_own(decl)) ||
+             (llvm::any_of(name->template_arguments(), is_dependent) && !treats_alike(decl));
     }));
   }
   bool VisitUnresolvedMemberExpr(clang::UnresolvedMemberExpr* name) override {
@@ -114,6 +177,16 @@ class TypeQuestions : public AstVisitor {
   }
 
  private:
+  /// A class template of the package is made with the type: its functions may ask.
+  void look_into(const clang::TemplateDecl* name) {
+    const auto* record = llvm::dyn_cast_or_null<clang::CXXRecordDecl>(name->getTemplatedDecl());
+    clang::CXXRecordDecl* definition = record ? record->getDefinition() : nullptr;
+    if (!definition || !seen_.insert(definition).second) return;
+    TraverseDecl(definition);
+    for (const clang::CXXMethodDecl* method : definition->methods())
+      if (const clang::FunctionDecl* defined = method->getDefinition(); defined && defined != method)
+        TraverseDecl(const_cast<clang::FunctionDecl*>(defined));
+  }
   /// What counts by type (next<M>(), Registry<M>) may keep something for each.
   bool is_own(const clang::NamedDecl* decl) const {
     return unit_.source.in_package(decl->getUnderlyingDecl()->getLocation());
@@ -124,14 +197,22 @@ class TypeQuestions : public AstVisitor {
   }
   const Unit& unit_;
   bool in_parameters_ = false;
+  std::set<const clang::CXXRecordDecl*> seen_;
 };
+
+/// The parameter of the pattern that takes an argument: a pack takes all from its own on.
+const clang::ParmVarDecl* parameter_for(const clang::FunctionDecl* pattern, unsigned argument) {
+  for (const clang::ParmVarDecl* parameter : pattern->parameters())
+    if (parameter->isParameterPack() && parameter->getFunctionScopeIndex() <= argument) return parameter;
+  return argument < pattern->getNumParams() ? pattern->getParamDecl(argument) : nullptr;
+}
 
 }  // namespace
 
 bool is_type_blind(const Unit& unit, const clang::FunctionDecl* function, unsigned argument) {
   const clang::FunctionDecl* pattern = function->getTemplateInstantiationPattern();
-  if (!pattern || argument >= pattern->getNumParams()) return true;
-  if (!pattern->getParamDecl(argument)->getType()->isDependentType()) return true;
+  const clang::ParmVarDecl* parameter = pattern ? parameter_for(pattern, argument) : nullptr;
+  if (!parameter || !parameter->getType()->isDependentType()) return true;
   if (!pattern->isDefined()) return false;  // elsewhere, for the types that are instantiated there
   TypeQuestions questions(unit);
   questions.look_at_parameters(pattern->getDescribedFunctionTemplate());

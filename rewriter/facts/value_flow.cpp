@@ -29,10 +29,7 @@ const clang::Expr* address_taken(const clang::Expr* expr) {
 }
 
 const clang::FunctionDecl* called_by(const clang::Expr* value) {
-  if (value) value = value->IgnoreImplicit();
-  const auto* copy = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(value);
-  if (copy && copy->getNumArgs() == 1) return called_by(copy->getArg(0));
-  const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(value);
+  const clang::CallExpr* call = value ? call_behind(value) : nullptr;
   return call ? call->getDirectCallee() : nullptr;
 }
 
@@ -51,10 +48,10 @@ void ValueFlow::check_source_of(const clang::VarDecl* variable) {
   if (id.empty() || !variable->getInit() || variable->isCXXForRangeDecl() || variable->isImplicit()) return;
   if (llvm::isa<clang::ParmVarDecl>(variable) || variable->getInit()->isTypeDependent()) return;
   if (!sources_of(variable->getInit()).foreign) return;
-  entities_.add_obstacle(
-      id, entities_.is_message(id) ? codes::TZC1013 : codes::TZC1017,
-      "it starts as '" + unit_.text(variable->getInit()) + "', which code outside the package builds",
-      variable->getLocation());
+  entities_.add_obstacle(id, entities_.is_message(id) ? codes::TZC1013 : codes::TZC1017,
+                         "it starts as '" + unit_.text(variable->getInit()) + "', which " +
+                             builder_of(variable->getInit()) + " builds",
+                         variable->getLocation());
 }
 
 void ValueFlow::check_const_cast(const clang::ExplicitCastExpr* cast) {

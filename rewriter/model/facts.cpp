@@ -76,6 +76,19 @@ void unite(std::map<Key, std::set<std::string>>& into, std::map<Key, std::set<st
 
 }  // namespace
 
+std::set<std::string> ClassFacts::with_bases(const std::string& record) const {
+  std::set<std::string> found;
+  std::vector<std::string> open{record};
+  while (!open.empty()) {
+    const std::string next = std::move(open.back());
+    open.pop_back();
+    if (!found.insert(next).second) continue;
+    if (const auto known = bases.find(next); known != bases.end())
+      open.insert(open.end(), known->second.begin(), known->second.end());
+  }
+  return found;
+}
+
 void Facts::refuse_unseen_functions() {
   for (const auto& [id, function] : parameters) {
     const auto entity = entities.find(id);

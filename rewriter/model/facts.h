@@ -84,6 +84,10 @@ struct Cut {
   std::string ported;  ///< the same with the ported type
 };
 
+/// Of the edit that leaves out a zero-fill, and of none: an instance of the template, or a unit, needs the fill there.
+constexpr const char* uninitialized_rule = "uninitialized";
+constexpr const char* zero_fill_rule = "zero-fill";
+
 /// A use of an entity that takes an edit when the entity is ported.
 struct Use {
   EntityId entity;
@@ -280,6 +284,9 @@ struct ClassFacts {
   std::set<std::string> records;                           ///< that it defines
   std::map<std::string, std::set<std::string>> bases;      ///< class -> its base classes
   std::map<std::string, std::set<std::string>> overrides;  ///< virtual function -> all that override it
+
+  /// The class and all its bases. Programs of one package may give a name to different classes, so a class may be its own base.
+  std::set<std::string> with_bases(const std::string& record) const;
 };
 
 struct Facts : EntityFacts, EscapeFacts, ThreadFacts, ClassFacts {

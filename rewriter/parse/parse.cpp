@@ -6,13 +6,11 @@
 #include <clang/AST/DeclTemplate.h>
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Frontend/FrontendActions.h>
-#include <clang/Lex/PPCallbacks.h>
 #include <clang/Lex/Preprocessor.h>
 #include <clang/Tooling/Tooling.h>
 #include <llvm/Support/VirtualFileSystem.h>
 
 #include <cstring>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -21,6 +19,7 @@
 #include "parse/edited_files.h"
 #include "parse/errors.h"
 #include "parse/gcc_headers.h"
+#include "parse/note_preprocessing.h"
 #include "parse/recorded_files.h"
 
 #ifdef __GLIBC__
@@ -31,55 +30,6 @@ namespace tzc::rewriter {
 namespace {
 
 using Then = std::function<void(clang::ASTContext&)>;
-
-/// Clang announces each directive that it looks at, and then what it skips behind it: behind the others it compiles.
-class Branches : public clang::PPCallbacks {
- public:
-  Branches(const clang::SourceManager& manager, ParseResult& result) : manager_(manager), result_(result) {}
-
-  void If(clang::SourceLocation at, clang::SourceRange, ConditionValueKind) override { count(at, 1); }
-  void Ifdef(clang::SourceLocation at, const clang::Token&, const clang::MacroDefinition&) override {
-    count(at, 1);
-  }
-  void Ifndef(clang::SourceLocation at, const clang::Token&, const clang::MacroDefinition&) override {
-    count(at, 1);
-  }
-  void Elif(clang::SourceLocation at, clang::SourceRange, ConditionValueKind value,
-            clang::SourceLocation) override {
-    if (value != CVK_False) count(at, 1);  // in the midst of what is skipped
-  }
-  void Else(clang::SourceLocation at, clang::SourceLocation) override { count(at, 1); }
-
-  void SourceRangeSkipped(clang::SourceRange range, clang::SourceLocation) override {
-    const clang::SourceLocation begin = manager_.getExpansionLoc(range.getBegin());
-    if (manager_.isInSystemHeader(begin)) return;
-    count(begin, -1);
-    const std::string file = path_of(manager_.getFileID(begin));
-    if (file.empty()) return;
-    result_.skipped.push_back({file, manager_.getSpellingLineNumber(begin), manager_.getFileOffset(begin),
-                               manager_.getFileOffset(range.getEnd())});
-  }
-
-  void EndOfMainFile() override {
-    for (const auto& [where, times] : compiled_)
-      if (times > 0) result_.compiled.insert({path_of(where.first), where.second});
-  }
-
- private:
-  std::string path_of(clang::FileID file) const {
-    const auto entry = manager_.getFileEntryRefForID(file);
-    return entry ? canonical_path(entry->getFileEntry().tryGetRealPathName().str()) : "";
-  }
-  void count(clang::SourceLocation at, int times) {
-    if (!manager_.isInSystemHeader(at))
-      compiled_[{manager_.getFileID(at), manager_.getSpellingLineNumber(at)}] += times;
-  }
-
-  const clang::SourceManager& manager_;
-  ParseResult& result_;
-  std::map<std::pair<clang::FileID, unsigned>, int>
-      compiled_;  ///< a file has another ID each time that it is read
-};
 
 class Consumer : public clang::ASTConsumer {
  public:
@@ -109,8 +59,7 @@ class Action : public clang::ASTFrontendAction {
 
   std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler,
                                                         llvm::StringRef) override {
-    compiler.getPreprocessor().addPPCallbacks(
-        std::make_unique<Branches>(compiler.getSourceManager(), result_));
+    note_preprocessing(compiler.getPreprocessor(), result_.preprocessor);
     compiler.getFrontendOpts().SkipFunctionBodies = options_.skip_system_bodies;
     return std::make_unique<Consumer>(options_, then_, result_);
   }

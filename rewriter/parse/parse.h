@@ -2,15 +2,14 @@
 #pragma once
 
 #include <functional>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "model/edit.h"
 #include "model/file_accesses.h"
 #include "parse/compile_commands.h"
 #include "parse/diagnostic.h"
+#include "parse/preprocessor_notes.h"
 
 namespace clang {
 class ASTContext;
@@ -18,21 +17,10 @@ class ASTContext;
 
 namespace tzc::rewriter {
 
-/// A preprocessor branch that this unit does not compile, from its directive to one whose branch it compiles, or #endif.
-struct SkippedBranch {
-  std::string file;
-  unsigned line = 0;
-  unsigned begin = 0, end = 0;
-};
-
-/// File and line of an #if, #elif or #else.
-using BranchDirective = std::pair<std::string, unsigned>;
-
 struct ParseResult {
   std::vector<Diagnostic> errors;
-  bool crashed = false;  ///< on this unit, which is a defect of ours or of Clang; errors says so
-  std::vector<SkippedBranch> skipped;  ///< once for each time that the unit reads the file
-  std::set<BranchDirective> compiled;  ///< of the branches that it compiles, one of the times at least
+  bool crashed = false;            ///< on this unit, which is a defect of ours or of Clang; errors says so
+  PreprocessorNotes preprocessor;  ///< outside of system headers
 };
 
 struct ParseOptions {

@@ -73,14 +73,6 @@ std::string why_not_found(const Component& component) {
 
 }  // namespace
 
-bool Binder::inherits(const std::string& record, const std::string& base) const {
-  if (record.empty() || base.empty()) return false;
-  if (record == base) return true;
-  const auto bases = facts_.bases.find(record);
-  return bases != facts_.bases.end() && std::any_of(bases->second.begin(), bases->second.end(),
-                                                    [&](const std::string& b) { return inherits(b, base); });
-}
-
 /// Whether a constructor's initializers, or default ones, reach the function.
 bool Binder::runs_early(const std::string& function) {
   if (!early_) {
@@ -115,7 +107,9 @@ bool Binder::may_be_missing(const AllocationSite& site, const Entity& publisher)
 
 bool Binder::visible(const AllocationSite& site, const Entity& publisher) {
   if (site.unnameable.count(publisher.id) != 0 || may_be_missing(site, publisher)) return false;
-  if (publisher.storage == Storage::member) return inherits(site.record, publisher.member_of.record);
+  if (publisher.storage == Storage::member)
+    return !site.record.empty() && !publisher.member_of.record.empty() &&
+           facts_.with_bases(site.record).count(publisher.member_of.record) != 0;
   return publisher.storage == Storage::global && publisher.where.file == site.where.file &&
          publisher.where.line < site.where.line;
 }

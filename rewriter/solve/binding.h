@@ -48,7 +48,6 @@ class Binder {
   bool may_be_missing(const AllocationSite& site, const Entity& publisher);
   bool visible(const AllocationSite& site, const Entity& publisher);
   bool runs_early(const std::string& function);
-  bool inherits(const std::string& record, const std::string& base) const;
 
   const Facts& facts_;
   const Components& components_;

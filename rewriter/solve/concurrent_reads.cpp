@@ -44,11 +44,9 @@ bool ConcurrentReads::is_captured(const Component& component) const {
 
 /// Whether the field is one of the class, its bases, or a class that is derived from it: of the same object then.
 bool ConcurrentReads::is_part_of(const std::string& field, const std::string& record) const {
-  if (begins_with(field, record + "@FI@")) return true;
-  const auto bases = facts_.bases.find(record);
-  return bases != facts_.bases.end() &&
-         std::any_of(bases->second.begin(), bases->second.end(),
-                     [&](const std::string& base) { return is_part_of(field, base); });
+  const std::set<std::string> classes = facts_.with_bases(record);
+  return std::any_of(classes.begin(), classes.end(),
+                     [&](const std::string& one) { return begins_with(field, one + "@FI@"); });
 }
 
 /// Whether all who use a message have the same mutex under that name: it is part of the same object, or there is only one of both.

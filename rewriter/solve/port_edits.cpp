@@ -37,7 +37,11 @@ class PortEditor {
         components_(components),
         solution_(solution),
         options_(options),
-        separable_(separable(facts)) {}
+        separable_(separable(facts)) {
+    for (const Use& use : facts.uses)
+      if (use.change.rule == zero_fill_rule)
+        needed_fills_.insert({use.change.where.file, use.change.where.begin});
+  }
 
   PortEdits run() {
     for (const Component& component : components_.all())
@@ -46,7 +50,7 @@ class PortEditor {
     for (const EntityId& id : separable_) add_cut(id, facts_.cuts.at(id));
     for (const Use& use : facts_.uses)
       if (const Component* component = components_.of(use.entity))
-        if (is_ported(*component)) add(use.change, component->id);
+        if (is_ported(*component) && !is_kept_out(use.change)) add(use.change, component->id);
     for (const BoundAllocation& allocation : solution_.allocations) add_allocation(allocation);
     for (const GivenPublisher& given : solution_.factories) add_parameter(given);
     for (const auto& item : facts_.advertises) add_advertise(item.second);
@@ -72,6 +76,12 @@ class PortEditor {
   bool is_ported(const Component& component) const {
     return solution_.ports(component.id) &&
            (component.kind != ComponentKind::filter || is_subscribed_through(component));
+  }
+  /// Another instance of the template, or unit, may need the fill that this one could leave out.
+  bool is_kept_out(const Change& change) const {
+    return change.rule == zero_fill_rule ||
+           (change.rule == uninitialized_rule &&
+            needed_fills_.count({change.where.file, change.where.begin}) != 0);
   }
   /// A filter is ported for the sake of its subscriptions.
   bool is_subscribed_through(const Component& filter) const {
@@ -101,6 +111,7 @@ class PortEditor {
   const Solution& solution_;
   const SolveOptions& options_;
   std::set<EntityId> separable_;
+  std::set<std::pair<std::string, unsigned>> needed_fills_;  ///< file and offset
   PortEdits edits_;
 };
 

@@ -18,22 +18,16 @@ ReceivedWrites::ReceivedWrites(const Facts& facts) : facts_(facts) {
     filtered_.insert(item.second.parameters.begin(), item.second.parameters.end());
 }
 
-bool ReceivedWrites::derives(const std::string& record, const std::string& base) const {
-  if (record == base) return true;
-  const auto bases = facts_.bases.find(record);
-  return bases != facts_.bases.end() &&
-         std::any_of(bases->second.begin(), bases->second.end(),
-                     [&](const std::string& next) { return derives(next, base); });
-}
-
 /// Those of the class that subscribes, its bases and what derives from it; else any: the filter was handed on.
 std::vector<const FilterCallbackUse*> ReceivedWrites::registered(const Subscribe& site) const {
   if (site.filter.empty()) return {};
+  const std::set<std::string> around = facts_.with_bases(site.scope);
   std::vector<const FilterCallbackUse*> own, all;
   for (const auto& [callback, use] : facts_.filter_callbacks) {
     if (callback.type != site.type) continue;
     all.push_back(&use);
-    if (derives(callback.scope, site.scope) || derives(site.scope, callback.scope)) own.push_back(&use);
+    if (around.count(callback.scope) != 0 || facts_.with_bases(callback.scope).count(site.scope) != 0)
+      own.push_back(&use);
   }
   return own.empty() ? all : own;
 }

@@ -22,7 +22,6 @@ class ReceivedWrites {
   std::optional<Obstacle> to_elements(const Subscribe& site) const;
 
  private:
-  bool derives(const std::string& record, const std::string& base) const;
   std::vector<const FilterCallbackUse*> registered(const Subscribe& site) const;
   std::set<EntityId> received(const Subscribe& site) const;
   std::optional<Obstacle> write(const Subscribe& site, bool to_array) const;

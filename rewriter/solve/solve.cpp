@@ -203,7 +203,8 @@ std::optional<Decision> Solver::of_several_types(const Component& component) {
           texts.emplace(std::make_pair(change.where.file, change.where.begin), change.text);
       if (is_new || known->second == change.text) continue;
       return refused(
-          {codes::TZC1007, "the file is compiled in several ways, which give it different types here",
+          {codes::TZC1007,
+           "its type differs between the instances of a template, or the ways in which the file is compiled",
            entity->where},
           entity->id);
     }

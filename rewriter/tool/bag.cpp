@@ -50,7 +50,7 @@ class Bag {
   explicit Bag(const std::string& path) : path_(path), file_(path, std::ios::binary) {}
 
   Expected<std::map<std::string, std::uint64_t>> run() {
-    if (!file_) return Error{"cannot be read", path_, ""};
+    if (!file_) return Error{"cannot be read", path_, "name a recording that you may read after --bag"};
     std::string version;
     std::getline(file_, version);
     if (version != "#ROSBAG V2.0")

@@ -18,7 +18,7 @@ std::string key(const std::string& package, const std::string& id) {
 
 Expected<Baseline> Baseline::read(const std::string& file) {
   const Expected<std::string> text = read_file(file);
-  if (!text) return text.error();
+  if (!text) return Error{text.error().what, file, "write one with --report FILE.json"};
   Baseline baseline;
   try {
     const json document = json::parse(*text);

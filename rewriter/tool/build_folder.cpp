@@ -49,7 +49,8 @@ std::string how_to_make_one(const std::string& package_dir) {
   if (fs::exists(workspace / ".catkin_tools"))
     return configure + option + ", as in: catkin config --append-args --cmake-args" + option +
            " && catkin build";
-  return configure + option + ", as in: catkin_make" + option;
+  const bool isolated = fs::exists(workspace / "build_isolated") && !fs::exists(workspace / "build");
+  return configure + option + ", as in: catkin_make" + (isolated ? "_isolated" : "") + option;
 }
 
 /// What -p names: a folder, or the file in it.

@@ -19,7 +19,8 @@ int main(int argc, char** argv) {
     const int status = tzc::rewriter::tool_main(
         argc, argv, {tzc::rewriter::plan_ports, tzc::rewriter::format_changes, tzc::rewriter::blake3_digest});
     std::cout.flush();
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout) return status;
+    const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout;
+    if (written || status != 0) return status;  // a run that could not write its report has said so
     std::cerr << "tzc-rewrite: cannot write to standard output: " << std::strerror(errno) << '\n';
     return 2;
   } catch (const std::system_error& error) {

@@ -67,7 +67,8 @@ Expected<void> ReportFiles::write(const RunReport& run, const RunInfo& info) {
     if (Expected<void> done = write_file(file.staged, text_of(file.target, run, info)); !done) return done;
     std::error_code failed;
     if (file.staged != file.target) fs::rename(file.staged, file.target, failed);
-    if (failed) return Error{"cannot be written: " + failed.message(), file.target, ""};
+    if (failed)
+      return Error{"cannot be written: " + failed.message(), file.target, "name another file after --report"};
     files_.pop_back();
   }
   return {};

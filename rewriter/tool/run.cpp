@@ -5,12 +5,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <iterator>
 #include <map>
 #include <optional>
+#include <system_error>
 
 #include "tool/bag.h"
 #include "tool/baseline.h"
@@ -45,7 +48,7 @@ class Run {
     if (failed_ && ports_.empty()) return status();
     for (const std::string& warning : writer_->warnings())
       fmt::print(stderr, "tzc-rewrite: warning: {}\n", warning);
-    print_reports(options_, ports_, {status(), writer_->undo_command()});
+    if (Expected<void> done = print(); !done) report_error(done.error());
     if (Expected<void> done = write_reports(); !done) report_error(done.error());
     return status();
   }
@@ -195,6 +198,17 @@ class Run {
                  filter);
       failed_ |= is_error;
     }
+  }
+
+  /// The packages may be written by now, so that it fails is no reason to leave out the files with reports.
+  Expected<void> print() const {
+    try {
+      print_reports(options_, ports_, {status(), writer_->undo_command()});
+      if (std::fflush(stdout) == 0) return {};
+    } catch (const std::system_error&) {  // fmt
+    }
+    return Error{"cannot be written: " + std::string(std::strerror(errno)), "standard output",
+                 "--quiet prints nothing, --report FILE keeps the report"};
   }
 
   Expected<void> write_reports() {

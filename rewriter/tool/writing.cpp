@@ -53,7 +53,9 @@ Expected<void> copy_package(const PackagePort& port, const fs::path& to, const s
     if (name == ".git" || name == ".tzc-rewrite" || entry.path() == out_dir || without.count(entry.path()))
       continue;
     fs::copy(entry.path(), to / name, fs::copy_options::copy_symlinks | fs::copy_options::recursive, failed);
-    if (failed) return Error{"cannot be copied: " + failed.message(), entry.path(), ""};
+    if (failed)
+      return Error{"cannot be copied: " + failed.message(), entry.path(),
+                   "make it readable, or move it out of the package"};
   }
   if (failed) return not_written(to, failed);
   return {};

@@ -95,7 +95,7 @@ Expected<void> give_to_owner(const std::string& staged, const struct stat& owned
 Expected<void> stage_file(const std::string& staged, const std::string& target, const std::string& content) {
   struct stat target_state{};
   if (::stat(target.c_str(), &target_state) != 0)
-    return Error{"cannot be read: " + system_text(), target, ""};
+    return Error{"cannot be read: " + system_text(), target, "run tzc-rewrite again"};
   if (Expected<void> written = write_file(staged, content); !written) return written;
   struct stat staged_state{};
   ::stat(staged.c_str(), &staged_state);
@@ -103,7 +103,8 @@ Expected<void> stage_file(const std::string& staged, const std::string& target, 
     return Error{"is on another file system than " + fs::path(staged).parent_path().parent_path().string(),
                  target, "run tzc-rewrite where the file really is"};
   if (::access(fs::path(target).parent_path().c_str(), W_OK) != 0)
-    return Error{"its folder cannot be written: " + system_text(), target, ""};
+    return Error{"its folder cannot be written: " + system_text(), target,
+                 "make the folder writable, or use --out-dir"};
   if (Expected<void> given = give_to_owner(staged, target_state, target); !given) return given;
   ::chmod(staged.c_str(), target_state.st_mode & 07777);
   return {};
@@ -115,7 +116,7 @@ Expected<void> stage(const std::string& folder, const PackageSwap& package, Jour
     if (Expected<void> done = stage_file(staged, target, content); !done) return done.error();
     const auto old_hash = package.before.find(target);
     if (old_hash == package.before.end())
-      return Error{"was not there when the package was analysed", target, ""};
+      return Error{"was not there when the package was analysed", target, "run tzc-rewrite again"};
     journal.push_back({staged, target, old_hash->second, content_hash(content)});
   }
   return {};

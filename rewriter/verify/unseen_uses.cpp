@@ -34,10 +34,20 @@ std::vector<Place> compiled_by_none(const std::vector<Place>& skipped,
   return places;
 }
 
+std::vector<Place> dropped_by_all(const std::vector<Place>& dropped, const std::set<ArgumentPlace>& kept) {
+  std::map<ArgumentPlace, Place> places;
+  for (const Place& place : dropped)
+    if (const ArgumentPlace at{place.file, place.begin}; kept.count(at) == 0) places.emplace(at, place);
+  std::vector<Place> all;
+  for (auto& item : places) all.push_back(std::move(item.second));
+  return all;
+}
+
 UnseenUses::UnseenUses(const UnseenCode& unseen, const Facts& facts, const Components& components,
                        const ReadFile& read)
     : facts_(facts), components_(components) {
   for (const Place& place : unseen.branches) add_branch(place, read);
+  for (const Place& place : unseen.arguments) add_argument(place, read);
   for (const UnseenFile& file : unseen.files) add_file(file, read);
   if (parts_.empty()) return;
   for (const Component& component : components.all())
@@ -46,9 +56,15 @@ UnseenUses::UnseenUses(const UnseenCode& unseen, const Facts& facts, const Compo
         texts_[entity->where.file] = without_comments(read(entity->where.file).value_or(""));
 }
 
-void UnseenUses::add(const Place& where, std::string code, const UnseenFile* file) {
+void UnseenUses::add(Kind kind, const Place& where, std::string code, const UnseenFile* file) {
   std::set<std::string> words = identifiers_in(code);
-  parts_.push_back({where, std::move(code), std::move(words), file});
+  parts_.push_back({kind, where, std::move(code), std::move(words), file});
+}
+
+void UnseenUses::add_argument(const Place& place, const ReadFile& read) {
+  const std::string text = read(place.file).value_or("");
+  if (place.end <= text.size())
+    add(Kind::argument, place, without_comments(text.substr(place.begin, place.end - place.begin)));
 }
 
 void UnseenUses::add_branch(const Place& place, const ReadFile& read) {
@@ -56,7 +72,7 @@ void UnseenUses::add_branch(const Place& place, const ReadFile& read) {
   if (place.end > text.size() || place.begin >= place.end || in_dual_branch(text, place.line + 1)) return;
   const std::string branch = text.substr(place.begin, place.end - place.begin);
   if (is_dead(branch)) return;
-  add(place, without_comments(branch), nullptr);
+  add(Kind::branch, place, without_comments(branch));
   const auto [known, is_new] = texts_.try_emplace(place.file);
   if (!is_new) return;
   known->second = without_comments(text);
@@ -67,7 +83,7 @@ void UnseenUses::add_file(const UnseenFile& file, const ReadFile& read) {
   Place whole;
   whole.file = file.file;
   whole.line = whole.column = 1;
-  add(whole, without_comments(read(file.file).value_or("")), &file);
+  add(Kind::file, whole, without_comments(read(file.file).value_or("")), &file);
 }
 
 bool UnseenUses::compiled_together(const std::string& file, const std::string& other) const {
@@ -117,7 +133,7 @@ std::string UnseenUses::named_in(const Part& part, const Entity& entity) const {
 /// Whether no unit compiles the part together with anything that the port changes there. One change elsewhere is enough for it to
 /// count: code around both may call what either of them defines.
 bool UnseenUses::lies_apart(const Part& part, const Edits& edits) const {
-  if (part.file) return false;
+  if (part.kind != Kind::branch) return false;  // compiled as what stands around it is
   const ConditionalCode& code = conditional_.at(part.where.file);
   return std::all_of(edits.begin(), edits.end(), [&](const Edit& edit) {
     return edit.file == part.where.file && code.excludes({part.where.begin, part.where.end}, edit.offset);
@@ -134,12 +150,12 @@ std::optional<Obstacle> UnseenUses::user_of(const Component& component, const Ed
 }
 
 std::optional<Obstacle> UnseenUses::use_of(const Entity& entity, const Part& part) const {
+  static const std::map<Kind, std::string> names{
+      {Kind::branch, "a preprocessor branch that is not compiled here"},
+      {Kind::argument, "the argument of a macro, which drops it in this configuration,"},
+      {Kind::file, "a file that is not analysed"}};
   if (const std::string name = named_in(part, entity); !name.empty())
-    return Obstacle{codes::TZC3007,
-                    std::string(part.file ? "a file that is not analysed"
-                                          : "a preprocessor branch that is not compiled here") +
-                        " names '" + name + "'",
-                    location_of(part.where)};
+    return Obstacle{codes::TZC3007, names.at(part.kind) + " names '" + name + "'", location_of(part.where)};
   return {};
 }
 

@@ -20,10 +20,14 @@ namespace tzc::rewriter {
 std::vector<Place> compiled_by_none(const std::vector<Place>& skipped,
                                     const std::set<BranchDirective>& compiled);
 
+/// The arguments of macros that no unit compiles, each once.
+std::vector<Place> dropped_by_all(const std::vector<Place>& dropped, const std::set<ArgumentPlace>& kept);
+
 /// Code that no unit compiles in this configuration.
 struct UnseenCode {
   std::vector<Place> branches;  ///< of the preprocessor
   std::vector<UnseenFile> files;
+  std::vector<Place> arguments = {};  ///< of macros
 };
 
 /// No compiler sees such code here, so entities that it names keep their types. Dead code (`#if 0`) and the branches
@@ -39,15 +43,17 @@ class UnseenUses {
   std::map<ComponentId, Obstacle> users_of(const Edits& edits) const;
 
  private:
-  /// A branch, or a file.
+  enum class Kind { branch, argument, file };
   struct Part {
+    Kind kind;
     Place where;
     std::string code;                  ///< without comments
     std::set<std::string> words;       ///< its identifiers
-    const UnseenFile* file = nullptr;  ///< null: a branch of a file that is compiled
+    const UnseenFile* file = nullptr;  ///< null: a part of a file that is compiled
   };
-  void add(const Place& where, std::string code, const UnseenFile* file);
+  void add(Kind kind, const Place& where, std::string code, const UnseenFile* file = nullptr);
   void add_branch(const Place& place, const ReadFile& read);
+  void add_argument(const Place& place, const ReadFile& read);
   void add_file(const UnseenFile& file, const ReadFile& read);
   bool lies_apart(const Part& part, const Edits& edits) const;
   std::optional<Obstacle> user_of(const Component& component, const Edits& edits) const;

@@ -77,14 +77,16 @@ std::string describe_sites(const Package& package, const PortPlan& plan) {
   return text;
 }
 
-std::string compile_commands(const std::string& dir, const std::map<std::string, std::string>& files) {
+/// A precompiled header is only for the flags that it was made with.
+std::string compile_commands(const std::string& dir, const std::map<std::string, std::string>& files,
+                             const std::string& flags) {
+  const std::string more = flags.empty() ? " -include-pch " TZC_FAKES_PRECOMPILED : " " + flags;
   std::string text = "[";
   for (const auto& item : files) {
     if (fs::path(item.first).extension() != ".cpp") continue;
     text += std::string(text.size() > 1 ? "," : "") + "{\"directory\":\"" + dir + "\",\"file\":\"" + dir +
-            "/" + item.first +
-            "\",\"command\":\"c++ -std=c++17 -include-pch " TZC_FAKES_PRECOMPILED " -I" TZC_FAKES " -I" +
-            dir + "/include -c " + dir + "/" + item.first + " -o x.o\"}";
+            "/" + item.first + "\",\"command\":\"c++ -std=c++17" + more + " -I" TZC_FAKES " -I" + dir +
+            "/include -c " + dir + "/" + item.first + " -o x.o\"}";
   }
   return text + "]";
 }
@@ -117,9 +119,14 @@ Case read_case(const std::string& path) {
   return one;
 }
 
-Package::Package(const std::map<std::string, std::string>& files) {
+Package package_of(const Case& one) {
+  const auto flags = one.settings.find("flags");
+  return Package(one.files, flags == one.settings.end() ? "" : flags->second);
+}
+
+Package::Package(const std::map<std::string, std::string>& files, const std::string& flags) {
   for (const auto& [name, content] : files) dir_.write(name, content);
-  dir_.write("build/compile_commands.json", compile_commands(dir(), files));
+  dir_.write("build/compile_commands.json", compile_commands(dir(), files, flags));
 }
 
 EngineOptions Package::options(const std::map<std::string, std::string>& settings) const {

@@ -41,13 +41,16 @@ Case read_case(const std::string& path);
 /// A package on disk that holds the case's files; removed in the end.
 class Package {
  public:
-  explicit Package(const std::map<std::string, std::string>& files);
+  /// `flags`: of the compiler.
+  explicit Package(const std::map<std::string, std::string>& files, const std::string& flags = "");
   const std::string& dir() const { return dir_.path(); }
   EngineOptions options(const std::map<std::string, std::string>& settings) const;
 
  private:
   tzc::test::TempDir dir_;
 };
+
+Package package_of(const Case& one);
 
 /// Sites, notes and changed lines, as they stand in a case.
 std::string describe(const Package& package, const Case& one, const PortPlan& plan);

@@ -13,7 +13,7 @@ class Golden : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Golden, is_ported_as_written) {
   const Case one = read_case(GetParam());
-  const Package package(one.files);
+  const Package package = package_of(one);
   const Expected<PortPlan> plan = plan_port(package.options(one.settings));
   const std::string found = plan ? describe(package, one, *plan) : "// error " + plan.error().what + "\n";
   EXPECT_EQ(found, one.golden.expected(found)) << GetParam();
@@ -25,7 +25,7 @@ TEST_P(Golden, is_ported_as_written) {
   // The output compiles on its own, and a second run finds nothing to do, and the same sites.
   Case after = one;
   after.files = ported(package, one, *plan);
-  const Package ported_package(after.files);
+  const Package ported_package = package_of(after);
   const Expected<PortPlan> again = plan_port(ported_package.options(one.settings));
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_TRUE(again->edits.empty()) << "the second run edits again: " << again->edits[0].text;

@@ -16,7 +16,7 @@ namespace {
 /// missing from the report is off: it would stop the run before there is a port to compare.
 bool notices(const std::string& path, const std::string& without) {
   const Case one = read_case(path);
-  const Package package(one.files);
+  const Package package = package_of(one);
   EngineOptions options = package.options(one.settings);
   options.without_rules.insert({without, "completeness"});
   const Expected<PortPlan> plan = plan_port(options);
@@ -75,7 +75,7 @@ TEST(Mutation, a_call_that_is_not_collected_is_named) {
   for (const std::string rule : {"advertise", "subscribe"}) {
     const Case one =
         read_case(case_path(rule == "advertise" ? "zero_copy/local_resize" : "shared/subscribe_forms"));
-    const Package package(one.files);
+    const Package package = package_of(one);
     EngineOptions options = package.options(one.settings);
     options.without_rules.insert(rule);
     const Expected<PortPlan> plan = plan_port(options);

@@ -41,6 +41,19 @@ TEST_F(Cli, git_apply_takes_the_diff_from_anywhere_in_the_repository) {
   }
 }
 
+/// Status 2 would say that nothing was written.
+TEST_F(Cli, what_is_written_counts_though_the_report_finds_a_full_disk) {
+  ws.rewrite({"-q"});  // leaves the plan
+  const std::string command = FAKE_REWRITE
+      " --verify=source --tzc-include ../include --report report.json --apply src/demo >/dev/full 2>errors; "
+      "echo $? >status";
+  ASSERT_EQ(ws.shell(command), 0);
+  EXPECT_EQ(ws.folder().read("ws/status"), "1\n");
+  EXPECT_THAT(ws.folder().read("ws/errors"), HasSubstr("standard output: cannot be written: No space left"));
+  EXPECT_THAT(ws.folder().read("ws/report.json"), HasSubstr("zero_copy"));
+  EXPECT_TRUE(is_ported());
+}
+
 TEST_F(Cli, patch_takes_the_diff_without_git) {
   EXPECT_EQ(ws.shell("GIT_CEILING_DIRECTORIES=/ " FAKE_REWRITE
                      " -q --verify=source --tzc-include ../include src/demo | patch -p1"),

@@ -99,5 +99,8 @@ inline void spinOnce() {}
 inline bool ok() {
   return true;
 }
+namespace console {
+inline void print(const char*, ...) {}
+}  // namespace console
 }  // namespace ros
-#define ROS_INFO(...) ((void)0)
+#define ROS_INFO(...) ::ros::console::print(__VA_ARGS__)

@@ -21,8 +21,8 @@ void run(ros::NodeHandle& nh) {
 //--- expected
 // advertise src/node.cpp:13 sensor_msgs/Image one_copy 'topic' TZC1007 the file is compiled in several ways, which advertise different types here
 // advertise src/node.cpp:13 sensor_msgs/PointCloud2 one_copy 'topic' TZC1007 the file is compiled in several ways, which advertise different types here
-// publish src/node.cpp:16 sensor_msgs/Image one_copy TZC1007 the file is compiled in several ways, which give it different types here
-// publish src/node.cpp:16 sensor_msgs/PointCloud2 one_copy TZC1007 the file is compiled in several ways, which give it different types here
+// publish src/node.cpp:16 sensor_msgs/Image one_copy TZC1007 its type differs between the instances of a template, or the ways in which the file is compiled
+// publish src/node.cpp:16 sensor_msgs/PointCloud2 one_copy TZC1007 its type differs between the instances of a template, or the ways in which the file is compiled
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
