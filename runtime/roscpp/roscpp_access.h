@@ -5,7 +5,7 @@
 /// template instantiation, where the standard ([temp.spec]/6) does not check access. Everything is read only, except
 /// that Publication::subscriber_links_ gets one pointer replaced in place (adding and removing links would fire the
 /// user's connect callbacks), Publication::publish_queue_ is emptied when its messages are sent (queued_messages.cpp), the connect callback of an advertisement and the queue on which it runs (connect_hook.cpp), the
-/// callback queue that a callback of a Subscription names (fault_ready_queue.h), and the object that a Subscription keeps of
+/// callback queue that a callback of a Subscription names (fault_ready_queue.h), the Subscriber of a direct callback, whose implementation is wrapped (waiting_end.cpp), and the object that a Subscription keeps of
 /// a latched message (subscription_endpoint.cpp). A roscpp where a member is missing
 /// fails to compile right here; with a version that was not looked at (roscpp_version.h) nothing here is used.
 
@@ -15,6 +15,7 @@
 #include <ros/publication.h>
 #include <ros/publisher_link.h>
 #include <ros/single_subscriber_publisher.h>
+#include <ros/subscriber.h>
 #include <ros/subscription.h>
 #include <ros/subscription_queue.h>
 #include <ros/topic_manager.h>
@@ -76,6 +77,8 @@ TZC_GRANT_UNNAMED(Callbacks, ros::Subscription, callbacks_)
 TZC_GRANT_UNNAMED(LatchedMessages, ros::Subscription, latched_messages_)
 TZC_GRANT(Statistics, ros::Subscription, ros::StatisticsLogger, statistics_)
 TZC_GRANT(EnableStatistics, ros::StatisticsLogger, bool, enable_statistics)
+
+TZC_GRANT_UNNAMED(SubscriberImpl, ros::Subscriber, impl_)
 
 TZC_GRANT(CallbackMutex, ros::SubscriptionQueue, boost::recursive_mutex, callback_mutex_)
 TZC_GRANT(QueueMutex, ros::SubscriptionQueue, boost::mutex, queue_mutex_)

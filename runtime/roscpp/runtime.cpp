@@ -4,6 +4,9 @@
 #include <ros/init.h>
 #include <ros/xmlrpc_manager.h>
 
+#include <atomic>
+#include <memory>
+
 #include "roscpp/publish/publication_endpoint.h"
 #include "roscpp/upgrade/offer.h"
 
@@ -31,10 +34,23 @@ void answer_request(XmlRpcValue& params, XmlRpcValue& result) {
   result = response(1, "noted");
 }
 
+std::atomic<bool> is_bound{false}, is_binding{false};
+
+/// Part of what is bound: roscpp forgets its methods when the node shuts down, also one that starts again (the program's first node handle was a
+/// temporary).
+struct Binding {
+  Binding() { is_bound = true; }
+  ~Binding() { is_bound = false; }
+};
+
 void bind_methods() {
+  is_binding = false;
+  if (is_bound) return;
+  const auto binding = std::make_shared<Binding>();
   const ros::XMLRPCManagerPtr& xmlrpc = ros::XMLRPCManager::instance();
-  xmlrpc->bind(kOfferMethod,
-               [](XmlRpcValue& params, XmlRpcValue& result) { runtime().responder.answer(params, result); });
+  xmlrpc->bind(kOfferMethod, [binding](XmlRpcValue& params, XmlRpcValue& result) {
+    runtime().responder.answer(params, result);
+  });
   xmlrpc->bind(kRequestMethod, answer_request);
 }
 
@@ -50,6 +66,12 @@ struct BindAtLoad {
 } bind_at_load;
 
 }  // namespace
+
+bool bind_again() {
+  if (is_bound) return false;
+  if (!is_binding.exchange(true)) runtime().clerk.post(bind_methods);
+  return true;
+}
 
 Runtime& runtime() {
   static auto* const instance = new Runtime;

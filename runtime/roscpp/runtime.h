@@ -26,5 +26,9 @@ struct Runtime {
 
 Runtime& runtime();
 
+/// Where roscpp does not know TZC's methods any more, since the node has been shut down and started again, the clerk makes them known.
+/// True: publishers may have asked for them in vain meanwhile, and have to be asked for an offer. Any thread.
+bool bind_again();
+
 }  // namespace detail
 }  // namespace tzc

@@ -94,7 +94,8 @@ std::uint64_t now_ms() {
 }  // namespace
 
 void StatisticsUpdater::begin() {
-  if (page_ || !has_statistics_page() || !has_spare_descriptors()) return;
+  if (page_) return go_on();
+  if (!has_statistics_page() || !has_spare_descriptors()) return;
   Expected<std::shared_ptr<statistics::PageWriter>> page =
       statistics::PageWriter::create(ros::this_node::getName());
   if (!page) {
@@ -102,12 +103,17 @@ void StatisticsUpdater::begin() {
     return;
   }
   page_ = std::move(*page);
-  update();
+  go_on();
+}
+
+void StatisticsUpdater::go_on() {
+  if (!std::exchange(is_running_, true)) update();
 }
 
 // Goes on after a round that failed for want of memory: the next one may succeed.
 void StatisticsUpdater::update() {
-  if (ros::isShuttingDown()) return;
+  is_running_ = !ros::isShuttingDown();  // the node may be started again
+  if (!is_running_) return;
   bool is_complete = true;
   try {
     is_complete = write();

@@ -41,6 +41,7 @@ class StatisticsUpdater {
     std::string reason;
   };
 
+  void go_on();
   void update();
   bool write();
   std::vector<EndpointStatistics> look_at_plain();
@@ -49,6 +50,7 @@ class StatisticsUpdater {
   Worker& clerk_;
   const LookAtSubscriptions look_at_subscriptions_;
   std::shared_ptr<statistics::PageWriter> page_;
+  bool is_running_ = false;
   Links last_links_;
   std::vector<SubscriptionStatistics> last_subscriptions_;
   HeldSince held_since_;

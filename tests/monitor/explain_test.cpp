@@ -117,7 +117,8 @@ TEST(Words, of_every_reason_that_the_upgrade_gives_have_advice) {
         "this node expects another message type on /image",
         "the publisher: more than seven eighths of the 64 file descriptors that this process may have are in "
         "use",
-        "asked again ever more seldom, after 10 tries: no answer from http://a:1/; does this address lead "
+        "asked again, at last every five minutes, after 10 tries: no answer from http://a:1/; does this "
+        "address lead "
         "to it",
         "the subscriber asked for UDPROS"})
     EXPECT_NE(advice(reason), "") << reason;

@@ -39,6 +39,7 @@ std::shared_ptr<Attachment> Attachment::to(const ros::PublicationPtr& publicatio
   if (is_left_out(topic))
     runtime().statistics.add_plain(publication, "the publisher's ~tzc/disable_topics names this topic");
   if (!is_enabled(topic)) return nullptr;
+  bind_again();
   std::shared_ptr<Attachment> attachment(new Attachment);
   attachment->endpoint_ = PublicationEndpoint::of(publication, configured(publisher_options, topic),
                                                   runtime().worker, runtime().peers);
@@ -124,7 +125,7 @@ PublisherStatistics Attachment::statistics() const {
 }
 
 void attach_topic(const std::string& resolved_topic, const MessageCodec& codec) {
-  if (is_enabled(resolved_topic)) runtime().responder.attach(resolved_topic, codec);
+  if (is_enabled(resolved_topic)) runtime().responder.attach(resolved_topic, codec, bind_again());
 }
 
 }  // namespace detail

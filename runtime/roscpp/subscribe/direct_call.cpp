@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "roscpp/subscribe/direct_call.h"
 
+#include <ros/init.h>
 #include <ros/subscription_callback_helper.h>
 #include <tzc/direct_dispatch.h>
 
@@ -40,8 +41,9 @@ DirectCall DirectCall::prepare(ros::Subscription& subscription, const DirectMess
   if (!call || call.callback_->helper_->getTypeInfo() != *message.codec.type) return DirectCall();
   call.writes_ = may_write(*call.callback_->helper_, message.codec);
   call.queue_ = call.callback_->subscription_queue_;
-  // The callback may have been unsubscribed meanwhile, and then must not be called.
-  if (!call.take_turn(turn) || !is_empty(*call.queue_) ||
+  call.received_ = ros::Time::now();
+  // The callback may have been unsubscribed meanwhile, and then must not be called; nor while the node shuts down (waiting_end.h).
+  if (!call.take_turn(turn) || !is_empty(*call.queue_) || ros::isShuttingDown() ||
       only_callback(subscription, queue) != call.callback_)
     return DirectCall();
   call.connection_header_ = message.connection_header;
@@ -76,7 +78,7 @@ void DirectCall::call(const Decode& decode) {
   const boost::shared_ptr<void> decoded = decode(writes());
   if (!decoded) return;
   ros::SubscriptionCallbackHelperCallParams params;
-  params.event = ros::MessageEvent<void const>(decoded, connection_header_, ros::Time::now(), false,
+  params.event = ros::MessageEvent<void const>(decoded, connection_header_, received_, false,
                                                ros::MessageEvent<void const>::CreateFunction());
   channel::keep_watching_write_faults();
   callback_->helper_->call(params);

@@ -3,6 +3,7 @@
 
 #include <ros/subscription.h>
 #include <ros/subscription_queue.h>
+#include <ros/time.h>
 #include <tzc/detail/codec.h>
 
 #include <functional>
@@ -58,6 +59,7 @@ class DirectCall {
 
   CallbackInfoPtr callback_;
   bool writes_ = false;
+  ros::Time received_;
   boost::shared_ptr<ros::M_string> connection_header_;
   ros::SubscriptionQueuePtr queue_;
   boost::unique_lock<boost::recursive_mutex> turn_;

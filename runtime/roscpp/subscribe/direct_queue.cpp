@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "roscpp/subscribe/direct_queue.h"
 
+#include <ros/init.h>
 #include <ros/subscription_queue.h>
 #include <tzc/direct_dispatch.h>
 
@@ -30,6 +31,8 @@ void call_when_free(const ros::CallbackInterfacePtr& callback) {
 /// A callback of the same subscription may be running on another publisher's thread. roscpp's queue would try
 /// again later; this queue has no later, so it waits for the callback's end.
 void call(const ros::CallbackInterfacePtr& callback) {
+  if (ros::isShuttingDown())
+    return;  // as roscpp's queue; whoever ends the subscription waits for one that has begun
   channel::keep_watching_write_faults();
   if (callback->call() != ros::CallbackInterface::TryAgain) return;
   sync_point("direct: waits for a callback");

@@ -2,7 +2,6 @@
 #include "roscpp/traces/traced_callback.h"
 
 #include <ros/this_node.h>
-#include <tzc/subscribe.h>
 
 #include <cstring>
 #include <utility>
@@ -56,16 +55,6 @@ ros::SubscriptionCallbackHelperPtr traced(const ros::SubscriptionCallbackHelperP
 const ros::SubscriptionCallbackHelper& untraced(const ros::SubscriptionCallbackHelper& callback) {
   const auto* const traced = dynamic_cast<const TracedCallback*>(&callback);
   return traced != nullptr ? traced->callback() : callback;
-}
-
-// The options stay as the user made them: he may subscribe with them again.
-ros::Subscriber subscribe_by_options(ros::NodeHandle& node, ros::SubscribeOptions& options) {
-  if (!trace::active) return node.subscribe(options);
-  const ros::SubscriptionCallbackHelperPtr callback = options.helper;
-  options.helper = traced(callback, node.resolveName(options.topic));
-  const ros::Subscriber subscriber = node.subscribe(options);
-  options.helper = callback;
-  return subscriber;
 }
 
 }  // namespace detail

@@ -155,7 +155,7 @@ std::string UpgradeNegotiator::why_not(const boost::weak_ptr<ros::TransportSubsc
     if (!is_same(one->link, link)) continue;
     const std::string tries = std::to_string(one->tries) + (one->tries == 1 ? " try: " : " tries: ");
     if (one->warned && !one->token.empty())
-      return "asked again ever more seldom, after " + tries + one->trouble;
+      return "asked again, at last every five minutes, after " + tries + one->trouble;
     if (!one->token.empty() && one->tries > 0) return "asked again soon, after " + tries + one->trouble;
     if (!one->trouble.empty()) return one->trouble;
   }
@@ -265,8 +265,8 @@ void UpgradeNegotiator::warn(const std::string& subscriber, int tries, const std
   TZC_WARN_THROTTLED_FOR(offer_.topic + " to " + subscriber, 10,
                          "TZC: " << offer_.topic << " to " << subscriber << " stays on TCPROS after " << tries
                                  << " tries: " << trouble
-                                 << ". Its messages arrive, but serialized; it is asked again ever "
-                                    "more seldom, and when it subscribes anew");
+                                 << ". Its messages arrive, but serialized; it is asked again, at "
+                                    "last every five minutes, and when it subscribes anew");
 }
 
 }  // namespace detail

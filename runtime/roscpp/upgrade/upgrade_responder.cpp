@@ -94,14 +94,14 @@ void add_shared(const channel::Subscriber& subscriber, const HoldLimit& limit, S
 
 }  // namespace
 
-void UpgradeResponder::attach(const std::string& topic, const MessageCodec& codec) {
+void UpgradeResponder::attach(const std::string& topic, const MessageCodec& codec, bool ask) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::vector<MessageCodec>& codecs = topics_[topic];
     const bool known = std::any_of(codecs.begin(), codecs.end(),
                                    [&](const MessageCodec& other) { return *other.type == *codec.type; });
-    if (known) return;
-    codecs.push_back(codec);
+    if (known && !ask) return;
+    if (!known) codecs.push_back(codec);
   }
   clerk_.post([this, topic] { ask_publishers(topic); });
 }

@@ -34,8 +34,9 @@ class UpgradeResponder {
   UpgradeResponder(Worker& clerk, PeerPool& peers, std::function<void()> on_offer)
       : clerk_(clerk), peers_(peers), on_offer_(std::move(on_offer)) {}
 
-  /// Topics attached from here on can be offered. An existing subscription's publishers are asked for offers.
-  void attach(const std::string& topic, const MessageCodec& codec);
+  /// Topics attached from here on can be offered. An existing subscription's publishers are asked for offers; `ask`: also those of a topic
+  /// that is attached already.
+  void attach(const std::string& topic, const MessageCodec& codec, bool ask);
 
   /// Answers a publisher's offer; runs on roscpp's XMLRPC thread, so the work is only begun here.
   void answer(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& result);

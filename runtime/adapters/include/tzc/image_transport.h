@@ -102,7 +102,8 @@ class Publisher : public detail::ImagePublisherBase<::image_transport::Publisher
   }
 };
 
-/// A drop-in for image_transport::CameraPublisher. The camera info is small and travels as before.
+/// A drop-in for image_transport::CameraPublisher. The camera info is small and travels as before; an image that is dropped for want of
+/// memory (on_exhausted) takes its info along.
 class CameraPublisher : public detail::ImagePublisherBase<::image_transport::CameraPublisher> {
  public:
   using detail::ImagePublisherBase<::image_transport::CameraPublisher>::ImagePublisherBase;
@@ -256,9 +257,10 @@ class Transport {
   ::image_transport::ImageTransport& transport_;
 };
 
+/// Other transports have topics and message types of their own.
 template <class Subscriber>
 Subscriber attached(const Subscriber& subscriber) {
-  if (subscriber) attach<::sensor_msgs::Image>(subscriber.getTopic());
+  if (subscriber && subscriber.getTransport() == "raw") attach<::sensor_msgs::Image>(subscriber.getTopic());
   return subscriber;
 }
 
@@ -338,7 +340,7 @@ class SubscriberFilter : public ::image_transport::SubscriberFilter {
                  std::uint32_t queue_size,
                  const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
     ::image_transport::SubscriberFilter::subscribe(transport, base_topic, queue_size, hints);
-    attach<::sensor_msgs::Image>(getTopic());
+    if (getTransport() == "raw") attach<::sensor_msgs::Image>(getTopic());
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <ros/parameter_adapter.h>
 #include <ros/subscribe_options.h>
@@ -67,12 +68,28 @@ void attach(const std::string& resolved_topic) {
 
 namespace detail {
 
+/// The callback; one for events gets events that copy the message for whoever may write to it: an event can be passed on to such code without
+/// a cast (a filter's signalMessage, ros::MessageEvent<M>), and a view of shared memory must not be resized.
+template <class P>
+boost::function<void(P)> with_copies_for_writers(const boost::function<void(P)>& callback) {
+  return callback;
+}
+template <class M>
+boost::function<void(const ros::MessageEvent<M const>&)> with_copies_for_writers(
+    const boost::function<void(const ros::MessageEvent<M const>&)>& callback) {
+  return [callback](const ros::MessageEvent<M const>& event) {
+    const bool writers_need_a_copy = true;
+    callback(ros::MessageEvent<M const>(event, writers_need_a_copy));
+  };
+}
+
 /// Does what the overloads of ros::NodeHandle::subscribe do. `tracked`: the callback ends with that object.
 template <class P>
 ros::Subscriber subscribe_callback(Node node, const std::string& topic, std::uint32_t queue_size,
-                                   const boost::function<void(P)>& callback, const ros::TransportHints& hints,
+                                   const boost::function<void(P)>& given, const ros::TransportHints& hints,
                                    const ros::VoidConstPtr& tracked = ros::VoidConstPtr()) {
   attach<MessageOf<P>>(node, topic);
+  const boost::function<void(P)> callback = with_copies_for_writers(given);
   ros::SubscribeOptions options;
   options.initByFullCallbackType<P>(topic, queue_size, callback);
   // The user's own callback, and no library's that passes the message on: it reads what it is given to read.

@@ -77,7 +77,8 @@ struct SharedMessage {
 
 /// Publishes a message through a publisher that takes only stock pointers, and may take long (image_transport's plugins
 /// compress meanwhile): over shared memory if there is any, otherwise as a stock message on the heap.
-/// @param publish called once with the pointer, or not at all when the message was dropped
+/// @param publish called once with the pointer, or not at all when the message was dropped, which none is that nobody takes
+/// from shared memory
 template <class M, class Publish>
 void publish_as_stock(Attachment* attachment, const M& message, ByReference how, Publish publish) {
   typedef typename message::StockOf<M>::type Stock;
@@ -85,7 +86,7 @@ void publish_as_stock(Attachment* attachment, const M& message, ByReference how,
   if (attachment && shared.encode(message, attachment->memory()) &&
       shared.publish_view(*attachment, message, how, Others::publish, publish)) {
     return;
-  } else if (!attachment || attachment->delivers_exhausted()) {
+  } else if (!attachment || attachment->delivers_exhausted() || !attachment->wants_pointer(typeid(Stock))) {
     publish(boost::shared_ptr<const Stock>(message::make_stock(message)));
   } else {
     attachment->count_dropped(ros::serialization::serializationLength(message));

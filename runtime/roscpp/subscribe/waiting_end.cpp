@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "roscpp/subscribe/waiting_end.h"
+
+#include <ros/subscription.h>
+#include <ros/subscription_queue.h>
+#include <ros/topic_manager.h>
+#include <tzc/direct_dispatch.h>
+
+#include <boost/weak_ptr.hpp>
+#include <type_traits>
+#include <utility>
+
+#include "roscpp/roscpp_access.h"
+#include "roscpp/roscpp_version.h"
+
+namespace tzc {
+namespace detail {
+namespace {
+
+namespace access = roscpp_access;
+
+/// The queue of the callback's messages; empty: it has been unsubscribed already.
+boost::weak_ptr<ros::SubscriptionQueue> queue_of(const std::string& topic,
+                                                 const ros::SubscriptionCallbackHelperPtr& callback) {
+  ros::TopicManager& topics = *ros::TopicManager::instance();
+  const boost::mutex::scoped_lock lock(access::subs_mutex_(topics));
+  for (const ros::SubscriptionPtr& subscription : access::subscriptions_(topics)) {
+    if (subscription->getName() != topic) continue;
+    const boost::mutex::scoped_lock callbacks_lock(access::callbacks_mutex_(*subscription));
+    for (const auto& one : access::callbacks_(*subscription))
+      if (one->helper_ == callback) return one->subscription_queue_;
+  }
+  return {};
+}
+
+/// Ends the implementation, then what is called for it.
+template <class ImplPtr>
+struct WaitingEnd {
+  ImplPtr impl;
+  boost::weak_ptr<ros::SubscriptionQueue> queue;
+
+  template <class Impl>
+  void operator()(Impl*) {
+    impl.reset();
+    if (const auto waiting = queue.lock()) waiting->clear();  // under the mutex that a running callback has
+  }
+};
+
+}  // namespace
+
+ros::Subscriber with_waiting_end(ros::Subscriber subscriber, const ros::SubscribeOptions& options) {
+  if (!subscriber || options.callback_queue != direct_dispatch_queue() || !is_roscpp_known())
+    return subscriber;
+  auto& impl = access::impl_(subscriber);
+  using ImplPtr = std::decay_t<decltype(impl)>;
+  WaitingEnd<ImplPtr> end{impl, queue_of(subscriber.getTopic(), options.helper)};
+  auto* const same = impl.get();
+  impl = ImplPtr(same, std::move(end));
+  return subscriber;
+}
+
+}  // namespace detail
+}  // namespace tzc
