@@ -17,6 +17,11 @@ if(TZC_STANDALONE)
 endif()
 
 set(TZC_CATKIN_DEPENDS roscpp roscpp_serialization roscpp_traits rosconsole roslib sensor_msgs std_msgs)
+find_package(catkin QUIET)
+if(NOT catkin_FOUND)
+  message(FATAL_ERROR "catkin was not found: source ROS's setup.bash first (/opt/ros/noetic/setup.bash), run scripts/setup, "
+    "or give -DTZC_BUILD_ROSCPP=OFF for what needs no ROS")
+endif()
 find_package(catkin REQUIRED COMPONENTS ${TZC_CATKIN_DEPENDS})
 
 file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/include)

@@ -71,8 +71,8 @@ install(PROGRAMS packaging/ci/check.sh packaging/ci/pre-commit DESTINATION share
 # --- documentation: messages of nodes and tools name a page as share/doc/tzc/PAGE, which is below the prefix and in the devel
 # space. File by file there, as catkin_tools does not follow links to folders.
 install(DIRECTORY docs/ DESTINATION share/doc/tzc COMPONENT runtime
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.svg")
-file(GLOB_RECURSE pages RELATIVE ${PROJECT_SOURCE_DIR}/docs CONFIGURE_DEPENDS docs/*.md docs/*.svg)
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.csv")
+file(GLOB_RECURSE pages RELATIVE ${PROJECT_SOURCE_DIR}/docs CONFIGURE_DEPENDS docs/*.md docs/*.svg docs/*.csv)
 foreach(page ${pages})
   get_filename_component(folder ${TZC_DEVEL_PREFIX}/share/doc/tzc/${page} DIRECTORY)
   file(MAKE_DIRECTORY ${folder})

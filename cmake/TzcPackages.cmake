@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Debian packages: `cpack` in a build folder that was configured with -DCMAKE_INSTALL_PREFIX=/usr, on the distribution
-# that they are for. libtzc0 (what ported nodes run on), libtzc-dev (what packages are built with), tzc-tools (tzc-rewrite
-# and tzc-monitor).
+# that they are for. libtzc0 (what ported nodes run on), libtzc-dev (what packages are built with), tzc-tools (tzc-rewrite,
+# tzc-compare, tzc-monitor, tzc-diagnostics). packaging/README.md has the commands.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME tzc)
 set(CPACK_PACKAGE_VENDOR "The TZC maintainers")
@@ -47,15 +47,16 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME tzc-tools)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libtzc-dev (= ${PROJECT_VERSION})")
+set(run_by_compare "python3-rosbag, python3-roslaunch, python3-rosparam")
 if(TARGET tzc-rewrite)
   set(CPACK_DEBIAN_TOOLS_DESCRIPTION "Towards zero-copy messages for ROS 1: tzc-rewrite, which ports packages
  Reads a roscpp package as the compiler does, and changes its sources so that messages are not copied.")
   # Clang's own headers; the libraries are found by dpkg-shlibdeps.
   string(APPEND CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS ", libclang-common-${TZC_CLANG_MAJOR}-dev, patch")
-  set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "git, rosbash")
+  set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "git, ${run_by_compare}, rosbash")
 else()
   set(CPACK_DEBIAN_TOOLS_DESCRIPTION "Towards zero-copy messages for ROS 1: tzc-monitor, which shows what nodes share
  Reads what the nodes of this machine tell of their connections, and says why one does not use shared memory.")
-  set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "rosbash")
+  set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "${run_by_compare}, rosbash")
 endif()
 include(CPack)

@@ -18,7 +18,8 @@ const char* const footer =
     "  tzc-monitor --json | jq '.nodes[].topics[].connections[]'\n"
     "  tzc-monitor --why /viewer /camera/image   is this connection shared, and if not, why?\n"
     "  tzc-monitor --join-trace trace.json.* >all.json   one trace of several processes\n"
-    "\nExit status: 0 something was found, 1 nothing was found, 2 error in the command line.\n";
+    "\nExit status: 0 something was found, 1 nothing was found, 2 error in the command line, a trace that\n"
+    "cannot be joined, or output that cannot be written.\n";
 
 void check(const Options& options) {
   const bool is_live = !options.once && !options.json && options.why.empty() && options.traces.empty();

@@ -176,10 +176,13 @@ void Store::remove(const std::string& name) const {
 
 std::vector<Cell> Store::cells() const {
   std::vector<Cell> cells;
-  for (const auto& entry : fs::directory_iterator(path_of("cells"))) {
-    const std::string name = "cells/" + entry.path().filename().string();
-    if (entry.path().extension() == ".json") cells.push_back(cell_of(path_of(name), read(name)));
+  const std::string folder = path_of("cells");
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
+    const std::string name = "cells/" + entry->path().filename().string();
+    if (entry->path().extension() == ".json") cells.push_back(cell_of(path_of(name), read(name)));
   }
+  if (failed) throw StoreError(fmt::format("cannot read {}: {}", folder, failed.message()));
   return cells;
 }
 

@@ -32,6 +32,17 @@ CLI::App* add_generate(CLI::App& app, GenerateOptions& options) {
   return command;
 }
 
+const char* const footer =
+    "\nExamples:\n"
+    "  tzc-msggen explain sensor_msgs/PointCloud2   which fields are data, which control\n"
+    "  tzc-msggen generate -p my_msgs -I std_msgs:/opt/ros/noetic/share/std_msgs/msg -o include "
+    "msg/Scan.msg\n"
+    "  tzc-msggen classify --json src               a census of all types below src\n"
+    "\ntzc-msggen COMMAND --help lists the options of a command.\n"
+    "\nExit status: 0 done, 1 a definition is wrong or a header cannot be written, 2 error in the command "
+    "line,\n"
+    "or standard output cannot be written.\n";
+
 CLI::App* add_classify(CLI::App& app, ClassifyOptions& options) {
   CLI::App* command = app.add_subcommand("classify", "A census: which types have a data part");
   command->add_option("-p,--package", options.package,
@@ -56,6 +67,7 @@ int run(int argc, char** argv) {
                "tzc-msggen");
   app.set_version_flag("--version", "tzc-msggen " TZC_VERSION);
   app.require_subcommand(1);
+  app.footer(footer);
   GenerateOptions generate_options;
   ClassifyOptions classify_options;
   ExplainOptions explain_options;

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import textwrap
 import time
 import types
 import unittest
@@ -265,6 +266,27 @@ class Commands(Folder):
             with self.subTest(which):
                 self.assert_ends(int(text))
             os.remove(log)
+
+    def test_a_signal_waits_until_what_is_started_is_known(self):
+        """The command sends it while its start is not yet over for this program."""
+        program = textwrap.dedent("""\
+            import os, signal, subprocess, sys
+            from port_packages.command import ended_by_signals, run
+            ended_by_signals()
+
+            class Interrupted(subprocess.Popen):
+                def __init__(self, *arguments, **options):
+                    super().__init__(*arguments, **options)
+                    print(self.pid, flush=True)
+                    os.kill(os.getpid(), signal.SIGTERM)
+
+            subprocess.Popen = Interrupted
+            run(["sleep", "100"], sys.argv[1])
+            """)
+        tool = subprocess.run([sys.executable, "-c", program, os.path.join(self.path, "log")], stdout=subprocess.PIPE, text=True,
+                              env=dict(os.environ, PYTHONPATH=sys.path[0]), check=False)
+        self.assertEqual(tool.returncode, 128 + signal.SIGTERM)
+        self.assert_ends(int(tool.stdout))
 
     def test_its_status_is_kept(self):
         outcome = run(["sh", "-c", "exit 3"], os.path.join(self.path, "log"))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a command, keeps its output in a file, and measures it."""
+import contextlib
 import dataclasses
 import os
 import signal
@@ -22,10 +23,8 @@ def run(command, log, cwd=None, env=None, timeout=None, output=None):
     """Standard error, and standard output unless `output` names a file for it, go to the file `log`. A command that
     takes longer than `timeout` seconds is stopped with everything it started in its process group."""
     os.makedirs(os.path.dirname(log), exist_ok=True)
-    begin, late = time.monotonic(), []
+    begin, late, process = time.monotonic(), [], None
     with open(log, "wb") as errors, open(output or os.devnull, "wb") as file:
-        process = subprocess.Popen(command, cwd=cwd, env=env, stdin=subprocess.DEVNULL, stderr=errors,
-                                   stdout=file if output else errors, start_new_session=True)
 
         def stop(which=signal.SIGTERM):
             late.append(which)
@@ -33,11 +32,15 @@ def run(command, log, cwd=None, env=None, timeout=None, output=None):
 
         timers = [threading.Timer(timeout, stop), threading.Timer(timeout + patience, stop, [signal.SIGKILL])] if timeout else []
         try:
+            with signals_wait():
+                process = subprocess.Popen(command, cwd=cwd, env=env, stdin=subprocess.DEVNULL, stderr=errors,
+                                           stdout=file if output else errors, start_new_session=True)
             for timer in timers:
                 timer.start()
             _, status, usage = os.wait4(process.pid, 0)
         except BaseException:  # a signal that ends this program, as ended_by_signals has it
-            end(process)
+            if process:
+                end(process)
             raise
         finally:
             for timer in timers:
@@ -56,6 +59,23 @@ def end(process):
             pass  # all have ended; or some have not
 
 
+_waiting = None  # numbers of signals that came while they have to wait; None: they need not
+
+
+@contextlib.contextmanager
+def signals_wait():
+    """A signal that ends this program does so behind the block. Within, it would leave a process behind that has been started,
+    and that nobody knows yet."""
+    global _waiting
+    _waiting = []
+    try:
+        yield
+    finally:
+        came, _waiting = _waiting, None
+        if came:
+            raise SystemExit(128 + came[0])
+
+
 def ended_by_signals():
     """From now on these signals end the program through its exception handlers; a further one changes nothing."""
     signals = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -63,6 +83,9 @@ def ended_by_signals():
     def leave(number, _):
         for which in signals:
             signal.signal(which, signal.SIG_IGN)
+        if _waiting is not None:
+            _waiting.append(number)
+            return
         raise SystemExit(128 + number)
 
     for which in signals:

@@ -68,6 +68,8 @@ TEST(Store, knows_the_cells_of_every_run) {
   for (const Cell& one : cells) EXPECT_EQ(store.load(one).rounds.size(), 1u);
   folder.write("cells/other.json", "{}");
   EXPECT_NE(problem_of([&] { store.cells(); }).find("other.json is not a result"), std::string::npos);
+  std::filesystem::remove_all(folder / "cells");
+  EXPECT_NE(problem_of([&] { store.cells(); }).find("cannot read " + folder / "cells"), std::string::npos);
 }
 
 TEST(Store, removes_what_a_killed_process_left_half_written) {
