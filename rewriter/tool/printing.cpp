@@ -67,7 +67,6 @@ void print_reports(const Options& options, const std::vector<PackagePort>& ports
   if (!options.quiet) {
     for (const PackagePort& port : ports) fmt::print(stream, "{}\n", to_text(port.result, style));
     fmt::print(stream, "{}", closing_line(options, ports, outcome));
-    std::fflush(stream);
   }
   if (is_diff) fmt::print("{}", diff_of(ports));
 }

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <iterator>
@@ -202,12 +201,15 @@ class Run {
 
   /// The packages may be written by now, so that it fails is no reason to leave out the files with reports.
   Expected<void> print() const {
+    std::error_code failed;
     try {
       print_reports(options_, ports_, {status(), writer_->undo_command()});
-      if (std::fflush(stdout) == 0) return {};
-    } catch (const std::system_error&) {  // fmt
+      if (std::fflush(stdout) != 0) failed.assign(errno, std::generic_category());
+    } catch (const std::system_error& error) {  // what fmt could not write
+      failed = error.code();
     }
-    return Error{"cannot be written: " + std::string(std::strerror(errno)), "standard output",
+    if (!failed) return {};
+    return Error{"cannot be written: " + failed.message(), "standard output",
                  "--quiet prints nothing, --report FILE keeps the report"};
   }
 
