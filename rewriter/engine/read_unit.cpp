@@ -3,12 +3,12 @@
 
 #include <clang/AST/ASTContext.h>
 
-#include <algorithm>
-#include <iterator>
 #include <memory>
 #include <utility>
 
 #include "engine/api_calls.h"
+#include "model/append.h"
+#include "model/erase_if.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -19,13 +19,8 @@ PreprocessorNotes in_packages(PreprocessorNotes notes, const CollectOptions& opt
     return !options.packages.hold(place.file) || options.generated.hold(place.file);
   };
   for (std::vector<Place>* places : {&notes.skipped, &notes.dropped, &notes.texts})
-    places->erase(std::remove_if(places->begin(), places->end(), is_foreign), places->end());
+    erase_if(*places, is_foreign);
   return notes;
-}
-
-template <class T>
-void append(std::vector<T>& into, std::vector<T>& from) {
-  std::move(from.begin(), from.end(), std::back_inserter(into));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "model/append.h"
 #include "model/codes.h"
 #include "model/erase_if.h"
 
@@ -40,11 +41,6 @@ void unite(std::vector<T>& into, std::vector<T>& from) {
     const bool known = std::any_of(into.begin(), into.end(), [&](const T& t) { return same(t, item); });
     if (!known) into.push_back(std::move(item));
   }
-}
-
-template <class T>
-void append(std::vector<T>& into, std::vector<T>& from) {
-  std::move(from.begin(), from.end(), std::back_inserter(into));
 }
 
 void unite(std::map<EntityId, Entity>& into, std::map<EntityId, Entity>& from) {

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parse/preprocessor_notes.h"
 
-#include <iterator>
+#include "model/append.h"
 
 namespace tzc::rewriter {
-namespace {
-
-void append(std::vector<Place>& into, std::vector<Place>& from) {
-  std::move(from.begin(), from.end(), std::back_inserter(into));
-}
-
-}  // namespace
 
 void PreprocessorNotes::merge(PreprocessorNotes&& other) {
   append(skipped, other.skipped);
