@@ -44,8 +44,20 @@ InFlightWindow::InFlightWindow(const SharedPage& page, AnnouncedSegments& segmen
       last_sequence_(first_sequence),
       revoked_through_(first_sequence) {}
 
+/// Counts one more record when it ends.
+struct InFlightWindow::Counted {
+  InFlightWindow& window;
+  ~Counted() {
+    if (const std::size_t buffered = window.beyond(window.limit_.of_any_size() - 1))
+      window.buffered_bytes_ += window.records_.at(buffered - 1).bytes;
+  }
+};
+
+// What is pushed counts, also where memory for the rest fails: the record is in flight then, and never written.
 void InFlightWindow::push(const RecordPtr& record) {
-  InFlightRecords::Entry& entry = records_.push(++last_sequence_);
+  InFlightRecords::Entry& entry = records_.push(last_sequence_ + 1);
+  ++last_sequence_;
+  const Counted counted{*this};
   entry.bytes = record_overhead + record->size();
   if (retains_) retain(record, entry);
   for (const BufferPtr& buffer : record->buffers()) {
@@ -56,8 +68,6 @@ void InFlightWindow::push(const RecordPtr& record) {
     entry.bytes += buffer->size();
     sync_point("publish: marked");
   }
-  if (const std::size_t buffered = beyond(limit_.of_any_size() - 1))
-    buffered_bytes_ += records_.at(buffered - 1).bytes;
 }
 
 bool InFlightWindow::retire_taken() {

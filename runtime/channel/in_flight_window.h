@@ -63,6 +63,8 @@ class InFlightWindow {
   std::vector<RecordPtr> take_undelivered() { return std::move(undelivered_); }
 
  private:
+  struct Counted;
+
   bool is_full() const;
   std::size_t beyond(std::size_t most) const { return size() > most ? size() - most : 0; }
   bool revoke_through(std::uint32_t sequence, std::uint64_t& drops);

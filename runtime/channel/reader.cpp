@@ -7,6 +7,7 @@
 
 #include "channel/age_stamp.h"
 #include "channel/delivery_cursors.h"
+#include "channel/end_reason.h"
 #include "channel/recycled.h"
 #include "channel/wire.h"
 #include "sync_point/sync_point.h"
@@ -42,7 +43,7 @@ Reader::Result Reader::read(posix::Waiting waiting, MessagePtr& message) try {
     const auto result = receive(waiting, packet);
     if (result == posix::ReceiveResult::nothing) return Result::nothing;
     if (result == posix::ReceiveResult::closed) {
-      reason_ = "the publisher closed the connection";
+      reason_ = closed_by_publisher;
       return Result::closed;
     }
     counters_.bytes += packet.size;

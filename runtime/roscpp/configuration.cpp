@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
@@ -84,8 +85,11 @@ Settings read_settings() {
   return settings;
 }
 
+std::atomic<bool> are_read{false};
+
 const Settings& settings() {
   static const Settings instance = read_settings();
+  are_read = true;
   return instance;
 }
 
@@ -97,6 +101,10 @@ bool is_enabled(const std::string& topic) {
 
 bool is_left_out(const std::string& topic) {
   return !settings().disable && settings().disable_topics.count(topic) != 0 && is_roscpp_known();
+}
+
+bool are_settings_read() {
+  return are_read;
 }
 
 bool private_writes() {

@@ -15,6 +15,9 @@ bool is_enabled(const std::string& topic);
 /// Whether this resolved topic alone is turned off in this node (`disable_topics`). Thread-safe.
 bool is_left_out(const std::string& topic);
 
+/// Whether the node's settings are known: a thread that may not wait for the parameter server asks this before the others. Thread-safe.
+bool are_settings_read();
+
 /// The code's options for a topic, overridden by environment and ROS parameters (docs/configuration.md).
 PublisherOptions configured(const PublisherOptions& in_code, const std::string& topic);
 

@@ -61,13 +61,17 @@ std::string loaded_library() {
   return path;
 }
 
+/// Why this process's roscpp is left alone; empty: it is not.
+std::string check() {
+  return reason_to_leave_alone({ROS_VERSION_MAJOR, ROS_VERSION_MINOR, ROS_VERSION_PATCH},
+                               version_of_library(loaded_library()));
+}
+
 bool check_and_warn() {
-  const std::string library = loaded_library();
-  const std::string reason = reason_to_leave_alone({ROS_VERSION_MAJOR, ROS_VERSION_MINOR, ROS_VERSION_PATCH},
-                                                   version_of_library(library));
+  const std::string reason = check();
   if (!reason.empty())
-    ROS_WARN_STREAM("TZC: every topic of this node stays on TCPROS: " << reason << " (" << real_path(library)
-                                                                      << "; share/doc/tzc/versions.md)");
+    ROS_WARN_STREAM("TZC: every topic of this node stays on TCPROS: "
+                    << reason << " (" << real_path(loaded_library()) << "; share/doc/tzc/versions.md)");
   return reason.empty();
 }
 
@@ -95,6 +99,10 @@ std::string reason_to_leave_alone(const RoscppVersion& headers, const std::optio
   if (!is_known(headers)) return "TZC was built for roscpp " + to_text(headers) + known;
   if (library && !is_known(*library)) return "it runs on roscpp " + to_text(*library) + known;
   return std::string();
+}
+
+bool is_roscpp_known_so_early() {
+  return check().empty();
 }
 
 bool is_roscpp_known() {

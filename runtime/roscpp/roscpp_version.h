@@ -31,6 +31,8 @@ std::string reason_to_leave_alone(const RoscppVersion& headers, const std::optio
 /// The roscpp of this process is one that TZC knows. When it is not, the first call warns, and every topic has to stay
 /// on TCPROS. Thread-safe.
 bool is_roscpp_known();
+/// The same without a word, while the library is loaded and there is no log yet.
+bool is_roscpp_known_so_early();
 
 }  // namespace detail
 }  // namespace tzc

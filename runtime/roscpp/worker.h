@@ -4,11 +4,12 @@
 #include <ros/callback_queue_interface.h>
 
 #include <chrono>
-#include <condition_variable>
 #include <functional>
 #include <map>
 #include <mutex>
 #include <thread>
+
+#include "roscpp/monotonic_condition.h"
 
 namespace tzc {
 namespace detail {
@@ -32,7 +33,7 @@ class Worker {
   void run();
 
   std::mutex mutex_;
-  std::condition_variable wake_;
+  MonotonicCondition wake_;
   std::multimap<Clock::time_point, Job> jobs_;
   bool stopping_ = false;
   std::thread thread_;

@@ -60,15 +60,6 @@ std::shared_ptr<Attachment> Attachment::create(ros::NodeHandle& node, const ros:
   return attachment;
 }
 
-std::shared_ptr<Attachment> Attachment::join(const ros::AdvertiseOptions& options, const MessageCodec& codec,
-                                             const PublisherOptions& publisher_options) {
-  // The name is remapped already. Remapping it again would undo a swap of two names.
-  ros::NodeHandle node(std::string(), ros::M_string{{options.topic, options.topic}});
-  const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(options.topic);
-  if (!publication || publication->getMD5Sum() != options.md5sum) return nullptr;
-  return create(node, options, codec, publisher_options);
-}
-
 Attachment::~Attachment() {
   shutdown();
 }

@@ -7,6 +7,7 @@
 
 #include "roscpp/publish/shared_link.h"
 #include "roscpp/roscpp_access.h"
+#include "roscpp/roscpp_version.h"
 
 namespace tzc {
 namespace detail {
@@ -40,7 +41,7 @@ void CurrentLink::enqueueMessage(const ros::SerializedMessage& message, bool ser
 }
 
 ros::SubscriberStatusCallback on_current_link(const ros::SubscriberStatusCallback& callback) {
-  if (!callback) return callback;
+  if (!callback || !is_roscpp_known()) return callback;
   return [callback](const ros::SingleSubscriberPublisher& subscriber) {
     const ros::SubscriberLinkPtr link =
         roscpp_access::link_(const_cast<ros::SingleSubscriberPublisher&>(subscriber));

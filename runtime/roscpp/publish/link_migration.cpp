@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 
 #include "roscpp/publish/publication_lock.h"
 #include "roscpp/roscpp_access.h"
+#include "roscpp/throttled_warning.h"
 #include "sync_point/sync_point.h"
 
 namespace tzc {
@@ -18,12 +20,16 @@ namespace {
 
 namespace access = roscpp_access;
 
+constexpr int looks_in_a_hurry = 16, looks_of_the_patient = looks_in_a_hurry + 28;
+
 /// When to check again a link that waits for another thread or process, after so many looks in vain: at first often,
 /// because a move takes at most a few milliseconds, then less and less often, because a stopped process may keep it
 /// waiting for long.
 std::chrono::microseconds pause_before_look(int looks) {
   constexpr std::chrono::microseconds first(300), longest(20000);
-  return looks < 16 ? first : std::min(longest, first * (1 << std::min((looks - 16) / 4, 7)));
+  return looks < looks_in_a_hurry
+             ? first
+             : std::min(longest, first * (1 << std::min((looks - looks_in_a_hurry) / 4, 7)));
 }
 
 // A link that waits seldom would pass on less than is published, and never be done.
@@ -49,18 +55,35 @@ void LinkMigration::connected(const channel::ConnectionPtr& connection) {
   const TcpLink tcp = negotiator_->welcome(connection->hello());
   if (!tcp) return connection->close();
   boost::weak_ptr<SharedLink>& known = by_connection_[connection];
-  const SharedLinkPtr link = park(tcp, connection);
+  const SharedLinkPtr link = park_if_possible(tcp, connection);
   if (!link) {
     by_connection_.erase(connection);
     connection->close();
     return negotiator_->lost(tcp, "it came, and its link could not be moved");
   }
   known = link;
-  link->stream().records().subscribers().add(connection, tcp->getDestinationCallerID());
-  watch(link);
+  try {
+    link->stream().records().subscribers().add(connection, tcp->getDestinationCallerID());
+    watch(link);
+  } catch (const std::exception&) {
+    connection->close();  // and it comes back
+    throw;
+  }
   ROS_DEBUG_STREAM("TZC: " << topic_ << " to " << tcp->getDestinationCallerID()
                            << " goes through shared memory");
-  go_live(link, 0);
+  attempt(link, 0, &LinkMigration::go_live);
+}
+
+/// A step that found no memory is as one that found the link busy: what waits stays where it is.
+void LinkMigration::attempt(const SharedLinkPtr& link, int looks, Step step) {
+  try {
+    (this->*step)(link, looks);
+  } catch (const std::exception& error) {
+    TZC_WARN_THROTTLED_FOR(topic_, 10,
+                           "TZC: " << topic_ << ": the move of the connection to "
+                                   << link->getDestinationCallerID() << " is tried again: " << error.what());
+    look_again(link, std::max(looks, looks_of_the_patient) + 1, step);
+  }
 }
 
 void LinkMigration::watch(const SharedLinkPtr& link) {
@@ -72,6 +95,14 @@ void LinkMigration::watch(const SharedLinkPtr& link) {
     if (migration && gone) migration->ended(gone);
   });
   if (link->parked()->getConnection()->isDropped()) ended(link);  // before the listener was connected
+}
+
+SharedLinkPtr LinkMigration::park_if_possible(const TcpLink& tcp, const channel::ConnectionPtr& connection) {
+  try {
+    return park(tcp, connection);
+  } catch (const std::bad_alloc&) {  // nothing has changed yet
+    return SharedLinkPtr();
+  }
 }
 
 SharedLinkPtr LinkMigration::park(const TcpLink& tcp, const channel::ConnectionPtr& connection) {
@@ -112,7 +143,7 @@ void LinkMigration::look_again(const SharedLinkPtr& link, int looks, Step step) 
   const auto again = [weak, weak_link, looks, step] {
     const std::shared_ptr<LinkMigration> migration = weak.lock();
     const SharedLinkPtr waiting = weak_link.lock();
-    if (migration && waiting) (migration.get()->*step)(waiting, looks);
+    if (migration && waiting) migration->attempt(waiting, looks, step);
   };
   worker_.post(again, pause_before_look(looks));
 }
@@ -124,7 +155,7 @@ void LinkMigration::disconnected(const channel::ConnectionPtr& connection) {
   if (found == by_connection_.end()) return;
   const SharedLinkPtr link = found->second.lock();
   by_connection_.erase(found);
-  if (link) come_back(link, 0);
+  if (link) attempt(link, 0, &LinkMigration::come_back);
 }
 
 void LinkMigration::come_back(const SharedLinkPtr& link, int looks) {

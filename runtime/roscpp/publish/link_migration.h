@@ -54,12 +54,14 @@ class LinkMigration : public std::enable_shared_from_this<LinkMigration> {
   void connected(const channel::ConnectionPtr& connection);
   void disconnected(const channel::ConnectionPtr& connection);
   void watch(const SharedLinkPtr& link);
+  SharedLinkPtr park_if_possible(const TcpLink& tcp, const channel::ConnectionPtr& connection);
   SharedLinkPtr park(const TcpLink& tcp, const channel::ConnectionPtr& connection);
   void go_live(const SharedLinkPtr& link, int looks);
   void come_back(const SharedLinkPtr& link, int looks);
   Progress try_come_back(ros::Publication& publication, const SharedLinkPtr& link);
   void ended(const SharedLinkPtr& link);
   void look_again(const SharedLinkPtr& link, int looks, Step step);
+  void attempt(const SharedLinkPtr& link, int looks, Step step);
 
   /// \name Under subscriber_links_mutex_
   /// @{

@@ -184,7 +184,15 @@ OutgoingMessage RecordEncoder::of_bytes_alone(const ros::SerializedMessage& mess
 
 ros::SerializedMessage RecordEncoder::to_stock_bytes(const channel::RecordPtr& record) const {
   const MessageCodec* const codec = codecs_.first();
-  return codec ? detail::to_stock_bytes(record, *codec) : ros::SerializedMessage();
+  try {
+    return codec ? detail::to_stock_bytes(record, *codec) : ros::SerializedMessage();
+  } catch (const ros::Exception& error) {
+    TZC_WARN_THROTTLED_FOR(topic_, 10, "TZC: " << topic_ << ": a message is dropped: " << error.what());
+  } catch (const std::bad_alloc&) {
+    TZC_WARN_THROTTLED_FOR(topic_, 10,
+                           "TZC: " << topic_ << ": a message that goes back to TCPROS is dropped: no memory");
+  }
+  return ros::SerializedMessage();
 }
 
 // A process without descriptors has none for any of its topics, so one warning speaks for all of them.

@@ -68,7 +68,7 @@ class RecordEncoder {
   /// The same for one link. Any thread.
   OutgoingMessage of_bytes_alone(const ros::SerializedMessage& message);
 
-  /// A record of this topic as TCPROS sends it. Any thread.
+  /// A record of this topic as TCPROS sends it; an empty one, with a warning, where that fits no TCPROS message (4 GiB) or no memory. Any thread.
   ros::SerializedMessage to_stock_bytes(const channel::RecordPtr& record) const;
 
   /// Any thread.
@@ -78,6 +78,8 @@ class RecordEncoder {
   /// Counts a message that found no memory, and warns. True: it is to be dropped, as on_exhausted() says. `bytes` gives its
   /// size for the warning: to know it may mean to serialize the message. Any thread.
   bool drops_without_memory(const std::function<std::size_t()>& bytes);
+  /// What `make` returns; nothing, with a warning, when the process's own memory does not suffice for it. Any thread.
+  OutgoingMessage unless_out_of_memory(const std::function<OutgoingMessage()>& make);
   /// The names of the subscribers, for warnings. Any thread.
   SubscriberNames& subscribers() { return subscribers_; }
   /// Any thread.
@@ -89,8 +91,6 @@ class RecordEncoder {
         dropped{0}, control_bytes{0};
   };
 
-  /// What `make` returns; nothing, with a warning, when the process's own memory does not suffice for it either.
-  OutgoingMessage unless_out_of_memory(const std::function<OutgoingMessage()>& make);
   OutgoingMessage encode(const ros::SerializedMessage& message, std::uint32_t sequence);
   /// Empty, and nothing is counted, when the message fits no record.
   OutgoingMessage control_record(const MessageCodec& codec, message::Encoded& encoded,

@@ -22,6 +22,8 @@ namespace {
 /// loses what it would lose without a move: otherwise it would see old messages for ever.
 constexpr std::chrono::seconds patience{1};
 
+constexpr int most_at_a_time = 8;
+
 }  // namespace
 
 SharedLink::SharedLink(std::shared_ptr<PublicationStream> stream, const ros::PublicationPtr& publication,
@@ -77,7 +79,12 @@ void SharedLink::publish_by_pointer(const ros::SerializedMessage& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (state_ == State::returned) return;  // it needs bytes, and roscpp will pass them
   }
-  if (stream_->records().codecs().has(*message.type_info)) deliver(stream_->of_pointer(message));
+  if (!stream_->records().codecs().has(*message.type_info)) return;
+  // Without an exception in any case: roscpp is going to queue the message, and counts its number there.
+  stream_->records().unless_out_of_memory([&] {
+    deliver(stream_->of_pointer(message));
+    return OutgoingMessage();
+  });
 }
 
 bool SharedLink::take_bytes(const ros::SerializedMessage& message) {
@@ -180,17 +187,19 @@ void SharedLink::collect_undelivered() {
   waiting_.push_before(connection_->take_undelivered());
 }
 
+// Some at a time: where more is published meanwhile than is serialized here, there is no last one, and the caller's thread has other links.
 SharedLink::Progress SharedLink::hand_back() {
-  bool some = false;
-  while (const channel::RecordPtr record = next_to_hand_back()) {
+  int handed = 0;
+  for (; handed < most_at_a_time; ++handed) {
+    const channel::RecordPtr record = next_to_hand_back();
+    if (!record) break;
     const ros::SerializedMessage message = stream_->records().to_stock_bytes(record);
     sync_point("return: serialized");
     if (drop_waiting(record) && message.buf) parked_->enqueueMessage(message, true, false);
-    some = true;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   if (waiting_.empty() && queued_for_tcpros_ == 0) return Progress::finished;
-  return some ? Progress::some : Progress::none;
+  return handed > 0 ? Progress::some : Progress::none;
 }
 
 // What was in flight to a dead process need not be serialized: its TCPROS connection ends in a moment. The kernel may

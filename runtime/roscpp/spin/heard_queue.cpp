@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "roscpp/roscpp_version.h"
+
 namespace ros {
 // What ros::getGlobalCallbackQueue() points to: roscpp's library exports it, and no header declares it. Null address: the
 // roscpp of this process has none.
@@ -22,7 +24,7 @@ thread_local void (*left_call)() = nullptr;
 // ros::init() makes a global queue only if there is none. It can run as soon as main() does, so this queue has to be there
 // when the library is loaded, after roscpp, on which it depends.
 const bool is_installed = [] {
-  if (&ros::g_global_queue == nullptr) return false;
+  if (&ros::g_global_queue == nullptr || !is_roscpp_known_so_early()) return false;
   if (!ros::g_global_queue) ros::g_global_queue.reset(new HeardQueue);
   return true;
 }();

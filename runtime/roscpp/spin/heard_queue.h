@@ -5,9 +5,10 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <mutex>
+
+#include "roscpp/monotonic_condition.h"
 
 namespace tzc {
 namespace detail {
@@ -45,7 +46,7 @@ class HeardQueue final : public ros::CallbackQueue {
   std::atomic<bool> has_guest_{false};
   bool guest_has_call_ = false;  ///< under mutex_
   std::mutex idle_mutex_;
-  std::condition_variable idle_;
+  MonotonicCondition idle_;
   std::atomic<unsigned> idle_threads_{0};  ///< besides the guest
 };
 

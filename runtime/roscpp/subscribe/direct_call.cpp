@@ -72,7 +72,7 @@ bool DirectCall::is_concurrent() const {
   return access::allow_concurrent_callbacks_(*queue_);
 }
 
-void DirectCall::call(const Decode& decode) {
+void DirectCall::call(const Decode& decode, Thrown thrown) {
   const ros::VoidConstPtr tracked = callback_->tracked_object_.lock();
   if (callback_->has_tracked_object_ && !tracked) return;
   const boost::shared_ptr<void> decoded = decode(writes());
@@ -81,7 +81,8 @@ void DirectCall::call(const Decode& decode) {
   params.event = ros::MessageEvent<void const>(decoded, connection_header_, received_, false,
                                                ros::MessageEvent<void const>::CreateFunction());
   channel::keep_watching_write_faults();
-  callback_->helper_->call(params);
+  if (thrown == Thrown::leaves) return callback_->helper_->call(params);
+  [&]() noexcept { callback_->helper_->call(params); }();
 }
 
 }  // namespace detail

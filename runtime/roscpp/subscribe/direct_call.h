@@ -46,8 +46,10 @@ class DirectCall {
   bool writes() const { return writes_; }
   /// roscpp calls back several times at once.
   bool is_concurrent() const;
-  /// Unless the callback's tracked object has died.
-  void call(const Decode& decode);
+  /// What an exception of the callback does: on a thread of TZC's it ends the process, as an unhandled one does with roscpp.
+  enum class Thrown { leaves, ends_process };
+  /// Unless the callback's tracked object has died. What `decode` throws leaves in any case.
+  void call(const Decode& decode, Thrown thrown);
 
  private:
   using CallbackInfoPtr =

@@ -44,7 +44,7 @@ void call(const ros::CallbackInterfacePtr& callback) {
 }
 
 /// An exception of the user's callback ends the process, as on every other thread that calls one.
-void call_on_worker(const ros::CallbackInterfacePtr& callback) noexcept {
+void call_or_end(const ros::CallbackInterfacePtr& callback) noexcept {
   call(callback);
 }
 
@@ -54,7 +54,7 @@ class DirectQueue : public ros::CallbackQueueInterface {
     if (reads_directly)
       pending.push_back(callback);
     else
-      others_.post([callback] { call_on_worker(callback); });
+      others_.post([callback] { call_or_end(callback); });
   }
   /// Nothing to wait for: roscpp clears the subscription's own queue first, and a callback on an empty queue
   /// does nothing.
@@ -76,7 +76,7 @@ DirectReaderScope::~DirectReaderScope() {
 void run_direct_callbacks() {
   std::vector<ros::CallbackInterfacePtr> callbacks;
   callbacks.swap(pending);
-  for (const ros::CallbackInterfacePtr& callback : callbacks) call(callback);
+  for (const ros::CallbackInterfacePtr& callback : callbacks) call_or_end(callback);
 }
 
 }  // namespace detail

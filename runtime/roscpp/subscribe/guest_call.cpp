@@ -19,7 +19,7 @@ void call_what_was_left() {
   sync_point("guest: calls");
   LeftMessage mine = std::exchange(left, LeftMessage());  // its callback may spin, and be left another one
   if (!mine.call) return;                                 // there was no memory for the message
-  mine.call.call([&mine](bool) { return std::move(mine.decoded); });
+  mine.call.call([&mine](bool) { return std::move(mine.decoded); }, DirectCall::Thrown::leaves);
 }
 
 }  // namespace

@@ -172,7 +172,8 @@ bool SubscriptionEndpoint::take_directly(ros::Subscription& subscription,
   DirectCall call =
       DirectCall::prepare(subscription, described(), *direct_dispatch_queue(), DirectCall::Turn::waits);
   if (!call) return false;
-  call.call([&](bool may_write) { return decode(message, must_copy(*message, may_write)); });
+  call.call([&](bool may_write) { return decode(message, must_copy(*message, may_write)); },
+            DirectCall::Thrown::ends_process);
   return true;
 }
 
@@ -195,12 +196,25 @@ void SubscriptionEndpoint::take_control_part(ros::Subscription& subscription,
   // format: one serialization here. Otherwise only topic statistics need bytes, the header, and the control
   // part begins with it.
   const bool needs_wire = ser || link_->isLatched();
-  ros::SerializedMessage given = needs_wire ? codec_.serialize(decoded.get())
+  ros::SerializedMessage given = needs_wire ? in_wire_format(decoded)
                                  : copied   ? copy(*message, control_of(*message))
                                             : borrow(*message, control_of(*message), message);
+  if (needs_wire && !given.buf) return;
   given.message = decoded;
   given.type_info = codec_.type;
   give(subscription, given, ser, true);
+}
+
+ros::SerializedMessage SubscriptionEndpoint::in_wire_format(const boost::shared_ptr<void>& decoded) const {
+  try {
+    return codec_.serialize(decoded.get());
+  } catch (const ros::Exception& error) {  // over TCPROS it could not have come either
+    TZC_WARN_THROTTLED_FOR(topic_ + " from " + link_->getCallerID(), 10,
+                           "TZC: a message on "
+                               << topic_ << " from " << link_->getCallerID()
+                               << " is dropped: it does not fit roscpp's format: " << error.what());
+    return ros::SerializedMessage();
+  }
 }
 
 void SubscriptionEndpoint::take_whole_message(ros::Subscription& subscription,

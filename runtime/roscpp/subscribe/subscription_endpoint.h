@@ -43,6 +43,8 @@ class SubscriptionEndpoint {
 
  private:
   void take_switch(const channel::Message& message);
+  /// Empty, with a warning: the message is too large for it.
+  ros::SerializedMessage in_wire_format(const boost::shared_ptr<void>& decoded) const;
   void take_control_part(ros::Subscription& subscription, const channel::MessagePtr& message);
   void take_whole_message(ros::Subscription& subscription, const channel::MessagePtr& message);
   void give(ros::Subscription& subscription, const ros::SerializedMessage& message, bool ser, bool nocopy);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "roscpp/roscpp_access.h"
+#include "roscpp/roscpp_version.h"
 #include "roscpp/traces/tcpros_message.h"
 #include "trace/trace.h"
 
@@ -19,6 +20,7 @@ namespace access = roscpp_access;
 
 std::vector<std::string> tcpros_subscribers(const std::string& topic) {
   std::vector<std::string> names;
+  if (!is_roscpp_known()) return names;
   const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
   if (!publication) return names;
   const boost::mutex::scoped_lock lock(access::subscriber_links_mutex_(*publication));

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <functional>
 #include <map>
 #include <mutex>
 #include <string>
+
+#include "roscpp/monotonic_condition.h"
 
 namespace tzc {
 namespace detail {
@@ -64,7 +65,7 @@ class PeerPool {
 
   const Limits limits_;
   std::mutex mutex_;
-  std::condition_variable wake_;
+  MonotonicCondition wake_;
   Peers peers_;
   std::size_t threads_ = 0;
   std::size_t idle_ = 0;

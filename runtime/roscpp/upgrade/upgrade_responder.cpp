@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+#include "channel/end_reason.h"
 #include "roscpp/configuration.h"
 #include "roscpp/descriptor_budget.h"
 #include "roscpp/roscpp_access.h"
@@ -64,8 +65,8 @@ std::vector<ros::TransportPublisherLinkPtr> tcp_links(ros::Subscription& subscri
 /// which may not have arrived; it has when the first record is taken (kSwitch waits for it).
 ros::TransportPublisherLinkPtr find_link(ros::Subscription& subscription, const Offer& offer) {
   for (const ros::TransportPublisherLinkPtr& link : tcp_links(subscription)) {
-    ros::Connection& connection = *link->getConnection();
-    if (!connection.isDropped() && connection_name(connection, End::subscriber) == offer.connection)
+    const ros::ConnectionPtr connection = link->getConnection();  // roscpp replaces it when it connects again
+    if (!connection->isDropped() && connection_name(*connection, End::subscriber) == offer.connection)
       return link;
   }
   return ros::TransportPublisherLinkPtr();
@@ -92,6 +93,15 @@ void add_shared(const channel::Subscriber& subscriber, const HoldLimit& limit, S
   seen.pid = static_cast<std::uint32_t>(subscriber.peer().pid);
 }
 
+/// That the publisher has gone is nothing to tell of.
+void warn_of_end(const ros::TransportPublisherLinkPtr& link, const std::string& topic,
+                 const std::string& reason) {
+  if (reason == channel::closed_by_publisher || link->getConnection()->isDropped()) return;
+  TZC_WARN_THROTTLED_FOR(
+      topic + " from " + link->getCallerID(), 10,
+      "TZC: " << topic << " from " << link->getCallerID() << " goes back to TCPROS: " << reason);
+}
+
 }  // namespace
 
 void UpgradeResponder::attach(const std::string& topic, const MessageCodec& codec, bool ask) {
@@ -112,8 +122,9 @@ std::string UpgradeResponder::reason_to_refuse(const Offer& offer) {
   if (foreign_uids_.erase(offer.token) != 0) return "the publisher is a process of another user";
   const auto found = topics_.find(offer.topic);
   if (found == topics_.end())
-    return is_left_out(offer.topic) ? "the subscriber's ~tzc/disable_topics names this topic"
-                                    : "this node has not attached " + offer.topic;
+    return are_settings_read() && is_left_out(offer.topic)
+               ? "the subscriber's ~tzc/disable_topics names this topic"
+               : "this node has not attached " + offer.topic;
   const bool fits = std::any_of(found->second.begin(), found->second.end(),
                                 [&](const MessageCodec& codec) { return codec.md5sum == offer.md5sum; });
   return fits ? std::string() : "this node expects another message type on " + offer.topic;
@@ -191,7 +202,12 @@ void UpgradeResponder::connect(const Offer& offer) {
   options.may_begin = [endpoint] { return endpoint->may_begin(); };
   if (trace::active) trace::name_channel(offer.address, {offer.topic, true});
   options.on_message = [endpoint](const channel::MessagePtr& message) { endpoint->take(message); };
-  options.on_disconnect = [this, link](const std::string&) { clerk_.post([this, link] { forget(link); }); };
+  options.on_disconnect = [this, link, topic = offer.topic](const std::string& reason) {
+    clerk_.post([this, link, topic, reason] {
+      warn_of_end(link, topic, reason);
+      forget(link);
+    });
+  };
   options.private_writes = private_writes();
   options.hands_over = true;  // each callback is readied (fault_ready_queue.h, direct_call.h, direct_queue.h)
   options.on_write = [this, topic = offer.topic] { clerk_.post([topic] { warn_of_write(topic); }); };

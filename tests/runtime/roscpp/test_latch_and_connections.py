@@ -82,9 +82,12 @@ class Connections(TopicCase):
         self.assertEqual(flowing, plain)
         foreign, _ = self.events_of(rate=100, before=3, foreign=1, bytes=50000)
         self.assertEqual(foreign, plain)
+        image_transports, _ = self.events_of(rate=100, before=3, image_transport=1, bytes=50000, latch=False)
+        self.assertEqual(image_transports, plain)
 
     def test_greetings_for_one_subscriber_alone(self):
-        for parameters in ({}, {"rate": 200, "before": 3}, {"rate": 200, "before": 3, "foreign": 1}):
+        for parameters in ({}, {"rate": 200, "before": 3}, {"rate": 200, "before": 3, "foreign": 1},
+                           {"rate": 200, "before": 3, "image_transport": 1, "latch": False}):
             _, messages = self.events_of(**parameters)
             self.assert_greeted_each(messages)
 

@@ -22,6 +22,14 @@ class Endings(Lives):
         self.assertEqual(self.events_of(self.node("ending", "ending", {"local": True})), self.EXPECTED)
 
 
+class GivenUp(Lives):
+    def test_what_a_library_gives_up_is_no_longer_advertised(self):
+        """A copy of its publisher, to which shared memory is attached, goes on living."""
+        events = self.events_of(self.node("given_up", "given_up", {}))
+        self.assertEqual(events, {f"/{topic} {when}": when == "before" for topic in ("plain", "image", "camera")
+                                  for when in ("before", "after")})
+
+
 class StartedAgain(Lives):
     def test_a_node_that_is_started_again_shares_memory(self):
         self.start_talker(count=0, rate=30, subscribers=0)

@@ -116,6 +116,7 @@ class Races(TopicCase):
         self.wait_for(subscriber, 5)
         self.assertTrue(subscriber.process.alive())
         self.assertTrue(all(message["right"] for message in subscriber.messages()))
+        self.assertIn("goes back to TCPROS: out of memory", subscriber.process.log())
 
 
 if __name__ == "__main__":

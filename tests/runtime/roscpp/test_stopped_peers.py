@@ -36,6 +36,17 @@ class StoppedPeers(TopicCase):
         self.assert_got(listener, range(301))
         self.assert_seq_as_tcpros(listener)
 
+    def test_a_move_that_finds_no_memory_is_tried_again(self):
+        listener = self.listen(queue=1000)
+        self.assertEqual(self.scene("memory"), {"refused": 1})
+        self.assert_got(listener, range(301))
+        self.assert_seq_as_tcpros(listener)
+
+    def test_a_broken_channel_that_never_gets_empty_keeps_no_other_link_from_moving(self):
+        self.listen(queue=10)
+        self.listen(name="other", topic="other", remaps=("image:=other",))
+        self.assertEqual(self.scene("endless"), {"another topic is shared meanwhile": 1})
+
 
 class Hoarders(TopicCase):
     def test_a_subscriber_that_keeps_everything_takes_the_memory_from_nobody(self):

@@ -136,13 +136,14 @@ class Upgrade(TopicCase):
         self.assert_got(reader, range(30), shared=True)
 
     def test_an_exception_of_a_direct_callback_ends_the_process_whatever_brought_the_message(self):
-        for mode in ("plain", "twin"):
-            with self.subTest(mode):
-                listener = self.listen("direct_throw")
-                talker = self.start_talker(mode, count=0)
-                self.assertEqual(listener.process.wait(20), -signal.SIGABRT, listener.process.tail())
-                self.assertIn("as callbacks do", listener.process.log())
-                talker.stop()
+        for callback, words in (("direct_throw", "as callbacks do"), ("direct_no_memory", "bad_alloc")):
+            for mode in ("plain", "twin"):
+                with self.subTest(callback=callback, mode=mode):
+                    listener = self.listen(callback)
+                    talker = self.start_talker(mode, count=0)
+                    self.assertEqual(listener.process.wait(20), -signal.SIGABRT, listener.process.tail())
+                    self.assertIn(words, listener.process.log())
+                    talker.stop()
 
     def test_direct_dispatch(self):
         listener = self.listen("direct")

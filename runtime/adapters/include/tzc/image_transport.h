@@ -18,16 +18,10 @@ namespace image_transport {
 
 namespace detail {
 
-/// Shared memory beside the raw transport of `topic`. The compressed transports read the same message.
-inline std::shared_ptr<::tzc::detail::Attachment> attach_raw(const std::string& topic,
-                                                             std::size_t memory_size) {
-  ros::AdvertiseOptions options;
-  options.init<::sensor_msgs::Image>(topic, 1);
-  PublisherOptions publisher_options;
-  publisher_options.memory_size = memory_size;
-  ros::NodeHandle node;  // resolves the topic once more, as the raw transport's own has
-  return ::tzc::detail::Attachment::create(node, options, ::tzc::detail::make_codec<::sensor_msgs::Image>(),
-                                           publisher_options);
+/// The topic of the raw transport, which resolves the name once more, as here.
+template <class Stock>
+std::string raw_topic(const Stock& publisher) {
+  return ros::NodeHandle().resolveName(publisher.getTopic());
 }
 
 /// Base of both kinds of image publishers. Stock: the image_transport publisher that does the work.
@@ -51,8 +45,11 @@ class ImagePublisherBase : public ::tzc::detail::PublisherBase<Stock> {
   }
 
  private:
+  /// Shared memory beside the raw transport. The compressed transports read the same message.
   static std::shared_ptr<::tzc::detail::Attachment> attach(const Stock& publisher, std::size_t memory_size) {
-    return publisher ? attach_raw(publisher.getTopic(), memory_size) : nullptr;
+    if (!publisher) return nullptr;
+    return ::tzc::detail::joined_attachment<::sensor_msgs::Image>(raw_topic(publisher), memory_size,
+                                                                  std::true_type());
   }
 };
 
@@ -209,9 +206,7 @@ namespace detail {
 template <class Stock>
 std::shared_ptr<::tzc::detail::Attachment> lasting_raw(const Stock& publisher) {
   if (!publisher) return nullptr;
-  const ros::NodeHandle node;  // resolves the topic once more, as the raw transport's own has
-  return ::tzc::detail::lasting_attachment<::sensor_msgs::Image>(node.resolveName(publisher.getTopic()),
-                                                                 std::true_type());
+  return ::tzc::detail::lasting_attachment<::sensor_msgs::Image>(raw_topic(publisher), std::true_type());
 }
 
 }  // namespace detail

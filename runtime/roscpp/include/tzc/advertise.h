@@ -54,19 +54,11 @@ struct Attach {
                                             const PublisherOptions& publisher_options) {
     return with_foreign_codec<M>(Attachment::create(node, options, codec_for<M>(options), publisher_options));
   }
-  static std::shared_ptr<Attachment> join(const ros::AdvertiseOptions& options,
-                                          const PublisherOptions& publisher_options) {
-    return with_foreign_codec<M>(Attachment::join(options, codec_for<M>(options), publisher_options));
-  }
 };
 template <class M>
 struct Attach<M, false> {
   template <class... Arguments>
   static std::shared_ptr<Attachment> create(const Arguments&...) {
-    return nullptr;
-  }
-  template <class... Arguments>
-  static std::shared_ptr<Attachment> join(const Arguments&...) {
     return nullptr;
   }
 };

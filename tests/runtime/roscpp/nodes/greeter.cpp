@@ -2,10 +2,11 @@
 /// A publisher with connect callbacks: prints a line of JSON for each, with the number of subscribers that it
 /// saw, and greets each subscriber with an image for it alone (numbers from 1,000,000 up) before it publishes.
 ///
-/// Private parameters: plain (a ros::Publisher), foreign (such a one, published with by tzc::publish), latch, rate (Hz; 0: publish only `before` images), before
+/// Private parameters: plain (a ros::Publisher), foreign (such a one, published with by tzc::publish), image_transport (one of those), latch, rate (Hz; 0: publish only `before` images), before
 /// (images published at the start), bytes.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
+#include <tzc/image_transport.h>
 #include <tzc/ros.h>
 #include <tzc/sensor_msgs/Image.h>
 
@@ -17,31 +18,37 @@ namespace {
 
 class Greeter {
  public:
-  explicit Greeter(ros::NodeHandle node, ros::NodeHandle options)
+  Greeter(ros::NodeHandle node, ros::NodeHandle options)
       : is_foreign_(options.param("foreign", false)),
+        is_image_transports_(options.param("image_transport", false)),
         is_plain_(is_foreign_ || options.param("plain", false)),
         bytes_(options.param("bytes", 100000)) {
-    const ros::SubscriberStatusCallback on_connect = [this](const ros::SingleSubscriberPublisher& s) {
-      greet(s);
-    };
-    const ros::SubscriberStatusCallback on_leave = [this](const ros::SingleSubscriberPublisher& s) {
-      tell("leave", s);
-    };
     const bool latch = options.param("latch", false);
-    const std::uint32_t queue = 1000;  // no message is dropped where the machine is busy with others
+    if (is_image_transports_) {
+      image_transport::ImageTransport transport(node);
+      const image_transport::SubscriberStatusCallback greets = on_connect(), tells = on_leave();
+      images_ =
+          tzc::image_transport::advertise(transport, "image", kQueue, greets, tells, ros::VoidPtr(), latch);
+      return;
+    }
+    const ros::SubscriberStatusCallback greets = on_connect(), tells = on_leave();
     if (is_plain_)
-      plain_ = node.advertise<sensor_msgs::Image>("image", queue, on_connect, on_leave, ros::VoidConstPtr(),
-                                                  latch);
+      plain_ = node.advertise<sensor_msgs::Image>("image", kQueue, greets, tells, ros::VoidConstPtr(), latch);
     else
-      shared_ = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", queue, 0, on_connect, on_leave,
+      shared_ = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", kQueue, 0, greets, tells,
                                                         ros::VoidConstPtr(), latch);
   }
 
   void publish() {
     tzc::sensor_msgs::Image image;
-    if (!is_plain_) shared_.allocate(image);
+    if (is_image_transports_)
+      images_.allocate(image);
+    else if (!is_plain_)
+      shared_.allocate(image);
     tzc_test::fill_image(image, number_++, bytes_);
-    if (is_foreign_)
+    if (is_image_transports_)
+      images_.publish(image);
+    else if (is_foreign_)
       tzc::publish(plain_, tzc::message::to_stock(image));
     else if (is_plain_)
       plain_.publish(tzc::message::to_stock(image));
@@ -50,24 +57,51 @@ class Greeter {
   }
 
  private:
-  void tell(const char* event, const ros::SingleSubscriberPublisher& subscriber) const {
-    const std::uint32_t count = is_plain_ ? plain_.getNumSubscribers() : shared_.getNumSubscribers();
+  static constexpr std::uint32_t kQueue =
+      1000;  // no message is dropped where the machine is busy with others
+
+  /// Callbacks for any kind of publisher.
+  struct OnConnect {
+    Greeter* greeter;
+    template <class Subscriber>
+    void operator()(const Subscriber& subscriber) const {
+      greeter->greet(subscriber);
+    }
+  };
+  struct OnLeave {
+    Greeter* greeter;
+    template <class Subscriber>
+    void operator()(const Subscriber& subscriber) const {
+      greeter->tell("leave", subscriber);
+    }
+  };
+  OnConnect on_connect() { return {this}; }
+  OnLeave on_leave() { return {this}; }
+
+  std::uint32_t subscribers() const {
+    if (is_image_transports_) return images_.getNumSubscribers();
+    return is_plain_ ? plain_.getNumSubscribers() : shared_.getNumSubscribers();
+  }
+  template <class Subscriber>
+  void tell(const char* event, const Subscriber& subscriber) const {
     std::printf("{\"event\": \"%s\", \"subscriber\": \"%s\", \"topic\": \"%s\", \"count\": %u}\n", event,
-                subscriber.getSubscriberName().c_str(), subscriber.getTopic().c_str(), count);
+                subscriber.getSubscriberName().c_str(), subscriber.getTopic().c_str(), subscribers());
     std::fflush(stdout);
   }
-  void greet(const ros::SingleSubscriberPublisher& subscriber) {
+  template <class Subscriber>
+  void greet(const Subscriber& subscriber) {
     tell("connect", subscriber);
     sensor_msgs::Image greeting;
     tzc_test::fill_image(greeting, 1000000 + greeted_++, bytes_);
     subscriber.publish(greeting);
   }
 
-  const bool is_foreign_, is_plain_;
+  const bool is_foreign_, is_image_transports_, is_plain_;
   const std::size_t bytes_;
   std::uint32_t number_ = 0, greeted_ = 0;
   ros::Publisher plain_;
   tzc::Publisher shared_;
+  tzc::image_transport::Publisher images_;
 };
 
 }  // namespace

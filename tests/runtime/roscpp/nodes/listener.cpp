@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Prints a line for each image it gets (image_line.h).
 ///
-/// Private parameters: mode (pointer, reference, value, mutable, event, direct, direct_throw: its callback throws, filter,
+/// Private parameters: mode (pointer, reference, value, mutable, event, direct, direct_throw: its callback throws, direct_no_memory: likewise std::bad_alloc, filter,
 /// stock_filter: message_filters' own, behind which messages are given other memory, late_attach, unreliable, plain, keep:
 /// pointers, all of which it keeps, draw and plain_draw: they write to what they get through a cast and publish it again as
 /// `drawn`; with several topics pointer, keep or direct), handler (the number of the message after which a handler of SIGSEGV
@@ -97,6 +97,9 @@ void on_growing(const sensor_msgs::ImagePtr& image) {
 void on_throwing(const sensor_msgs::ImageConstPtr&) {
   throw std::runtime_error("as callbacks do");
 }
+void on_message_too_large(const sensor_msgs::ImageConstPtr&) {
+  throw std::bad_alloc();
+}
 void on_event(const ros::MessageEvent<sensor_msgs::Image>& event) {
   print_image(*event.getMessage());
   spoil(*event.getMessage());
@@ -147,6 +150,7 @@ ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& mode, const 
   if (mode == "event") return tzc::subscribe(node, topic, queue, on_event);
   if (mode == "direct") return tzc::subscribe_direct(node, topic, queue, on_pointer);
   if (mode == "direct_throw") return tzc::subscribe_direct(node, topic, queue, on_throwing);
+  if (mode == "direct_no_memory") return tzc::subscribe_direct(node, topic, queue, on_message_too_large);
   if (mode == "unreliable")
     return tzc::subscribe(node, topic, queue, on_pointer, ros::TransportHints().unreliable());
   if (mode == "draw" || mode == "plain_draw" || mode == "direct_draw") return draw(node, mode, topic, queue);

@@ -6,6 +6,8 @@
 ///   offers  it is stopped when it is called with its first offer; 12 topics, two subscribers each
 ///   killed  it is stopped, misses messages, and is killed
 ///   return  no process is stopped: the channel breaks, and what is left in it is serialized slowly
+///   memory  likewise, and the first message of these finds no memory
+///   endless likewise, and each that is serialized brings two that are published; a subscriber of another topic comes meanwhile
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <signal.h>
@@ -13,6 +15,7 @@
 #include <tzc/sensor_msgs/Image.h>
 
 #include <atomic>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -90,16 +93,10 @@ void killed(ros::NodeHandle& node) {
   print_event("serialized for the dead", serialized);
 }
 
-// One more segment than a connection takes breaks the channel.
-void return_slowly(ros::NodeHandle& node) {
-  tzc::sync_point_hook = [](const char* name) {
-    if (std::string(name) != "return: serialized" || gate().happened("serializing")) return;
-    gate().tell("serializing");
-    print_event("published meanwhile", gate().wait_for({"published"}, std::chrono::milliseconds(5000)));
-  };
-  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 1000);
+/// One more segment than a connection takes breaks the channel. Keeps the memory of the images.
+std::uint32_t break_channel(const tzc::Publisher& publisher, std::vector<tzc::sensor_msgs::Image>& hoard) {
   eventually([&] { return publisher.statistics().shared_subscribers == 1; });
-  std::vector<tzc::sensor_msgs::Image> hoard(300);
+  hoard.resize(300);
   std::uint32_t number = 0;
   for (tzc::sensor_msgs::Image& image : hoard) {
     tzc::MemoryOptions memory;
@@ -108,10 +105,58 @@ void return_slowly(ros::NodeHandle& node) {
     tzc_test::fill_image(image, number++, 20000);
     publisher.publish(image);
   }
+  return number;
+}
+
+void return_slowly(ros::NodeHandle& node) {
+  tzc::sync_point_hook = [](const char* name) {
+    if (std::string(name) != "return: serialized" || gate().happened("serializing")) return;
+    gate().tell("serializing");
+    print_event("published meanwhile", gate().wait_for({"published"}, std::chrono::milliseconds(5000)));
+  };
+  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 1000);
+  std::vector<tzc::sensor_msgs::Image> hoard;
+  const std::uint32_t number = break_channel(publisher, hoard);
   gate().wait_for({"serializing"});
   publish(publisher, number);
   gate().tell("published");
   ros::WallDuration(2).sleep();
+}
+
+void return_without_memory(ros::NodeHandle& node) {
+  tzc::sync_point_hook = [](const char* name) {
+    if (std::string(name) != "return: serialized" || gate().happened("refused")) return;
+    gate().tell("refused");
+    print_event("refused", 1);
+    throw std::bad_alloc();
+  };
+  const tzc::Publisher publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 1000);
+  std::vector<tzc::sensor_msgs::Image> hoard;
+  const std::uint32_t number = break_channel(publisher, hoard);
+  gate().wait_for({"refused"});
+  publish(publisher, number);
+  ros::WallDuration(3).sleep();
+}
+
+tzc::Publisher endless;
+std::atomic<bool> goes_on{true};
+
+void return_for_ever(ros::NodeHandle& node) {
+  tzc::sync_point_hook = [](const char* name) {
+    if (std::string(name) != "return: serialized" || !goes_on) return;
+    gate().tell("serializing");
+    for (int i = 0; i < 2; ++i) publish(endless, 1000);
+  };
+  endless = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 10);
+  std::vector<tzc::sensor_msgs::Image> hoard;
+  break_channel(endless, hoard);
+  gate().wait_for({"serializing"});
+  const tzc::Publisher other = tzc::advertise<tzc::sensor_msgs::Image>(node, "other", 10);
+  const bool is_shared = eventually([&] { return other.statistics().shared_subscribers == 1; });
+  print_event("another topic is shared meanwhile", is_shared);
+  goes_on = false;
+  ros::WallDuration(1).sleep();
+  endless.shutdown();
 }
 
 }  // namespace
@@ -124,5 +169,7 @@ int main(int argc, char** argv) {
   if (scene == "offers") offers(node);
   if (scene == "killed") killed(node);
   if (scene == "return") return_slowly(node);
+  if (scene == "memory") return_without_memory(node);
+  if (scene == "endless") return_for_ever(node);
   tzc::sync_point_hook = nullptr;
 }

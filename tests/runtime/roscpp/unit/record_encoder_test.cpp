@@ -8,6 +8,8 @@
 #include <memory>
 #include <new>
 
+#include "roscpp/upgrade/offer.h"
+
 namespace tzc {
 namespace detail {
 namespace {
@@ -48,6 +50,26 @@ TEST(RecordEncoder, a_message_without_any_memory_is_dropped_and_counted) {
     }
     EXPECT_EQ(encoder.statistics().dropped, 3u);
     EXPECT_EQ(encoder.statistics().exhausted, 3u);
+  }
+}
+
+ros::SerializedMessage serialize_too_much(const void*) {
+  throw ros::Exception("Buffer Overrun");  // as roscpp's serializer beyond 4 GiB
+}
+boost::shared_ptr<void> view_something(const std::uint8_t*, std::size_t, const std::vector<ConstBlock>&,
+                                       std::shared_ptr<const void>) {
+  return boost::make_shared<Huge>();
+}
+
+TEST(RecordEncoder, what_roscpp_cannot_hold_goes_back_as_nothing) {
+  MessageCodec codec = codec_of_huge();
+  codec.view = &view_something;
+  for (const auto serialize : {&serialize_nothing, &serialize_too_much}) {
+    codec.serialize = serialize;
+    RecordEncoder encoder("/image", *SegmentMemory::create(MemoryOptions()), OnExhausted::deliver);
+    encoder.codecs().add(codec);
+    const channel::RecordPtr record = channel::make_record(kControlPart, "c", 1, {});
+    EXPECT_FALSE(encoder.to_stock_bytes(record).buf);
   }
 }
 

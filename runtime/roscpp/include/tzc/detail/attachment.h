@@ -44,15 +44,16 @@ class Attachment {
   static std::shared_ptr<Attachment> create(ros::NodeHandle& node, const ros::AdvertiseOptions& options,
                                             const MessageCodec& codec,
                                             const PublisherOptions& publisher_options);
-  /// The same for a topic that other code advertised. `options.topic` is resolved already. Null also when the
-  /// topic carries another type.
-  static std::shared_ptr<Attachment> join(const ros::AdvertiseOptions& options, const MessageCodec& codec,
-                                          const PublisherOptions& publisher_options);
   /// That of a topic which other code advertised, made with the first call. It lasts as long as one of the program's
   /// advertisements of the topic, and does not keep the topic advertised. Null also when `topic` (resolved) carries a type of another
-  /// `md5sum`, and while another thread makes it. `codec` makes the codec of the topic's stock type.
+  /// `md5sum`, while another thread makes it, and for a while after it could not be made: a later message asks again. `codec` makes the
+  /// codec of the topic's stock type.
   static std::shared_ptr<Attachment> lasting(const std::string& topic, const char* md5sum,
                                              MessageCodec (*codec)());
+  /// The same for a publisher that keeps the result and does not ask again: tries at once, whatever other threads do. The options
+  /// apply if the topic has no memory yet.
+  static std::shared_ptr<Attachment> join(const std::string& topic, const char* md5sum,
+                                          MessageCodec (*codec)(), const PublisherOptions& options);
   ~Attachment();
   Attachment(const Attachment&) = delete;
   Attachment& operator=(const Attachment&) = delete;
@@ -92,14 +93,19 @@ class Attachment {
 
  private:
   Attachment() = default;
-  /// One without an observer: nobody makes it known to subscribers yet. Null when TZC is off for this node or topic.
+  /// One that nobody makes known to subscribers yet. Null when TZC is off for this node or topic.
   static std::shared_ptr<Attachment> to(const ros::PublicationPtr& publication, const MessageCodec& codec,
                                         const PublisherOptions& publisher_options);
+  static std::shared_ptr<Attachment> make_lasting(const ros::PublicationPtr& publication,
+                                                  const MessageCodec& codec, const PublisherOptions& options);
+  /// Has `attachment` owned by an advertisement of the publication, whose subscribers it is told of.
+  static void hand_over(const ros::PublicationPtr& publication,
+                        const std::shared_ptr<Attachment>& attachment);
 
   std::shared_ptr<PublicationEndpoint> endpoint_;
   bool has_header_ = false;
   ros::Publisher
-      observer_;  ///< has TZC's connect callback; ends with this object; empty: the advertisement's own callback calls TZC
+      observer_;  ///< has TZC's connect callback; ends with this object; empty: the advertisement of other code has it
 };
 
 /// The connect callback, whose SingleSubscriberPublisher reaches the subscriber also after it has moved to shared memory, in order
