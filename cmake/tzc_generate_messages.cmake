@@ -13,6 +13,7 @@
 # FILES are .msg, .srv or .action; INCLUDES say where the packages are whose types they use (of a catkin package both
 # are known). Headers go to OUTPUT_DIRECTORY, by default a folder of this build.
 # A package that calls generate_messages() with tzc among its catkin components needs none of this.
+# In a cross build TZC_HOST_MSGGEN names a tzc-msggen that runs here: -DTZC_HOST_MSGGEN=/usr/bin/tzc-msggen.
 
 # What *-msg-paths.cmake files call. genmsg defines it too, for packages that name message_generation.
 if(NOT COMMAND _prepend_path)
@@ -41,7 +42,9 @@ function(_tzc_header_command result package file include_flags output_directory 
     list(TRANSFORM headers APPEND .h)
   endif()
   set(program ${TZC_MSGGEN_EXECUTABLE})
-  if(TARGET tzc-msggen)  # built in the same workspace
+  if(TZC_HOST_MSGGEN)  # of a cross build, which cannot run what it has built or found
+    set(program ${TZC_HOST_MSGGEN})
+  elseif(TARGET tzc-msggen)  # built in the same workspace
     set(program tzc-msggen)
   endif()
   add_custom_command(OUTPUT ${headers}
@@ -124,13 +127,27 @@ function(_tzc_mark_as_own folder)
   endif()
 endfunction()
 
+# Whether a package is installed, so that `tzc-msggen --installed` sees its messages: a devel space names them by absolute paths.
+function(_tzc_is_installed package result)
+  if(NOT DEFINED ${package}_MESSAGE_FILES AND NOT DEFINED ${package}_SERVICE_FILES)
+    find_package(${package} QUIET)
+  endif()
+  set(${result} TRUE PARENT_SCOPE)
+  foreach(file ${${package}_MESSAGE_FILES} ${${package}_SERVICE_FILES})
+    if(IS_ABSOLUTE ${file})
+      set(${result} FALSE PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
 # Whether tzc/PACKAGE/*.h exists already, and this build is not who makes it.
 function(_tzc_has_headers package result)
   set(${result} FALSE PARENT_SCOPE)
   if(TARGET ${package}_generate_messages_tzc)
     set(${result} TRUE PARENT_SCOPE)
   elseif(TARGET tzc_installed_messages AND NOT DEFINED ${package}_SOURCE_DIR)
-    set(${result} TRUE PARENT_SCOPE)  # tzc is built in the same workspace, the package is not
+    _tzc_is_installed(${package} is_installed)  # tzc is built in the same workspace, the package is not
+    set(${result} ${is_installed} PARENT_SCOPE)
   endif()
   if(DEFINED ${package}_SOURCE_DIR)
     return()  # the workspace's own: what came with TZC is of another version, the one that this overlays

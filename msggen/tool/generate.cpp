@@ -89,7 +89,8 @@ class Generator {
   bool keeps_going() const { return options_.keep_going || options_.installed; }
 
   LibraryOptions library_options() {
-    SearchPath path = parse_includes(options_.includes, diagnostics_);
+    SearchPath path = parse_includes(options_.includes, diagnostics_,
+                                     keeps_going() ? MissingFolder::empty : MissingFolder::fault);
     if (!options_.installed) add_own_folders(options_, path);
     return {std::move(path), installed_packages, options_.installed};
   }

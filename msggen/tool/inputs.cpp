@@ -8,7 +8,8 @@
 
 namespace tzc::msggen {
 
-SearchPath parse_includes(const std::vector<std::string>& includes, Diagnostics& diagnostics) {
+SearchPath parse_includes(const std::vector<std::string>& includes, Diagnostics& diagnostics,
+                          MissingFolder missing) {
   SearchPath path;
   for (const std::string& include : includes) {
     const std::size_t colon = include.find(':');
@@ -20,7 +21,9 @@ SearchPath parse_includes(const std::vector<std::string>& includes, Diagnostics&
     const std::string folder = include.substr(colon + 1);
     std::error_code ignored;
     if (!std::filesystem::is_directory(folder, ignored)) {
-      report_usage(fmt::format("-I {}: no such folder", include), "", diagnostics);
+      if (missing == MissingFolder::fault)
+        report_usage(fmt::format("-I {}: no such folder", include),
+                     "name the folder that holds the package's .msg files", diagnostics);
       continue;
     }
     path[include.substr(0, colon)].push_back(folder);

@@ -10,8 +10,13 @@
 
 namespace tzc::msggen {
 
-/// Reads "PKG:DIR" arguments; one without a colon or with a folder that isn't there is reported.
-SearchPath parse_includes(const std::vector<std::string>& includes, Diagnostics& diagnostics);
+/// A folder that is named and is not there: a fault, or one without messages. genmsg names a folder for every package that has declared
+/// messages, and whoever uses one that is not there is told.
+enum class MissingFolder { fault, empty };
+
+/// Reads "PKG:DIR" arguments; one without a colon is reported.
+SearchPath parse_includes(const std::vector<std::string>& includes, Diagnostics& diagnostics,
+                          MissingFolder missing = MissingFolder::fault);
 
 /// The packages of this machine.
 PackageIndex installed_packages();

@@ -86,14 +86,36 @@ bool made_by_catkin_simple(const CmakeProject& project, const std::string& targe
   return made && made.command->name.compare(0, 3, "cs_") == 0;
 }
 
-bool is_linked(const CmakeProject& project, const std::string& target, std::set<std::string>& seen) {
+enum class Reach { target, users };
+
+/// What a target links, or those that link it get: a shared library keeps its PRIVATE ones to itself.
+std::set<std::string> linked_values(const CmakeCommandRef& ref, Reach reach) {
+  static const std::set<std::string> scopes{"PUBLIC",       "PRIVATE",     "INTERFACE",
+                                            "LINK_PRIVATE", "LINK_PUBLIC", "LINK_INTERFACE_LIBRARIES"};
+  std::set<std::string> all;
+  std::string scope;
+  for (std::size_t i = 1; i < ref.command->arguments.size(); ++i) {
+    const std::string& text = ref.command->arguments[i].text;
+    if (scopes.count(text) != 0)
+      scope = text;
+    else if (!contains(scope, reach == Reach::users ? "PRIVATE" : "INTERFACE"))
+      all.merge(ref.file->values.expand(text));
+  }
+  return all;
+}
+
+bool is_linked(const CmakeProject& project, const std::string& target, Reach reach,
+               std::set<std::string>& seen) {
   if (!seen.insert(target).second) return false;
   if (made_by_catkin_simple(project, target)) return true;
-  for (const CmakeCommandRef& ref : commands_of_target(project, "target_link_libraries", target)) {
-    if (any_value(ref, 1, "LIBRARIES")) return true;
-    for (const std::string& library : ref.file->values.expand(*ref.command, 1))
-      if (find_target(project, library) && is_linked(project, library, seen)) return true;
-  }
+  for (const CmakeCommandRef& ref : commands_of_target(project, "target_link_libraries", target))
+    for (const std::string& library : linked_values(ref, reach)) {
+      if (names_tzc_or_catkin(library, "LIBRARIES")) return true;
+      const CmakeCommandRef made = find_target(project, library);
+      if (!made) continue;
+      const bool is_static = find_argument(*made.command, "STATIC") != std::string::npos;
+      if (is_linked(project, library, is_static ? Reach::target : Reach::users, seen)) return true;
+    }
   return false;
 }
 
@@ -105,8 +127,13 @@ bool folder_has(const CmakeProject& project, const CmakeListFile& file, const st
       return command.name == name && any_value({&one, &command}, 0, suffix);
     });
   };
-  return has(file) || std::any_of(file.parents.begin(), file.parents.end(),
-                                  [&](std::size_t parent) { return has(project.files[parent]); });
+  const auto has_at = [&](std::size_t index) { return has(project.files[index]); };
+  return has(file) || std::any_of(file.parents.begin(), file.parents.end(), has_at) ||
+         std::any_of(file.included.begin(), file.included.end(), has_at) ||
+         std::any_of(file.parents.begin(), file.parents.end(), [&](std::size_t parent) {
+           const std::vector<std::size_t>& included = project.files[parent].included;
+           return std::any_of(included.begin(), included.end(), has_at);
+         });
 }
 
 /// CMake refuses a target whose libraries are linked with a keyword here and without one there.
@@ -117,21 +144,47 @@ bool has_scope(const std::vector<CmakeCommandRef>& commands) {
   });
 }
 
-/// Appends to the target's last command of that name that runs wherever the target is made, or adds one behind the command that makes it.
+/// Behind its last argument. What stands under INTERFACE the target itself does not get.
+Edit append_value(const CmakeCommandRef& ref, const std::string& value) {
+  std::string scope;
+  for (const CmakeArgument& argument : ref.command->arguments)
+    if (argument.text == "PUBLIC" || argument.text == "PRIVATE" || argument.text == "INTERFACE")
+      scope = argument.text;
+  return add_argument(ref.file->path, ref.file->content, *ref.command, ref.command->arguments.size() - 1,
+                      scope == "INTERFACE" ? "PRIVATE " + value : value);
+}
+
+void add_once(Edits& all, Edit edit) {
+  const bool is_new = std::none_of(all.begin(), all.end(), [&](const Edit& one) {
+    return one.file == edit.file && one.offset == edit.offset && one.text == edit.text;
+  });
+  if (is_new) all.push_back(std::move(edit));
+}
+
+/// For each command that may make the target: appends to the target's last command of that name that runs wherever that one does, or adds
+/// one behind it. Commands that name the target by a variable may each be another target's as well: it is appended to all of these.
 Edits extend(const CmakeProject& project, const std::string& target, const std::string& name,
              const std::string& scope, const std::string& value) {
   const std::vector<CmakeCommandRef> present = commands_of_target(project, name, target);
-  const CmakeCommandRef made = find_target(project, target);
-  const auto last = std::find_if(present.rbegin(), present.rend(), [&](const CmakeCommandRef& command) {
-    return !made || runs_with_target(command, made, target);
-  });
-  if (last != present.rend())
-    return {add_argument(last->file->path, last->file->content, *last->command,
-                         last->command->arguments.size() - 1, value)};
-  if (!made) return {};
-  const std::string written = made.command->arguments[0].text;
-  return {add_command(made.file->path, made.file->content, *made.command,
-                      name + "(" + written + " " + (has_scope(present) ? "PRIVATE " : scope) + value + ")")};
+  const std::vector<CmakeCommandRef> makers = makers_of_target(project, target);
+  if (makers.empty() && !present.empty()) return {append_value(present.back(), value)};
+  Edits edits;
+  for (const CmakeCommandRef& made : makers) {
+    const auto runs = [&](const CmakeCommandRef& command) { return runs_with_target(command, made, target); };
+    const auto last = std::find_if(present.rbegin(), present.rend(), runs);
+    const std::string written = made.command->arguments[0].text;
+    if (last == present.rend())
+      add_once(edits, add_command(made.file->path, made.file->content, *made.command,
+                                  name + "(" + written + " " + (has_scope(present) ? "PRIVATE " : scope) +
+                                      value + ")"));
+    else if (last->command->arguments[0].text == target)
+      add_once(edits, append_value(*last, value));
+    else
+      for (const CmakeCommandRef& command : present)
+        if (runs(command) && command.command->arguments[0].text == last->command->arguments[0].text)
+          add_once(edits, append_value(command, value));
+  }
+  return edits;
 }
 
 /// The last of the commands that runs in any case; the last where none does.
@@ -183,7 +236,7 @@ Edits add_include(const CmakeProject& project, const std::string& target) {
 Edits add_link(const CmakeProject& project, const std::string& target) {
   const CmakeCommandRef made = find_target(project, target);
   std::set<std::string> seen;
-  if (!made || is_linked(project, target, seen)) return {};
+  if (!made || is_linked(project, target, Reach::target, seen)) return {};
   if (folder_has(project, *made.file, "link_libraries", "LIBRARIES")) return {};
   return extend(project, target, "target_link_libraries", "", "${tzc_LIBRARIES}");
 }

@@ -19,6 +19,8 @@ class Parser {
   Parser(std::string_view content, const std::string& path) : text_(content), path_(path) {}
 
   Expected<std::vector<CmakeCommand>> run() {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text_.substr(0, byte_order_mark.size()) == byte_order_mark) at_ = byte_order_mark.size();
     std::vector<CmakeCommand> commands;
     while (skip_blanks(), at_ < text_.size() && !failed_) {
       if (!is_word(text_[at_])) return error("a command was expected");

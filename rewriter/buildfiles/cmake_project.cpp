@@ -31,11 +31,26 @@ const std::set<std::string> target_users = {"target_link_libraries",
                                             "message",
                                             "if",
                                             "elseif",
+                                            "option",
+                                            "function",
+                                            "macro",
+                                            "endfunction",
+                                            "endmacro",
+                                            "add_subdirectory",
                                             "set_property"};
+
+/// cuda_add_executable, cs_add_library
+bool is_special_maker(const std::string& name) {
+  for (const std::string maker : {"_add_executable", "_add_library"})
+    if (name.size() > maker.size() && name.compare(name.size() - maker.size(), maker.size(), maker) == 0)
+      return true;
+  return false;
+}
 
 class Loader {
  public:
   Expected<CmakeProject> load(const std::string& package_dir) {
+    package_dir_ = package_dir;
     if (Expected<void> done = read(package_dir + "/CMakeLists.txt", CmakeValues(), {}); !done)
       return done.error();
     return std::move(project_);
@@ -47,12 +62,48 @@ class Loader {
     if (!content) return content.error();
     Expected<std::vector<CmakeCommand>> commands = parse_cmake(*content, path);
     if (!commands) return commands.error();
-    for (const CmakeCommand& command : *commands) values.learn(command);
-
+    const fs::path folder = fs::path(path).parent_path();
     const std::size_t index = project_.files.size();
-    project_.files.push_back({canonical_path(path), *content, *commands, values, parents});
+    project_.files.push_back({canonical_path(path), *content, *commands, {}, parents, {}});
     parents.push_back(index);
-    return read_children(*commands, fs::path(path).parent_path(), values, parents);
+    for (const CmakeCommand& command : *commands) {
+      values.learn(command);
+      if (command.name == "include" && !command.arguments.empty())
+        include(command.arguments[0].text, folder, values, parents);
+    }
+    project_.files[index].values = values;
+    return read_children(*commands, folder, values, parents);
+  }
+
+  /// A file of the package whose commands run as if they stood there. One that cannot be read, or that is CMake's, is none.
+  void include(const std::string& name, const fs::path& folder, CmakeValues& values,
+               const std::vector<std::size_t>& parents) {
+    for (const std::string& file : values.expand(name)) {
+      const std::string path = (folder / in_folder(file, folder)).lexically_normal();
+      if (!is_below(path, package_dir_) || !is_there(path) || !seen_.insert(canonical_path(path)).second)
+        continue;
+      const Expected<std::string> content = read_file(path);
+      const auto commands = content ? parse_cmake(*content, path) : content.error();
+      if (!commands) continue;
+      const std::size_t index = project_.files.size();
+      for (const std::size_t parent : parents) project_.files[parent].included.push_back(index);
+      project_.files.push_back({canonical_path(path), *content, *commands, {}, parents, {}});
+      for (const CmakeCommand& command : *commands) {
+        values.learn(command);
+        if (command.name == "include" && !command.arguments.empty())
+          include(command.arguments[0].text, fs::path(path).parent_path(), values, parents);
+      }
+      project_.files[index].values = values;
+    }
+  }
+
+  /// ${CMAKE_CURRENT_SOURCE_DIR}/cmake/nodes.cmake
+  std::string in_folder(std::string file, const fs::path& folder) const {
+    for (const char* variable : {"${CMAKE_CURRENT_SOURCE_DIR}", "${CMAKE_CURRENT_LIST_DIR}"})
+      if (file.rfind(variable, 0) == 0) file.replace(0, std::string(variable).size(), folder.string());
+    for (const char* variable : {"${PROJECT_SOURCE_DIR}", "${CMAKE_SOURCE_DIR}"})
+      if (file.rfind(variable, 0) == 0) file.replace(0, std::string(variable).size(), package_dir_);
+    return file;
   }
 
   Expected<void> read_children(const std::vector<CmakeCommand>& commands, const fs::path& folder,
@@ -61,13 +112,14 @@ class Loader {
       if (command.name != "add_subdirectory" || command.arguments.empty()) continue;
       for (const std::string& name : values.expand(command.arguments[0].text)) {
         const std::string child = (folder / name / "CMakeLists.txt").lexically_normal();
-        if (!fs::exists(child) || !seen_.insert(canonical_path(child)).second) continue;
+        if (!is_there(child) || !seen_.insert(canonical_path(child)).second) continue;
         if (Expected<void> done = read(child, values, parents); !done) return done;
       }
     }
     return {};
   }
 
+  std::string package_dir_;
   CmakeProject project_;
   std::set<std::string> seen_;
 };
@@ -148,11 +200,23 @@ Expected<CmakeProject> load_cmake_project(const std::string& package_dir) {
 }
 
 CmakeCommandRef find_target(const CmakeProject& project, const std::string& target) {
+  const std::vector<CmakeCommandRef> makers = makers_of_target(project, target);
+  return makers.empty() ? CmakeCommandRef() : makers.front();
+}
+
+std::vector<CmakeCommandRef> makers_of_target(const CmakeProject& project, const std::string& target) {
+  std::vector<CmakeCommandRef> makers;
   for (const char* name : {"add_executable", "add_library"})
-    if (const auto made = commands_of_target(project, name, target); !made.empty()) return made.front();
+    for (const CmakeCommandRef& made : commands_of_target(project, name, target)) makers.push_back(made);
   for (const CmakeListFile& file : project.files)
     for (const CmakeCommand& command : file.commands)
-      if (!target_users.count(command.name) && names_target(file, command, target)) return {&file, &command};
+      if (is_special_maker(command.name) && names_target(file, command, target))
+        makers.push_back({&file, &command});
+  if (!makers.empty()) return makers;
+  for (const CmakeListFile& file : project.files)
+    for (const CmakeCommand& command : file.commands)
+      if (target_users.count(command.name) == 0 && names_target(file, command, target))
+        return {{&file, &command}};
   return {};
 }
 

@@ -11,18 +11,20 @@
 
 namespace tzc::rewriter {
 
-/// One CMakeLists.txt of a package, with what its parents may have set.
+/// One CMakeLists.txt of a package, or a file that one includes, with what its parents may have set.
 struct CmakeListFile {
   std::string path;  ///< canonical: it may be a link
   std::string content;
   std::vector<CmakeCommand> commands;
   CmakeValues values;
   std::vector<std::size_t> parents;  ///< indices into CmakeProject::files, the top level first
+  std::vector<std::size_t>
+      included;  ///< likewise, those whose commands run as if they stood in this one or in one below it
 };
 
 struct CmakeProject {
   std::vector<CmakeListFile>
-      files;  ///< the package's own CMakeLists.txt first, then those of its add_subdirectory()
+      files;  ///< the package's own CMakeLists.txt first, then those of its add_subdirectory() and include()
 };
 
 /// Reads the package's CMakeLists.txt and, where the folders are constants, those below it.
@@ -38,6 +40,9 @@ struct CmakeCommandRef {
 /// The command that makes a target: add_executable, add_library, or any other (catkin_add_gtest,
 /// cs_add_library, ...) whose first argument may be the target's name.
 CmakeCommandRef find_target(const CmakeProject& project, const std::string& target);
+
+/// All that may make it: one branch has add_executable, and another one cuda_add_executable.
+std::vector<CmakeCommandRef> makers_of_target(const CmakeProject& project, const std::string& target);
 
 /// The commands of that name whose first argument may be the target's name, those in the body of the package's own macro or
 /// function that is called with it included.

@@ -17,7 +17,7 @@ class CmakeValues {
  public:
   void learn(const CmakeCommand& command);
 
-  /// Every text that an argument may expand to (lists split at ';'). At most 256.
+  /// Every text that an argument may expand to (lists split at ';'), some thousands and some megabytes of it at most.
   std::set<std::string> expand(const std::string& text) const;
   std::set<std::string> expand(const CmakeCommand& command, std::size_t first = 0) const;
 
@@ -26,7 +26,9 @@ class CmakeValues {
   }
 
  private:
+  void add(const std::string& variable, const std::string& text);
   void add(const std::string& variable, const CmakeCommand& command, std::size_t first);
+  void add_loop(const CmakeCommand& loop);
 
   std::map<std::string, std::set<std::string>> values_;
 };

@@ -36,22 +36,6 @@ std::string target_dir_of(const std::string& directory, const std::string& outpu
   return canonical_path((fs::path(directory) / output.substr(0, end)).string());
 }
 
-CompileCommand command_of(const json& entry) {
-  CompileCommand command;
-  command.directory = entry.value("directory", "");
-  const fs::path file = entry.at("file").get<std::string>();
-  command.file = file.is_absolute() ? file : command.directory / file;
-  command.canonical = canonical_path(command.file);
-  if (entry.contains("arguments"))
-    command.arguments = entry["arguments"].get<std::vector<std::string>>();
-  else
-    command.arguments = shell_words(entry.value("command", ""));
-  const std::string output = output_of(entry, command.arguments);
-  command.target = target_in(output);
-  command.target_dir = target_dir_of(command.directory, output);
-  return command;
-}
-
 /// Reads one word; `at` ends behind it.
 std::string shell_word(const std::string& text, std::size_t& at) {
   std::string word;
@@ -68,6 +52,38 @@ std::string shell_word(const std::string& text, std::size_t& at) {
       word += c;
   }
   return word;
+}
+
+constexpr unsigned deepest_response_file = 10;  // one may name others, and itself
+
+/// In place of @FILE come the words of the file, as with GCC; where there is none, the word stays.
+void add_arguments(CompileCommand& command, const std::vector<std::string>& words, unsigned depth) {
+  for (const std::string& word : words) {
+    const std::string file = word[0] == '@' ? (fs::path(command.directory) / word.substr(1)).string() : "";
+    const Expected<std::string> text = file.empty() || depth == 0 ? Error() : read_file(file);
+    if (!text) {
+      command.arguments.push_back(word);
+      continue;
+    }
+    command.response_files.push_back(file);
+    add_arguments(command, shell_words(*text), depth - 1);
+  }
+}
+
+CompileCommand command_of(const json& entry) {
+  CompileCommand command;
+  command.directory = entry.value("directory", "");
+  const fs::path file = entry.at("file").get<std::string>();
+  command.file = file.is_absolute() ? file : command.directory / file;
+  command.canonical = canonical_path(command.file);
+  add_arguments(command,
+                entry.contains("arguments") ? entry["arguments"].get<std::vector<std::string>>()
+                                            : shell_words(entry.value("command", "")),
+                deepest_response_file);
+  const std::string output = output_of(entry, command.arguments);
+  command.target = target_in(output);
+  command.target_dir = target_dir_of(command.directory, output);
+  return command;
 }
 
 }  // namespace

@@ -13,11 +13,13 @@ namespace tzc::rewriter {
 /// One entry of a compile_commands.json.
 struct CompileCommand {
   std::string directory;
-  std::string file;                    ///< absolute, as the build names it
-  std::string canonical;               ///< the same file without symbolic links
-  std::vector<std::string> arguments;  ///< the compiler, or its launcher, first
-  std::string target;                  ///< of CMake; empty: unknown
-  std::string target_dir;              ///< where CMake builds the target; empty: unknown
+  std::string file;       ///< absolute, as the build names it
+  std::string canonical;  ///< the same file without symbolic links
+  std::vector<std::string>
+      arguments;  ///< the compiler, or its launcher, first; with the words of response files
+  std::vector<std::string> response_files;
+  std::string target;      ///< of CMake; empty: unknown
+  std::string target_dir;  ///< where CMake builds the target; empty: unknown
 };
 
 /// All entries of a build folder's compile_commands.json. An error when it cannot be read.

@@ -56,6 +56,11 @@ bool is_cpp_header(const std::string& path) {
   return extensions.count(fs::path(path).extension()) != 0;
 }
 
+bool is_there(const std::string& path) {
+  std::error_code unreadable;
+  return fs::exists(path, unreadable);
+}
+
 Expected<std::string> read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return system_error("cannot be read", path);
@@ -64,8 +69,8 @@ Expected<std::string> read_file(const std::string& path) {
   return content.str();
 }
 
-Expected<void> write_file(const std::string& path, std::string_view content) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+Expected<void> write_file(const std::string& path, std::string_view content, unsigned mode) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
   if (descriptor < 0) return system_error("cannot be written", path);
   const bool written = write_all(descriptor, content) && ::fsync(descriptor) == 0;
   const Error error = system_error("cannot be written", path);

@@ -13,10 +13,13 @@
 
 namespace tzc::rewriter {
 
+/// Whether a file or folder is to be seen there. What may not be looked at counts as absent.
+bool is_there(const std::string& path);
+
 Expected<std::string> read_file(const std::string& path);
 
-/// Writes through to the disk (fsync). The folder must exist.
-Expected<void> write_file(const std::string& path, std::string_view content);
+/// Writes through to the disk (fsync). The folder must exist. `mode`: of a file that is new.
+Expected<void> write_file(const std::string& path, std::string_view content, unsigned mode = 0666);
 
 /// Makes the entries of a folder durable. Best effort: not every file system can.
 void sync_folder(const std::string& path);

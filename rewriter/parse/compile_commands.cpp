@@ -25,8 +25,10 @@ void drop_launcher(std::vector<std::string>& arguments) {
   const auto source = std::find_if(arguments.begin(), arguments.end(), is_cpp_source);
   const auto compiler = std::find_if(arguments.begin(), source, is_compiler);
   if (compiler != source) arguments.erase(arguments.begin(), compiler);
-  while (arguments.size() > 1 && arguments[1][0] != '-' && !is_cpp_source(arguments[1]))
-    arguments.erase(arguments.begin());
+  const auto is_program = [](const std::string& word) {
+    return !word.empty() && word[0] != '-' && word[0] != '@' && !is_cpp_source(word);
+  };
+  while (arguments.size() > 1 && is_program(arguments[1])) arguments.erase(arguments.begin());
 }
 
 /// TZC's headers are C++14 and the port raises the standard in the build files, so the package is parsed with

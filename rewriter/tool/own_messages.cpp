@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/own_messages.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
 
 #include "buildfiles/package_xml.h"
+#include "edits/files.h"
 #include "proof/compiler_reads.h"
 #include "proof/process.h"
 #include "tool/genmsg_files.h"
@@ -64,7 +66,7 @@ std::map<std::string, std::string> folders_of(const MessagePackages& packages) {
 
 std::string generator() {
   const fs::path beside = fs::path(own_folder()) / "tzc-msggen";
-  return fs::exists(beside) ? beside.string() : "tzc-msggen";
+  return is_there(beside) ? beside.string() : "tzc-msggen";
 }
 
 /// -I PKG:DIR
@@ -95,6 +97,24 @@ Expected<void> generate_all(const Generation& where, const MessagePackage& packa
   return Error{
       "tzc-msggen could not generate the headers of its messages\n" + result.errors, package.folder,
       result.status < 0 ? "install tzc-msggen beside tzc-rewrite" : "repair the message definitions"};
+}
+
+/// Whether gencpp has made its header, so that the package builds with it, although TZC has none for it: a message that only Python uses may have
+/// a field `delete`.
+bool is_built(const std::string& package, const std::string& file, const std::set<std::string>& builds) {
+  const std::string name = fs::path(file).stem();
+  for (const fs::path& share : devel_shares(builds))
+    for (const char* ending : {".h", "Action.h"})
+      if (is_there(share.parent_path() / "include" / package / (name + ending))) return true;
+  return false;
+}
+
+/// Whether it costs the package nothing that some of its definitions become no headers of TZC.
+bool builds_without(const Generation& where, const MessagePackage& package,
+                    const std::set<std::string>& builds) {
+  return std::all_of(package.definitions.begin(), package.definitions.end(), [&](const std::string& file) {
+    return generate_these(where, {file}).status == 0 || is_built(where.package, file, builds);
+  });
 }
 
 /// One by one: a definition that is broken, or whose parts are nowhere, costs no other one its header.
@@ -135,8 +155,9 @@ Expected<OwnMessages> OwnMessages::generate(const std::map<std::string, std::str
   for (const auto& [name, package] : all) {
     const Generation where{name, flags, messages.folder_->path()};
     const Expected<void> done = generate_all(where, package);
-    if (!done && build_dirs.count(package.folder) != 0) return done.error();
-    if (!done) generate_what_can_be(where, package);
+    if (done) continue;
+    if (build_dirs.count(package.folder) != 0 && !builds_without(where, package, builds)) return done.error();
+    generate_what_can_be(where, package);
   }
   return messages;
 }

@@ -44,6 +44,21 @@ TEST_F(Tool, keeps_going_past_definitions_with_faults) {
     EXPECT_THAT(read(std::string("out/tzc/demo/") + name + ".h"), Not(HasSubstr("#error"))) << name;
 }
 
+/// An installed package that has declared messages and has none.
+TEST_F(Tool, keeps_going_without_a_folder_that_nobody_needs) {
+  GenerateOptions options;
+  options.package = "demo";
+  options.output = path("out");
+  options.includes = {"empty_msgs:" + path("no/such/folder")};
+  options.files = {write("msg/Good.msg", "uint8[] x\n"), write("msg/Uses.msg", "empty_msgs/Part part\n")};
+  EXPECT_EQ(generate(options, console_), exit_usage);
+  EXPECT_THAT(err_.str(), HasSubstr("no such folder"));
+  options.keep_going = true;
+  EXPECT_EQ(generate(options, console_), exit_good);
+  EXPECT_THAT(read("out/tzc/demo/Good.h"), Not(HasSubstr("#error")));
+  EXPECT_THAT(read("out/tzc/demo/Uses.h"), HasSubstr("#error"));
+}
+
 TEST_F(Tool, does_not_keep_going_past_files_that_are_no_definitions) {
   GenerateOptions options;
   options.package = "demo";

@@ -25,6 +25,9 @@ std::string cmake(const std::string& text) {
 TEST(ParseCmake, commands_and_arguments) {
   EXPECT_EQ(cmake("A(b c)\nd ( e )"), "a(b|c) d(e)");
 }
+TEST(ParseCmake, a_byte_order_mark_is_no_command) {
+  EXPECT_EQ(cmake("\xEF\xBB\xBFproject(demo)"), "project(demo)");
+}
 TEST(ParseCmake, quotes) {
   EXPECT_EQ(cmake("set(X \"a b) # \\\" c\" d)"), "set(X|a b) # \\\" c|d)");
 }
@@ -73,11 +76,29 @@ TEST(CmakeValues, lists_and_appends) {
 TEST(CmakeValues, loops) {
   EXPECT_EQ(learned("foreach(n a b)").expand("${n}_node"), (Set{"a_node", "b_node"}));
 }
+TEST(CmakeValues, loops_over_lists) {
+  EXPECT_EQ(learned("set(A a b)\nset(B c)\nforeach(n IN LISTS A B ITEMS d)").expand("${n}"),
+            (Set{"a", "b", "c", "d"}));
+}
 TEST(CmakeValues, unknown_stays) {
   EXPECT_EQ(learned("").expand("${catkin_LIBRARIES}"), Set{"${catkin_LIBRARIES}"});
 }
 TEST(CmakeValues, a_variable_that_holds_itself_ends) {
   EXPECT_FALSE(learned("set(A x)\nset(A ${A} y)\nset(A ${A} z)").expand("${A}").empty());
+}
+TEST(CmakeValues, flags_that_are_added_one_by_one_stay_few) {
+  for (const std::string first : {"", "set(F x)\n"}) {
+    std::string text = first;
+    for (int i = 0; i < 40; ++i) text += "set(F \"${F} -flag" + std::to_string(i) + "\")\n";
+    const Set values = learned(text).expand("${F}");
+    EXPECT_LE(values.size(), 10'000u);
+    EXPECT_EQ(values.count(" -flag0"), first.empty() ? 1u : 0u);
+  }
+}
+TEST(CmakeValues, texts_that_double_stay_short) {
+  std::string text = "set(F xxxxxxxx)\n";
+  for (int i = 0; i < 60; ++i) text += "set(F \"${F}${F}\")\n";
+  for (const std::string& value : learned(text).expand("${F}")) EXPECT_LE(value.size(), 70000u);
 }
 
 std::string xml(const std::string& text) {

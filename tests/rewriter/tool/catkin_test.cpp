@@ -69,11 +69,23 @@ TEST_F(Catkin, what_was_found_in_the_prefix_of_installation_is_found_there_again
   EXPECT_THAT(source(), HasSubstr("tzc::Publisher pub"));
 }
 
-TEST_F(Catkin, an_included_file_that_keeps_tzc_out_is_refused_and_one_that_lets_it_in_is_ported) {
+TEST_F(Catkin, what_the_package_includes_from_its_own_folder_is_ported) {
   put("demo/cmake/dependencies.cmake", find);
   put("demo/cmake/node.cmake", "include_directories(${catkin_INCLUDE_DIRS})\n" + target +
                                    "target_link_libraries(node ${catkin_LIBRARIES})\n");
-  configure("include(cmake/dependencies.cmake)\ninclude(cmake/node.cmake)\n");
+  configure("include(cmake/dependencies.cmake)\ninclude(${CMAKE_CURRENT_SOURCE_DIR}/cmake/node.cmake)\n");
+  const ProcessResult ported = rewrite({"--apply"});
+  EXPECT_EQ(ported.status, 0) << ported.output;
+  EXPECT_THAT(source(), HasSubstr("tzc::Publisher pub"));
+  EXPECT_THAT(folder_.read("ws/src/demo/cmake/dependencies.cmake"), HasSubstr("tzc"));
+}
+
+/// It lies outside of the package.
+TEST_F(Catkin, an_included_file_that_keeps_tzc_out_is_refused_and_one_that_lets_it_in_is_ported) {
+  put("shared/dependencies.cmake", find);
+  put("demo/cmake/node.cmake", "include_directories(${catkin_INCLUDE_DIRS})\n" + target +
+                                   "target_link_libraries(node ${catkin_LIBRARIES})\n");
+  configure("include(../shared/dependencies.cmake)\ninclude(cmake/node.cmake)\n");
   const ProcessResult refused = rewrite({"--apply"});
   EXPECT_EQ(refused.status, 1) << refused.errors;
   EXPECT_EQ(source(), node);
@@ -81,7 +93,7 @@ TEST_F(Catkin, an_included_file_that_keeps_tzc_out_is_refused_and_one_that_lets_
   EXPECT_THAT(refused.output, HasSubstr("TZC4005"));
   EXPECT_EQ(summary()["publish"]["plain"], 1);
 
-  put("demo/cmake/dependencies.cmake",
+  put("shared/dependencies.cmake",
       "find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs tzc)\ncatkin_package()\n");
   const ProcessResult ported = rewrite({"--apply"});
   EXPECT_EQ(ported.status, 0) << ported.output;
@@ -204,8 +216,8 @@ TEST_F(CatkinOfTwo, one_that_has_nothing_but_headers_is_ported_with_its_user) {
 }
 
 TEST_F(CatkinOfTwo, one_whose_build_files_are_refused_keeps_the_other) {
-  put("fill/cmake/dependencies.cmake", "find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs)\n");
-  configure_both("include(cmake/dependencies.cmake)\n");
+  put("shared/dependencies.cmake", "find_package(catkin REQUIRED COMPONENTS roscpp sensor_msgs)\n");
+  configure_both("include(../shared/dependencies.cmake)\n");
   const ProcessResult result = rewrite({"--apply", "--exported-headers=change", folder_ / "ws/src/fill"});
   EXPECT_EQ(result.status, 1) << result.errors;
   EXPECT_EQ(header().find("tzc"), std::string::npos);

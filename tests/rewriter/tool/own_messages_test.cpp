@@ -38,6 +38,18 @@ TEST_F(OwnMessages, broken_ones_stop_the_run_with_their_place) {
   EXPECT_THAT(result.errors, HasSubstr("Blob.msg:1:"));
 }
 
+/// A field `delete` is no fault to genmsg.
+TEST_F(OwnMessages, one_that_only_python_uses_stops_no_run) {
+  ws.folder().write("ws/src/demo/msg/PythonOnly.msg", "string delete\n");
+  EXPECT_EQ(ws.rewrite({"-q"}).status, 2) << "not built";
+  ws.folder().write("ws/devel/include/demo/PythonOnly.h", "// as gencpp makes it\n");
+  ws.folder().write("ws/build/CMakeCache.txt",
+                    "CATKIN_DEVEL_PREFIX:PATH=" + (ws.folder() / "ws/devel") + "\n");
+  const auto result = ws.rewrite({"-q"});
+  EXPECT_EQ(result.status, 1) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("twin: /tzc/demo/Blob.h\n"));
+}
+
 TEST_F(OwnMessages, broken_ones_of_another_package_do_not) {
   ws.folder().write("ws/src/other_msgs/msg/Pair.msg", "uint8[ bytes\n");
   EXPECT_EQ(ws.rewrite({}).status, 1);
