@@ -49,6 +49,15 @@ const clang::TemplateArgumentList* template_arguments(const clang::FunctionDecl*
   return function->getTemplateSpecializationArgs();
 }
 
+/// What gencpp makes, and no cv::Rect_.
+bool is_generated(const clang::ClassTemplateSpecializationDecl* record) {
+  const clang::CXXRecordDecl* pattern = record->getSpecializedTemplate()->getTemplatedDecl()->getDefinition();
+  return pattern && llvm::any_of(pattern->decls(), [](const clang::Decl* member) {
+           const auto* name = llvm::dyn_cast<clang::TypedefNameDecl>(member);
+           return name && name->getName() == "ConstPtr";
+         });
+}
+
 /// sensor_msgs::Image_<A> and tzc::sensor_msgs::Image are "sensor_msgs/Image", by pointer as well.
 std::string message_name(clang::QualType type) {
   if (type.isNull()) return "";
@@ -59,7 +68,7 @@ std::string message_name(clang::QualType type) {
   std::string space = space_of(record->getDeclContext()), name = record->getNameAsString();
   if (space.rfind("tzc::", 0) == 0)
     space.erase(0, 5);
-  else if (made && name.back() == '_')
+  else if (made && name.back() == '_' && is_generated(made))
     name.pop_back();
   else
     return "";
@@ -144,13 +153,22 @@ class ApiCalls : public AstVisitor {
     return named ? message_name((*arguments)[0].getAsType()) : "";
   }
 
-  /// A member function publish...(M) of a class outside the package.
+  static bool is_twin(clang::QualType type) {
+    const clang::CXXRecordDecl* record = type.getNonReferenceType().getCanonicalType()->getAsCXXRecordDecl();
+    const auto* made = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(record);
+    if (made && record->getName() == "shared_ptr") return is_twin(made->getTemplateArgs()[0].getAsType());
+    return record && space_of(record->getDeclContext()).rfind("tzc::", 0) == 0;
+  }
+
+  /// A member function publish...(M) of a class outside the package. One that takes a tzc:: message is ported: it is a site of
+  /// its own package.
   void note_library_publish(const clang::CallExpr* call, const clang::FunctionDecl* function) {
     if (!llvm::isa<clang::CXXMemberCallExpr>(call) || !function->getName().starts_with("publish")) return;
     const clang::FunctionDecl* pattern = function->getTemplateInstantiationPattern();
     if (source_.in_package((pattern ? pattern : function)->getLocation())) return;
     for (const clang::ParmVarDecl* parameter : function->parameters())
-      if (const std::string message = message_name(parameter->getType()); !message.empty())
+      if (const std::string message = message_name(parameter->getType());
+          !message.empty() && !is_twin(parameter->getType()))
         return note(SiteKind::publish, call, message);
   }
 

@@ -8,6 +8,7 @@
 #include "facts/calls.h"
 #include "facts/containing_object.h"
 #include "model/codes.h"
+#include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -15,15 +16,28 @@ namespace {
 constexpr const char* not_nameable =
     "the expression that names it means something else, or nothing, where allocate would stand";
 
-/// The statement of a block that a node belongs to; null: it stands in the head of another statement.
+/// Whether a statement is what another one executes, without a block around it.
+bool is_bare_body(const clang::Stmt* part, const clang::Stmt* around) {
+  if (const auto* branch = llvm::dyn_cast<clang::IfStmt>(around))
+    return part == branch->getThen() || part == branch->getElse();
+  if (const auto* loop = llvm::dyn_cast<clang::ForStmt>(around)) return part == loop->getBody();
+  if (const auto* loop = llvm::dyn_cast<clang::WhileStmt>(around)) return part == loop->getBody();
+  if (const auto* loop = llvm::dyn_cast<clang::CXXForRangeStmt>(around)) return part == loop->getBody();
+  const auto* loop = llvm::dyn_cast<clang::DoStmt>(around);
+  return loop && part == loop->getBody();
+}
+
+/// The statement that a node belongs to, of a block or alone in place of one; null: it stands in the head of another statement.
 template <class Node>
 const clang::Stmt* statement_around(const Unit& unit, const Node& of) {
   clang::DynTypedNode part = clang::DynTypedNode::create(of);
   for (const clang::DynTypedNode& node : ancestors(unit.ast(), of)) {
     if (node.get<clang::CompoundStmt>()) return part.get<clang::Stmt>();
     const auto* around = node.get<clang::Stmt>();
+    const auto* statement = part.get<clang::Stmt>();
+    if (around && statement && is_bare_body(statement, around)) return statement;
     if (around && llvm::isa<clang::IfStmt, clang::ForStmt, clang::WhileStmt, clang::CXXForRangeStmt,
-                            clang::DoStmt, clang::SwitchCase, clang::LambdaExpr>(around))
+                            clang::DoStmt, clang::LambdaExpr>(around))
       return nullptr;
     part = node;
   }
@@ -140,6 +154,13 @@ void AllocationCollector::place_behind(InsertedAllocation& how, const clang::Stm
   if (!statement) return;
   how.at = unit_.source.behind(statement->getSourceRange());
   if (!how.at) return;
+  const auto* around = parent_as<clang::Stmt>(unit_.ast(), *statement);
+  if (around && is_bare_body(statement, around)) {
+    how.opening = unit_.source.before(statement->getBeginLoc());
+    if (!how.opening) how.at.reset();
+    how.own_line = false;
+    return;
+  }
   how.indent = unit_.source.indent(*how.at);
   const std::optional<Place> end = unit_.source.line_end(*how.at);
   how.own_line = end.has_value();
@@ -157,6 +178,17 @@ bool AllocationCollector::is_result(const FlowSources& sources) const {
                       [&](const EntityId& id) { return entities_[id].storage == Storage::result; });
 }
 
+namespace {
+
+/// Image image = *made(): the elements are a copy's, of whatever it was made from.
+bool is_copy(const clang::Expr* value) {
+  const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(value->IgnoreImplicit());
+  return construct && construct->getConstructor()->isCopyConstructor() && construct->getNumArgs() > 0 &&
+         construct->getArg(0)->isLValue();
+}
+
+}  // namespace
+
 std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::VarDecl* variable) {
   const auto message = message_of(variable->getType());
   if (!variable->hasLocalStorage() || llvm::isa<clang::ParmVarDecl>(variable) ||
@@ -173,7 +205,7 @@ std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::
   if (const clang::Expr* value = variable->getInit()) {
     const FlowSources sources = flow_.sources_of(value);
     if (is_result(sources)) return {};
-    how.filled = !is_fresh(sources);
+    how.filled = !is_fresh(sources) || is_copy(value);
   }
   place_behind(how, statement_around(unit_, *variable));
   draft.site.how = how;
@@ -196,10 +228,28 @@ bool is_always_made(const Unit& unit, const clang::Expr* made) {
   return true;
 }
 
+class Mention : public AstVisitor {
+ public:
+  explicit Mention(const clang::VarDecl* variable) : variable_(variable) {}
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
+    found = found || reference->getDecl() == variable_;
+    return !found;
+  }
+  bool found = false;
+
+ private:
+  const clang::VarDecl* const variable_;
+};
+
 /// auto image = make_shared<Image>(), other = std::move(image);
-bool is_last_declared(const Unit& unit, const clang::VarDecl* variable) {
+bool is_used_behind(const Unit& unit, const clang::VarDecl* variable) {
   const auto* statement = parent_as<clang::DeclStmt>(unit.ast(), *variable);
-  return !statement || *std::prev(statement->decl_end()) == variable;
+  if (!statement) return false;
+  Mention mention(variable);
+  for (auto at = std::find(statement->decl_begin(), statement->decl_end(), variable);
+       at != statement->decl_end(); ++at)
+    if (*at != variable) mention.TraverseDecl(*at);
+  return mention.found;
 }
 
 /// The message that new or make_shared makes the object from: M(std::move(other)), or a call that returns one. Null: none.
@@ -230,6 +280,8 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
     return {};  // its variable is the site, what it is assigned to keeps its memory, or it has no arrays
   AllocationDraft draft = draft_at(unit_, entities_, id, *expr);
   InsertedAllocation how;
+  const clang::Expr* source = made_from(expr);
+  how.filled = source && source->isLValue();
   if (end.variable && !llvm::isa<clang::ParmVarDecl>(end.variable)) {
     how.object = "*" + end.variable->getNameAsString();
     place_behind(how, statement_around(unit_, *end.variable));
@@ -240,8 +292,8 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
       draft.site.refusal = not_nameable;
   }
   if (!is_always_made(unit_, expr)) draft.site.refusal = "it is made under a condition only";
-  if (end.variable && !is_last_declared(unit_, end.variable))
-    draft.site.refusal = "other variables are declared behind it in the same statement";
+  if (end.variable && is_used_behind(unit_, end.variable))
+    draft.site.refusal = "a variable that is declared behind it in the same statement is made from it";
   draft.site.how = how;
   return draft;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/filter_sites.h"
 
+#include "facts/asked_transport.h"
 #include "facts/ast_walk.h"
 #include "facts/callback_functions.h"
 #include "facts/callback_parameter.h"
@@ -58,6 +59,7 @@ Subscribe FilterCollector::site_of(const Construction& construction, const Entit
     describe_type(site, type, unit_.ast().getPrintingPolicy());
   for (const clang::Expr* argument : construction.arguments)
     if (!site.topic && !argument->getType()->isArithmeticType()) site.topic = constant_string(argument);
+  site.asked_transport = asked_transport(construction.arguments);
   site.scope = scope_of(construction.expr);
   if (filter.empty())
     site.obstacles.push_back(

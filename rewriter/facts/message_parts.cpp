@@ -243,7 +243,8 @@ MessagePart MessageParts::of_call(const clang::CallExpr* call, unsigned depth) c
   const clang::FunctionDecl* function = call->getDirectCallee();
   if (!function) return {};
   if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call)) return of_operator(op, depth);
-  if (passes_through(function) || casts_pointer(function)) return part_of(call->getArg(0), depth + 1);
+  if (call->getNumArgs() > 0 && (passes_through(function) || casts_pointer(function)))
+    return part_of(call->getArg(0), depth + 1);
   if (!unit_.declares(function)) return of_library_call(call, depth);
   MessagePart part = of_result(function, depth);
   return part.empty() && returns_message(function) ? result_root(usr_of(pattern_of(function))) : part;

@@ -23,14 +23,25 @@ bool is_std_template(const clang::ClassTemplateSpecializationDecl* decl, llvm::S
   return decl && decl->getName() == name && decl->isInStdNamespace();
 }
 
+/// The definition may stand behind a declaration (ROS_DECLARE_MESSAGE), of which instances are then seen to be.
+const clang::CXXRecordDecl* pattern_of(const clang::ClassTemplateDecl* decl) {
+  const clang::CXXRecordDecl* pattern = decl->getTemplatedDecl();
+  const clang::CXXRecordDecl* definition = pattern->getDefinition();
+  return definition ? definition : pattern;
+}
+
+/// A message that is only used by pointer is not instantiated; its template, whose types are dependent, is examined.
+const clang::CXXRecordDecl* fields_of(const clang::ClassTemplateSpecializationDecl* message) {
+  return message->hasDefinition() ? message->getDefinition() : pattern_of(message->getSpecializedTemplate());
+}
+
 bool has_message_shape(const clang::ClassTemplateSpecializationDecl* decl) {
   if (!decl || !decl->getName().ends_with("_") || decl->getTemplateArgs().size() != 1) return false;
   if (!llvm::isa_and_nonnull<clang::NamespaceDecl>(decl->getDeclContext())) return false;
-  return llvm::any_of(decl->getSpecializedTemplate()->getTemplatedDecl()->decls(),
-                      [](const clang::Decl* member) {
-                        const auto* name = llvm::dyn_cast<clang::TypedefNameDecl>(member);
-                        return name && name->getName() == "ConstPtr";
-                      });
+  return llvm::any_of(pattern_of(decl->getSpecializedTemplate())->decls(), [](const clang::Decl* member) {
+    const auto* name = llvm::dyn_cast<clang::TypedefNameDecl>(member);
+    return name && name->getName() == "ConstPtr";
+  });
 }
 
 bool is_fixed_length(clang::QualType type);
@@ -49,9 +60,7 @@ bool is_fixed_length(clang::QualType type) {
   if (templated && templated->getName() == "array") return is_fixed_length(first_argument(templated));
   const std::string name = qualified_name_of(record);
   if (name == "ros::Time" || name == "ros::Duration") return true;
-  if (!has_message_shape(templated)) return false;
-  if (record->hasDefinition()) return all_fields_fixed(record->getDefinition());
-  return all_fields_fixed(templated->getSpecializedTemplate()->getTemplatedDecl());
+  return has_message_shape(templated) && all_fields_fixed(fields_of(templated));
 }
 
 void look_into_pattern(clang::QualType type, bool nested, MessageType& message, unsigned depth);
@@ -103,15 +112,9 @@ void look_into(clang::QualType type, bool nested, MessageType& message) {
     look_into(first_argument(templated), nested, message);
     note_repeated(before, message);
   } else if (has_message_shape(templated)) {
-    const clang::CXXRecordDecl* fields = templated->hasDefinition()
-                                             ? templated->getDefinition()
-                                             : templated->getSpecializedTemplate()->getTemplatedDecl();
-    look_into_fields(fields, nested, message, 0);
+    look_into_fields(fields_of(templated), nested, message, 0);
   }
 }
-
-// A message that is only used by pointer is not instantiated; its template, whose types are dependent, is
-// examined.
 
 const clang::TemplateSpecializationType* template_type_of(clang::QualType type) {
   return type->getAs<clang::TemplateSpecializationType>();
@@ -130,7 +133,7 @@ bool is_fixed_pattern(clang::QualType type, unsigned depth) {
   if (decl->getName() == "array")
     return is_fixed_pattern(written->template_arguments()[0].getAsType(), depth + 1);
   if (!decl->getName().ends_with("_")) return false;
-  return llvm::all_of(decl->getTemplatedDecl()->fields(), [&](const clang::FieldDecl* field) {
+  return llvm::all_of(pattern_of(decl)->fields(), [&](const clang::FieldDecl* field) {
     return is_fixed_pattern(field->getType(), depth + 1);
   });
 }
@@ -152,7 +155,7 @@ void look_into_pattern(clang::QualType type, bool nested, MessageType& message, 
     look_into_pattern(written->template_arguments()[0].getAsType(), nested, message, depth + 1);
     note_repeated(before, message);
   } else if (decl->getName().ends_with("_")) {
-    look_into_fields(decl->getTemplatedDecl(), nested, message, depth + 1);
+    look_into_fields(pattern_of(decl), nested, message, depth + 1);
   }
 }
 
@@ -204,18 +207,33 @@ std::optional<Carried> carried_by_template(const clang::ClassTemplateSpecializat
 
 }  // namespace
 
+namespace {
+
+/// Whether the unit sees the service: Ask, which has the type Request, of AskRequest. A topic's message may be called so, too.
+bool is_part_of_service(const clang::ClassTemplateSpecializationDecl* message) {
+  const llvm::StringRef name = message->getName().drop_back();
+  for (const llvm::StringRef part : {llvm::StringRef("Request"), llvm::StringRef("Response")}) {
+    if (!name.ends_with(part) || name == part) continue;
+    clang::IdentifierTable& names = message->getASTContext().Idents;
+    const clang::DeclarationName service(&names.get(name.drop_back(part.size())));
+    for (const clang::NamedDecl* found : message->getDeclContext()->getRedeclContext()->lookup(service)) {
+      const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(found);
+      if (record && !record->lookup(clang::DeclarationName(&names.get(part))).empty()) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 std::optional<MessageType> message_of(const clang::CXXRecordDecl* record) {
   const auto* templated = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(record);
   if (!has_message_shape(templated)) return {};
   MessageType message;
   message.record = record;
   message.name = message_name(templated);
-  const llvm::StringRef name = templated->getName().drop_back();
-  message.service = name.ends_with("Request") || name.ends_with("Response");
-  const clang::CXXRecordDecl* fields = templated->hasDefinition()
-                                           ? templated->getDefinition()
-                                           : templated->getSpecializedTemplate()->getTemplatedDecl();
-  look_into_fields(fields, false, message, 0);
+  message.service = is_part_of_service(templated);
+  look_into_fields(fields_of(templated), false, message, 0);
   return message;
 }
 

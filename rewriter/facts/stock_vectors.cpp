@@ -3,6 +3,9 @@
 
 #include <clang/AST/TypeLoc.h>
 
+#include <set>
+#include <string>
+
 #include "facts/ast_walk.h"
 #include "facts/made_vectors.h"
 #include "facts/message_type.h"
@@ -42,6 +45,7 @@ class VectorUse {
     if (address && address->getOpcode() == clang::UO_AddrOf) around = around_of(*around);
     if (!around || !place_of(array_)) return {};
     if (const auto* variable = around->get<clang::VarDecl>()) return of_name(variable);
+    if (const auto* member = around->get<clang::MemberExpr>()) return of_iterator(member);
     if (const auto* op = around->get<clang::CXXOperatorCallExpr>()) return of_assignment(op);
     const auto* copy = around->get<clang::CXXConstructExpr>();
     return copy && copy->getConstructor()->isCopyConstructor() ? of_copy(copy) : std::vector<Change>();
@@ -77,6 +81,54 @@ class VectorUse {
     const clang::TypeLoc written = written_type(variable);
     const auto where = written ? unit_.source.place(written.getSourceRange()) : std::optional<Place>();
     return where ? std::vector<Change>{{*where, "auto", kRule, {}}} : std::vector<Change>();
+  }
+
+  /// std::vector<float>::iterator range = scan.ranges.begin(), end = scan.ranges.end();
+  std::vector<Change> of_iterator(const clang::MemberExpr* member) const {
+    const auto* call = parent_as<clang::CXXMemberCallExpr>(unit_.ast(), *member);
+    const clang::VarDecl* variable = call && is_iterator(call) ? initialized_by(call) : nullptr;
+    const auto* declaration = variable ? parent_as<clang::DeclStmt>(unit_.ast(), *variable) : nullptr;
+    if (!declaration || *declaration->decl_begin() != variable) return {};
+    const bool are_all_deduced = llvm::all_of(declaration->decls(), [&](const clang::Decl* one) {
+      const auto* other = llvm::dyn_cast<clang::VarDecl>(one);
+      const clang::Expr* value = other ? other->getInit() : nullptr;
+      const auto* source = value ? llvm::dyn_cast<clang::CXXMemberCallExpr>(without_copies(value)) : nullptr;
+      // Deduced, an iterator of a message that is not const lets write where it did not.
+      return source && is_iterator(source) &&
+             unit_.ast().hasSameUnqualifiedType(source->getType(), variable->getType());
+    });
+    const clang::TypeLoc written = written_type(variable);
+    const auto where =
+        are_all_deduced && written ? unit_.source.place(written.getSourceRange()) : std::optional<Place>();
+    return where ? std::vector<Change>{{*where, "auto", kRule, {}}} : std::vector<Change>();
+  }
+
+  static bool is_iterator(const clang::CXXMemberCallExpr* call) {
+    static const std::set<std::string> names = {"begin",  "end",  "rbegin",  "rend",
+                                                "cbegin", "cend", "crbegin", "crend"};
+    return call->getMethodDecl() && names.count(call->getMethodDecl()->getNameAsString()) != 0;
+  }
+
+  /// Before C++17 a value is copied into its variable.
+  static const clang::Expr* without_copies(const clang::Expr* value) {
+    for (;;) {
+      value = value->IgnoreImplicit();
+      const auto* copy = llvm::dyn_cast<clang::CXXConstructExpr>(value);
+      if (!copy || !copy->isElidable() || copy->getNumArgs() == 0) return value;
+      value = copy->getArg(0);
+    }
+  }
+
+  /// A local variable whose initial value a call is; null: it is none's.
+  const clang::VarDecl* initialized_by(const clang::CXXMemberCallExpr* call) const {
+    for (const clang::DynTypedNode& node : ancestors(unit_.ast(), *call)) {
+      const auto* variable = node.get<clang::VarDecl>();
+      if (variable && variable->getInit() && variable->isLocalVarDecl() &&
+          without_copies(variable->getInit()) == call)
+        return variable;
+      if (!node.get<clang::Expr>()) return nullptr;
+    }
+    return nullptr;
   }
 
   std::vector<Change> of_copy(const clang::CXXConstructExpr* copy) const {

@@ -2,6 +2,7 @@
 #include "facts/subscribe_sites.h"
 
 #include "facts/argument_order.h"
+#include "facts/asked_transport.h"
 #include "facts/ast_walk.h"
 #include "facts/call_place.h"
 #include "facts/callback_functions.h"
@@ -34,6 +35,7 @@ Subscribe SubscribeCollector::site_at(const clang::CallExpr* call, const MethodC
   site.where = unit_.source.where(call->getExprLoc());
   site.function = enclosing_function_name(unit_.ast(), *call);
   site.rule = rule.rule;
+  site.asked_transport = asked_transport({call->getArgs(), call->getNumArgs()});
   if (rule.role == MethodCall::Role::subscribe_transport) site.type = "sensor_msgs/Image";
   return site;
 }

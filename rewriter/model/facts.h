@@ -111,7 +111,9 @@ struct InsertedAllocation {
   std::string object;       ///< "image", "*image"
   std::string indent;       ///< of the inserted line
   bool own_line = true;     ///< the inserted statement gets a line of its own
-  bool filled = false;      ///< the message already has content there, which allocate would copy
+  std::optional<Place>
+      opening;          ///< where a brace opens, for a statement that stands alone in place of a block
+  bool filled = false;  ///< the message already has content there, which allocate would copy
 };
 
 /// A library call that makes the message is replaced by an adapter that is given the publisher.
@@ -223,6 +225,7 @@ struct Subscribe : SiteFact {
   bool ported = false;              ///< it subscribes through TZC already
   bool writes = false;              ///< a callback may write to the message
   bool converts = false;            ///< the callbacks take a type that is made from the message
+  std::string asked_transport;      ///< that shares no memory, in words; empty: it asks for none
   std::vector<EntityId> callbacks;  ///< the parameters that receive the message
   EntityId filter;                  ///< the filter object that must be ported with it
   std::string scope;                ///< USR of the class around it

@@ -277,7 +277,8 @@ Site SiteDescriber::describe(const SiteId& id, const Subscribe& fact) const {
   Site site = site_of(fact, options_.packages);
   const Decision& decision = *solution_.of(components_.of(id)->id);
   if (decision.outcome == Outcome::not_needed) {
-    return left_alone(std::move(site), fact);
+    site = left_alone(std::move(site), fact);
+    if (!decision.why_not.reason.empty()) site.reason = decision.why_not.reason;
   } else if (decision.outcome == Outcome::refused) {
     refuse(site, decision.why_not, Level::plain);
   } else {

@@ -159,7 +159,9 @@ void PortEditor::add_call(const BoundAllocation& allocation, const InsertedAlloc
   const std::string space = how.own_line ? "\n" + how.indent : " ";
   std::vector<std::string> headers;
   if (allocation.is_of_node) headers.push_back("tzc/ros.h");
-  add({*how.at, space + call, "allocate", headers}, components_.of(allocation.site->entity)->id);
+  const ComponentId component = components_.of(allocation.site->entity)->id;
+  if (how.opening) add({*how.opening, "{ ", "allocate", {}}, component);
+  add({*how.at, space + call + (how.opening ? " }" : ""), "allocate", headers}, component);
 }
 
 void PortEditor::add_parameter(const GivenPublisher& given) {

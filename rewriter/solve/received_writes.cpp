@@ -18,7 +18,7 @@ ReceivedWrites::ReceivedWrites(const Facts& facts) : facts_(facts) {
     filtered_.insert(item.second.parameters.begin(), item.second.parameters.end());
 }
 
-/// Those of the class that subscribes, its bases and what derives from it; else any: the filter was handed on.
+/// Those of the class that subscribes, its bases and what derives from it; any, where the filter is handed on.
 std::vector<const FilterCallbackUse*> ReceivedWrites::registered(const Subscribe& site) const {
   if (site.filter.empty()) return {};
   const std::set<std::string> around = facts_.with_bases(site.scope);
@@ -29,7 +29,7 @@ std::vector<const FilterCallbackUse*> ReceivedWrites::registered(const Subscribe
     if (around.count(callback.scope) != 0 || facts_.with_bases(callback.scope).count(site.scope) != 0)
       own.push_back(&use);
   }
-  return own.empty() ? all : own;
+  return own.empty() || next_.count(site.filter) != 0 ? all : own;
 }
 
 bool ReceivedWrites::takes_own(const Subscribe& site) const {

@@ -281,6 +281,7 @@ Decision Solver::bind_allocations(const Component& component) {
 Decision Solver::decide_subscription(const Component& component) const {
   const Subscribe& site = *component.subscription;
   if (!site.has_data_part) return {};
+  if (!site.asked_transport.empty()) return not_needed("it asks for " + site.asked_transport);
   if (!site.obstacles.empty()) return refused(site.obstacles.front());
   if (const auto decision = demoted(&component)) return *decision;
   const bool left_out = options_.max_level == Level::plain ||

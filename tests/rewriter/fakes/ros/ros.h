@@ -27,6 +27,8 @@ class Subscriber {
 class TransportHints {
  public:
   TransportHints& tcpNoDelay() { return *this; }
+  TransportHints& reliable() { return *this; }
+  TransportHints& unreliable() { return *this; }
 };
 typedef boost::shared_ptr<void const> VoidConstPtr;
 struct AdvertiseOptions {

@@ -46,7 +46,7 @@ class Node {
 // publish src/node.cpp:15 sensor_msgs/Image one_copy '2' TZC1019 it is made under a condition only
 // publish src/node.cpp:19 sensor_msgs/Image one_copy '3' TZC1019 it is made under a condition only
 // publish src/node.cpp:25 sensor_msgs/Image one_copy '4' TZC1019 it is made under a condition only
-// publish src/node.cpp:31 sensor_msgs/Image one_copy '5' TZC1019 other variables are declared behind it in the same statement
+// publish src/node.cpp:31 sensor_msgs/Image one_copy '5' TZC1019 a variable that is declared behind it in the same statement is made from it
 // advertise src/node.cpp:36 sensor_msgs/Image one_copy '1'
 // advertise src/node.cpp:37 sensor_msgs/Image one_copy '2'
 // advertise src/node.cpp:38 sensor_msgs/Image one_copy '3'

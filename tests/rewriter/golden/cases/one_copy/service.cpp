@@ -9,6 +9,10 @@ struct SetImageRequest_ {
   FAKE_MEMBERS(SetImageRequest_)
 };
 typedef SetImageRequest_<std::allocator<void>> SetImageRequest;
+struct SetImage {
+  typedef SetImageRequest Request;
+  Request request;
+};
 }  // namespace sensor_msgs
 
 void run(ros::NodeHandle& nh) {
@@ -18,8 +22,8 @@ void run(ros::NodeHandle& nh) {
   pub.publish(request.image);
 }
 //--- expected
-// advertise src/node.cpp:15 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:18 sensor_msgs/Image one_copy 'image' TZC1002 it is part of a service
+// advertise src/node.cpp:19 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:22 sensor_msgs/Image one_copy 'image' TZC1002 it is part of a service
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
