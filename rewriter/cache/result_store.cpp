@@ -15,9 +15,10 @@ namespace tzc::rewriter {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* ending = ".result";
+constexpr const char* ending = ".port";
+constexpr const char* former_ending = ".result";  // such entries began with the user's environment
 constexpr const char* unfinished = ".part";
-constexpr std::chrono::hours oldest_unfinished{1};  // then its run was killed
+constexpr std::chrono::hours oldest_unfinished{1};
 
 // digest of what follows \n length of the key \n key result
 std::string packed(const std::string& key, const std::string& result) {
@@ -35,6 +36,12 @@ struct Entry {
   std::uintmax_t size = 0;
   fs::file_time_type used;
 };
+
+/// By a run that was killed, or by an earlier tzc-rewrite.
+bool is_left(const Entry& entry) {
+  const bool is_old = entry.used + oldest_unfinished < fs::file_time_type::clock::now();
+  return entry.path.extension() == former_ending || (entry.path.extension() == unfinished && is_old);
+}
 
 }  // namespace
 
@@ -62,7 +69,7 @@ void ResultStore::keep(const std::string& key, const std::string& result) const 
   fs::create_directories(folder_, failed);
   const std::string path = entry_of(key), staged = path + "-" + std::to_string(::getpid()) + unfinished;
   const std::string body = packed(key, result);
-  const bool written = static_cast<bool>(write_file(staged, digest_(body) + "\n" + body));
+  const bool written = static_cast<bool>(write_file(staged, digest_(body) + "\n" + body, 0600));
   if (written) fs::rename(staged, path, failed);
   if (!written || failed) fs::remove(staged, failed);
   shrink();
@@ -79,8 +86,7 @@ void ResultStore::shrink() const {
     if (entry.path.extension() == ending) {
       total += entry.size;
       entries.push_back(entry);
-    } else if (entry.path.extension() == unfinished &&
-               entry.used + oldest_unfinished < fs::file_time_type::clock::now()) {
+    } else if (is_left(entry)) {
       fs::remove(entry.path, vanished);
     }
   }

@@ -51,8 +51,8 @@ void wait_for_interruption(const std::string& message) {
   Temporary& all = temporary();
   all.mutex.lock();
   for (const pid_t child : all.children) ::kill(child, SIGTERM);
-  std::cerr << (::isatty(STDERR_FILENO) != 0 ? "\n" : "") << message << std::endl;
   remove_folders(all.folders);
+  std::cerr << (::isatty(STDERR_FILENO) != 0 ? "\n" : "") << message << std::endl;
   ::signal(signal, SIG_DFL);
   ::pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
   ::raise(signal);
@@ -101,6 +101,13 @@ sigset_t mask_for_children() {
   ::pthread_sigmask(SIG_SETMASK, nullptr, &mask);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigdelset(&mask, signal);
   return mask;
+}
+
+sigset_t defaults_for_children() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGPIPE);
+  return set;
 }
 
 }  // namespace tzc::rewriter

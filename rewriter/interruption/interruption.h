@@ -61,4 +61,7 @@ class InterruptionDelay {
 /// The signal mask that a child process is to begin with.
 sigset_t mask_for_children();
 
+/// The signals that a child process is to take as by default.
+sigset_t defaults_for_children();
+
 }  // namespace tzc::rewriter

@@ -76,7 +76,7 @@ bool CmakeTarget::links(const std::string& library_prefix) const {
 
 std::vector<CmakeTarget> read_cmake_targets(const std::string& build_dir) {
   const fs::path reply = build_dir + "/.cmake/api/v1/reply";
-  if (!fs::exists(reply)) return {};
+  if (!is_there(reply)) return {};
   try {
     return targets_in(reply);
   } catch (const json::exception&) {

@@ -29,7 +29,7 @@ bool is_carried_over(const CacheEntry& entry) {
 
 /// A file or package that CMake has found, as find_program(), find_library() and find_package() note it.
 bool is_found(const CacheEntry& entry) {
-  return (entry.type == "FILEPATH" || ends_with(entry.name, "_DIR")) && fs::exists(entry.value);
+  return (entry.type == "FILEPATH" || ends_with(entry.name, "_DIR")) && is_there(entry.value);
 }
 
 /// Whether nothing but this workspace's own results lies there. A system's or a robot's prefix (/usr, that of ROS)
@@ -71,12 +71,12 @@ std::unique_ptr<UserBuild> UserBuild::find(const std::string& build_dir) {
   user->cache = CmakeCache::nearest(build_dir);
   user->build_dir = user->cache.folder();
   user->source = user->cache.value("CMAKE_HOME_DIRECTORY");
-  if (user->source.empty() || !fs::exists(user->source)) return nullptr;
+  if (user->source.empty() || !is_there(user->source)) return nullptr;
   return user;
 }
 
 bool UserBuild::is_workspace() const {
-  return !fs::exists(source + "/package.xml");
+  return !is_there(source + "/package.xml");
 }
 
 std::string UserBuild::root() const {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "edits/files.h"
+
 namespace tzc::rewriter {
 namespace fs = std::filesystem;
 namespace {
@@ -47,7 +49,7 @@ std::optional<GeneratedHeaders::Order> GeneratedHeaders::order_of(const CompileC
                                                                   const std::string& header) const {
   for (const std::string& folder : include_folders(command)) {
     const fs::path path = (fs::path(command.directory) / folder / header).lexically_normal();
-    if (fs::exists(path)) return Order{"", true};
+    if (is_there(path)) return Order{"", true};
     const std::vector<const CmakeTarget*> makers = makers_of(path);
     if (makers.empty()) continue;
     const std::set<std::string> before = made_before(command.target);

@@ -102,7 +102,7 @@ std::string OwnCompiler::scratch_word(const std::string& word, const std::string
   const bool relative = !word.empty() && word[0] != '/' && word[0] != '-';
   if (!relative) return copy_->to_scratch().in_word(word);
   const std::string absolute = (fs::path(directory) / word).lexically_normal();
-  return fs::exists(absolute) ? copy_->to_scratch().in_word(absolute) : word;
+  return is_there(absolute) ? copy_->to_scratch().in_word(absolute) : word;
 }
 
 bool OwnCompiler::is_built(const std::string& file) const {
@@ -128,7 +128,7 @@ std::string OwnCompiler::scratch_source(const std::string& file) const {
 /// command's folders: that name stays, the folders lead to the port.
 std::string OwnCompiler::scratch_included(const std::string& name, const std::string& directory) const {
   const std::string here = (fs::path(directory) / name).lexically_normal();
-  return fs::exists(here) ? scratch_source(here) : name;
+  return is_there(here) ? scratch_source(here) : name;
 }
 
 std::vector<std::string> OwnCompiler::ported_command(const CompileCommand& command) const {

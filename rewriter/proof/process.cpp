@@ -62,9 +62,10 @@ pid_t spawn(const Command& command, int out, int err) {
   posix_spawn_file_actions_adddup2(&actions, err, 2);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  const sigset_t mask = mask_for_children();
+  const sigset_t mask = mask_for_children(), defaults = defaults_for_children();
   posix_spawnattr_setsigmask(&attributes, &mask);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  posix_spawnattr_setsigdefault(&attributes, &defaults);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   pid_t child = -1;
   if (posix_spawnp(&child, command.arguments[0].c_str(), &actions, &attributes,
                    pointers(command.arguments).data(), pointers(environment).data()) != 0)

@@ -8,13 +8,14 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 namespace tzc::rewriter {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* prefix = "tzc-rewrite-";
 constexpr time_t youngest_leftover = 60;  // seconds: a younger folder may not be locked yet
 
 int lock_of(const std::string& folder, int flags) {
@@ -30,7 +31,7 @@ bool is_left(const fs::path& folder) {
          ::time(nullptr) - info.st_mtime > youngest_leftover;
 }
 
-void remove_leftovers(const fs::path& parent) {
+void remove_leftovers(const fs::path& parent, const std::string& prefix) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(parent, ignored)) {
     if (entry.path().filename().string().rfind(prefix, 0) != 0 || !is_left(entry.path())) continue;
@@ -47,14 +48,19 @@ Expected<ScratchFolder> ScratchFolder::make() {
   std::error_code failed;
   const fs::path temporary = fs::temp_directory_path(failed);
   const fs::path parent = failed ? fs::path() : fs::canonical(temporary, failed);
-  const Error none{"no temporary folder can be made", parent,
-                   "make room there, or name a folder that exists with TMPDIR"};
-  if (failed) return none;
-  remove_leftovers(parent);
+  if (!failed)
+    if (Expected<ScratchFolder> folder = make_in(parent, "tzc-rewrite-")) return folder;
+  return Error{"no temporary folder can be made", parent,
+               "make room there, or name a folder that exists with TMPDIR"};
+}
+
+Expected<ScratchFolder> ScratchFolder::make_in(const std::string& parent, const std::string& prefix) {
+  remove_leftovers(parent, prefix);
   // mkdtemp(3) puts a unique name where the six Xs are.
-  std::string path = parent / (std::string(prefix) + "XXXXXX");
+  std::string path = fs::path(parent) / (prefix + "XXXXXX");
   const int lock = ::mkdtemp(path.data()) ? lock_of(path, O_CREAT) : -1;
-  if (lock < 0) return none;
+  if (lock < 0)
+    return Error{std::string("cannot be written: ") + std::strerror(errno), parent, "name another folder"};
   return ScratchFolder(path, lock);
 }
 

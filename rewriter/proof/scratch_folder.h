@@ -8,12 +8,15 @@
 
 namespace tzc::rewriter {
 
-/// A folder of this run's own below the system's temporary folder, removed with the object, or when the process is interrupted. A lock that the
+/// A folder of this run's own, removed with the object, or when the process is interrupted. A lock that the
 /// process holds on it tells folders in use from those that a killed run left; the latter are removed by the
 /// next run of the same user.
 class ScratchFolder {
  public:
+  /// Below the system's temporary folder.
   static Expected<ScratchFolder> make();
+  /// In a folder that is there, by a name that begins so.
+  static Expected<ScratchFolder> make_in(const std::string& parent, const std::string& prefix);
 
   ScratchFolder(ScratchFolder&& other) noexcept : folder_(std::move(other.folder_)), lock_(other.lock_) {
     other.lock_ = -1;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "proof/scratch_workspace.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +16,12 @@ namespace {
 
 constexpr unsigned deepest = 8;                       // folders between the root and a package
 constexpr std::uintmax_t largest_copy = 1024 * 1024;  // bytes; larger files are data, a link serves
+
+/// The package's own compiler cannot read either what this user may not.
+bool is_readable(const std::string& path) {
+  std::error_code failed;
+  return ::access(path.c_str(), fs::is_directory(path, failed) ? R_OK | X_OK : R_OK) == 0;
+}
 
 bool is_skipped(const std::string& name) {
   static const std::set<std::string> names = {".git", ".hg", ".svn", ".tzc-rewrite"};
@@ -70,7 +78,7 @@ void ScratchWorkspace::find_places(const std::string& folder, unsigned depth) {
       found->second = {folder, folder == root_ ? folder_ : folder_ + folder.substr(root_.size())};
     return;
   }
-  if (depth == deepest || omitted_.count(folder) || fs::exists(folder + "/package.xml")) return;
+  if (depth == deepest || omitted_.count(folder) || is_there(folder + "/package.xml")) return;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.is_directory(ignored) && !is_skipped(entry.path().filename()) &&
@@ -94,7 +102,7 @@ Expected<void> ScratchWorkspace::make() {
   fs::create_directories(folder_, failed);
   if (Expected<void> done = mirror(root_, folder_); !done) return done;
   for (const auto& [package, place] : places_)
-    if (!fs::exists(place.scratch))
+    if (!is_there(place.scratch))
       if (Expected<void> done = copy(package, place.scratch); !done) return done;
   return {};
 }
@@ -106,7 +114,7 @@ Expected<void> ScratchWorkspace::mirror(const std::string& from, const std::stri
   for (const auto& entry : fs::directory_iterator(from, failed)) {
     const std::string name = entry.path().filename();
     if (is_skipped(name) || omitted_.count(canonical_path(entry.path()))) continue;
-    if (!entry.is_directory() || !leads_to_package(entry.path()))
+    if (std::error_code ignored; !entry.is_directory(ignored) || !leads_to_package(entry.path()))
       link(entry.path(), to + "/" + name);
     else if (Expected<void> done = mirror(entry.path(), to + "/" + name); !done)
       return done;
@@ -132,6 +140,8 @@ Expected<void> ScratchWorkspace::copy_entry(const std::string& from, const std::
   std::error_code failed;
   if (fs::is_symlink(from, failed)) {
     link(to_scratch_.in_word(canonical_path(from)), to);
+  } else if (!is_readable(from)) {
+    link(from, to);
   } else if (fs::is_directory(from, failed)) {
     return copy(from, to);
   } else if (!fs::is_regular_file(from, failed) || fs::file_size(from, failed) > largest_copy) {

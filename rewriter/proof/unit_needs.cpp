@@ -19,7 +19,7 @@ const std::vector<std::string> default_folders = {"/usr/local/include", "/usr/in
 bool sees_tzc(const CompileCommand& command) {
   const std::vector<std::string> folders = include_folders(command);
   return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
-    return !folder.empty() && fs::exists(fs::path(command.directory) / folder / "tzc/ros.h");
+    return !folder.empty() && is_there(fs::path(command.directory) / folder / "tzc/ros.h");
   });
 }
 

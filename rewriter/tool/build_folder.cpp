@@ -17,7 +17,7 @@ namespace {
 constexpr const char* database = "compile_commands.json";
 
 bool has_database(const fs::path& folder) {
-  return fs::exists(folder / database);
+  return is_there(folder / database);
 }
 
 bool knows_package(const std::string& build_dir, const std::string& package_dir) {
@@ -29,16 +29,16 @@ bool knows_package(const std::string& build_dir, const std::string& package_dir)
 /// Whether CMake configured it, or a folder above it.
 bool is_configured(const fs::path& folder) {
   for (fs::path at = folder; at.has_relative_path(); at = at.parent_path())
-    if (fs::exists(at / "CMakeCache.txt")) return true;
+    if (is_there(at / "CMakeCache.txt")) return true;
   return false;
 }
 
 /// Editors look for the database among the sources, where it often is a link: then the folder that was built in is where that
 /// leads.
 std::string build_folder_of(const fs::path& with_database) {
-  const fs::path folder = fs::canonical(with_database);
+  const fs::path folder = canonical_path(with_database);
   if (is_configured(folder)) return folder;
-  const fs::path linked = fs::canonical(folder / database).parent_path();
+  const fs::path linked = fs::path(canonical_path(folder / database)).parent_path();
   return has_database(linked) ? linked : folder;
 }
 
@@ -46,10 +46,10 @@ std::string how_to_make_one(const std::string& package_dir) {
   const fs::path workspace = fs::path(source_space(package_dir)).parent_path();
   const std::string option = " -DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
                     configure = "configure the workspace with";
-  if (fs::exists(workspace / ".catkin_tools"))
+  if (is_there(workspace / ".catkin_tools"))
     return configure + option + ", as in: catkin config --append-args --cmake-args" + option +
            " && catkin build";
-  const bool isolated = fs::exists(workspace / "build_isolated") && !fs::exists(workspace / "build");
+  const bool isolated = is_there(workspace / "build_isolated") && !is_there(workspace / "build");
   return configure + option + ", as in: catkin_make" + (isolated ? "_isolated" : "") + option;
 }
 
@@ -118,8 +118,8 @@ std::string find_configured_dir(const PackagePlace& package, const std::string& 
                                 const std::vector<std::string>& arguments) {
   const auto configures = [&](const fs::path& folder) {
     // CMake fills the cache while it configures, and generates only when nothing went wrong.
-    const bool is_done = has_database(folder) || fs::exists(folder / "CMakeFiles/TargetDirectories.txt");
-    if (!is_done || !fs::exists(folder / "CMakeCache.txt")) return false;
+    const bool is_done = has_database(folder) || is_there(folder / "CMakeFiles/TargetDirectories.txt");
+    if (!is_done || !is_there(folder / "CMakeCache.txt")) return false;
     const std::string source = CmakeCache::nearest(folder).value(package.name + "_SOURCE_DIR");
     return !source.empty() && canonical_path(source) == package.dir;
   };

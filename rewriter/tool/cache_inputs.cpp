@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "buildfiles/build_trees.h"
+#include "buildfiles/compile_database.h"
 #include "buildfiles/package_xml.h"
 #include "edits/files.h"
 #include "proof/compiler_reads.h"
@@ -27,10 +28,22 @@ namespace {
 
 /// What lets a CMake file read what CMake does not list, in lower case.
 const char* const reaching[] = {"execute_process", "exec_program",    "file(download",
-                                "fetchcontent",    "externalproject", "try_run",
-                                "env{github_",     "env{runner_",     "env{actions_"};
+                                "fetchcontent",    "externalproject", "try_run"};
+
+/// Whether it names ENV{NAME} of a session, or of a name that only CMake can tell.
+bool names_session_variable(const std::string& text) {
+  static const std::string opening = "ENV{";
+  for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
+    at += opening.size();
+    const std::size_t end = text.find_first_of("{}", at);
+    if (end == std::string::npos || text[end] == '{' || is_session_variable(text.substr(at, end - at)))
+      return true;
+  }
+  return false;
+}
 
 bool reaches_beyond(std::string text) {
+  if (names_session_variable(text)) return true;
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
   return std::any_of(std::begin(reaching), std::end(reaching),
                      [&](const char* command) { return text.find(command) != std::string::npos; });
@@ -87,6 +100,7 @@ class Collector {
     for (const auto& [topic, size] : inputs_.measured_sizes) say(topic, std::to_string(size));
   }
 
+  /// As a digest: passwords of a CI are among the variables, and caches are kept and handed on.
   void add_environment() {
     std::vector<std::string> variables;
     for (char** entry = environ; *entry; ++entry) {
@@ -94,7 +108,9 @@ class Collector {
       if (!is_session_variable(text.substr(0, text.find('=')))) variables.push_back(text);
     }
     std::sort(variables.begin(), variables.end());
-    say("environment", variables);
+    std::string all;
+    for (const std::string& variable : variables) all += variable + '\0';
+    say("environment", inputs_.engine.digest(all));
   }
 
   /// This program, the libraries that it is made of, and TZC's headers.
@@ -108,19 +124,36 @@ class Collector {
 
   void add_package(const std::string& package) {
     found_.trees.insert(package);
-    found_.trees.insert(source_space(package));  // users and copies of its headers
-    for (fs::path folder = package; folder.has_relative_path(); folder = folder.parent_path())
-      for (const char* style : {".clang-format", "_clang-format"}) depend_on(folder / style);
+    add_source_space(source_space(package));
+    for (fs::path folder = package;; folder = folder.parent_path()) {
+      for (const char* settings : {".clang-format", "_clang-format", ".tzc-rewrite.yaml"})
+        depend_on(folder / settings);
+      if (!folder.has_relative_path()) break;
+    }
     const Expected<PackageXml> xml = read_package_xml(package);
     const std::string build_dir = build_dir_of({package, xml ? xml->name : ""});
     say("build of " + package, build_dir);
     if (build_dir.empty()) return;
     omit(build_dir, package);
-    depend_on(build_dir + "/compile_commands.json");
+    add_compile_commands(build_dir);
     for (fs::path folder = build_dir; folder.has_relative_path(); folder = folder.parent_path())
       depend_on(folder / "CMakeCache.txt");
     add_messages(package, build_dir);
     if (options_.verify != Verify::source) add_configuration(build_dir, package);
+  }
+
+  /// Users and copies of headers. Catkin finds packages behind symbolic links, too.
+  void add_source_space(const std::string& space) {
+    found_.trees.insert(space);
+    const Expected<std::vector<std::string>> packages = find_packages_at(space);
+    if (packages) found_.trees.insert(packages->begin(), packages->end());
+  }
+
+  void add_compile_commands(const std::string& build_dir) {
+    depend_on(build_dir + "/compile_commands.json");
+    if (const auto commands = read_compile_commands(build_dir))
+      for (const CompileCommand& command : *commands)
+        for (const std::string& file : command.response_files) depend_on(file);
   }
 
   /// Where sources and results share folders, only what is surely none of the sources is left out.
@@ -198,7 +231,8 @@ class Collector {
   /// A CMake file of the workspace that asks other programs may read anything.
   void refuse_what_cannot_be_followed(const std::string& source) {
     std::error_code failed;
-    for (auto at = fs::recursive_directory_iterator(source, failed), end = decltype(at){};
+    const auto options = fs::directory_options::skip_permission_denied;
+    for (auto at = fs::recursive_directory_iterator(source, options, failed), end = decltype(at){};
          !failed && at != end; at.increment(failed)) {
       std::error_code ignored;
       if (found_.omitted.count(at->path()) != 0 || at->path().filename() == ".git")
@@ -234,22 +268,30 @@ bool is_session_variable(const std::string& name) {
                                               "SSH_TTY",
                                               "SSH_CLIENT",
                                               "SSH_CONNECTION",
-                                              "SSH_AUTH_SOCK",
                                               "STY",
                                               "TMUX",
+                                              "SSH_AUTH_SOCK",
                                               "TMUX_PANE",
                                               "XAUTHORITY",
-                                              "WAYLAND_DISPLAY",
-                                              "PS1",
-                                              "INVOCATION_ID",
                                               "HISTSIZE",
                                               "HISTFILE",
-                                              "DBUS_SESSION_BUS_ADDRESS",
+                                              "PS1",
+                                              "BUILD_ID",
+                                              "WAYLAND_DISPLAY",
+                                              "INVOCATION_ID",
+                                              "JOURNAL_STREAM",
+                                              "BUILD_TAG",
                                               "XDG_SESSION_ID",
-                                              "JOURNAL_STREAM"};
-  if (names.count(name) != 0) return true;
-  const auto begins = [&](const char* prefix) { return name.rfind(prefix, 0) == 0; };
-  return begins("GITHUB_") || begins("RUNNER_") || begins("ACTIONS_");
+                                              "BUILD_URL",
+                                              "BUILD_NUMBER",
+                                              "DBUS_SESSION_BUS_ADDRESS"};
+  // Of CI systems, of git while it runs a hook, and of terminals.
+  static const char* const prefixes[] = {
+      "GITHUB_",         "RUNNER_", "ACTIONS_", "CI_",  "GITLAB_", "JENKINS_", "GIT_",
+      "GNOME_TERMINAL_", "KITTY_",  "VSCODE_",  "VTE_", "TERM_",   "WT_"};
+  return names.count(name) != 0 ||
+         std::any_of(std::begin(prefixes), std::end(prefixes),
+                     [&](const char* prefix) { return name.rfind(prefix, 0) == 0; });
 }
 
 CacheInputs cache_inputs(const std::vector<std::string>& packages, const PortInputs& inputs) {

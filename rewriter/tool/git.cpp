@@ -64,15 +64,31 @@ void add_states(const std::string& top, const std::string& states, OutsideGit& o
   }
 }
 
+/// Takes the entries of `git ls-files -v -z`: "T path\0" with a small letter or an S where git does not look at the file.
+void add_unwatched(const std::string& top, const std::string& list, OutsideGit& outside) {
+  for (std::size_t at = 0; at + 2 < list.size();) {
+    const std::size_t end = list.find('\0', at);
+    const char tag = list[at];
+    if (tag == 'S' || (tag >= 'a' && tag <= 'z'))
+      outside.unwatched.insert(fs::path(top) / list.substr(at + 2, end - at - 2));
+    at = end + 1;
+  }
+}
+
 Expected<void> ask_repository(const Repository& repository, const std::vector<std::string>& files,
                               OutsideGit& outside) {
   if (repository.failure) return *repository.failure;
-  std::vector<std::string> words = {"status", "--porcelain=v1", "-z", "--untracked-files=all", "--ignored",
-                                    "--"};
-  words.insert(words.end(), files.begin(), files.end());
-  const ProcessResult git = run_git(repository.top, words);
-  if (git.status != 0) return failure_of(repository.top, git);
-  add_states(repository.top, git.output, outside);
+  const auto ask = [&](std::vector<std::string> words) {
+    words.push_back("--");
+    words.insert(words.end(), files.begin(), files.end());
+    return run_git(repository.top, words);
+  };
+  const ProcessResult states = ask({"status", "--porcelain=v1", "-z", "--untracked-files=all", "--ignored"});
+  if (states.status != 0) return failure_of(repository.top, states);
+  const ProcessResult tags = ask({"ls-files", "-v", "-z"});
+  if (tags.status != 0) return failure_of(repository.top, tags);
+  add_states(repository.top, states.output, outside);
+  add_unwatched(repository.top, tags.output, outside);
   return {};
 }
 

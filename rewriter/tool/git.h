@@ -26,6 +26,7 @@ std::string git_top(const std::string& folder);
 struct OutsideGit {
   std::set<std::string> uncommitted;  ///< of a repository: changed, staged or never added
   std::set<std::string> unheld;       ///< in no repository, or in one that ignores the file
+  std::set<std::string> unwatched;    ///< git was told not to look for changes of it, and tells none
 };
 
 /// An error when a repository holds one of the files and git does not answer for it: nothing is known then.

@@ -15,11 +15,6 @@ namespace tzc::rewriter {
 namespace fs = std::filesystem;
 namespace {
 
-bool is_there(const fs::path& path) {
-  std::error_code unreadable;
-  return fs::exists(path, unreadable);
-}
-
 /// The folder in which the workspace is built: marked by catkin's tools, or the parent of a `src` folder.
 fs::path workspace_of(const fs::path& package_dir) {
   for (fs::path folder = package_dir.parent_path(); folder.has_relative_path();

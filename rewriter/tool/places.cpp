@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 bool is_skipped(const fs::path& folder) {
-  return folder.filename().string().front() == '.' || fs::exists(folder / "CATKIN_IGNORE");
+  return folder.filename().string().front() == '.' || is_there(folder / "CATKIN_IGNORE");
 }
 
 /// Catkin follows symbolic links, too: to a package, or to a repository with packages.
@@ -109,7 +109,7 @@ std::string user_folder(const char* variable, const char* in_home) {
 Expected<std::vector<std::string>> find_packages_at(const std::string& argument) {
   std::error_code failed;
   const fs::path folder = fs::canonical(argument, failed);
-  if (failed || !fs::is_directory(folder))
+  if (failed || !fs::is_directory(folder, failed))
     return Error{"is no folder", argument, "name the folder of a catkin package"};
   std::vector<std::string> packages = PackageSearch(folder).run();
   if (packages.empty())
@@ -124,7 +124,7 @@ namespace {
 bool is_marked(const fs::path& space) {
   const char* const marks[] = {".catkin_workspace", ".catkin_tools", "build_isolated"};
   return std::any_of(std::begin(marks), std::end(marks),
-                     [&](const char* mark) { return fs::exists(space.parent_path() / mark); });
+                     [&](const char* mark) { return is_there(space.parent_path() / mark); });
 }
 
 }  // namespace
@@ -161,7 +161,7 @@ std::vector<std::string> find_tzc_prefixes(const std::vector<std::string>& given
   for (const std::string& folder : given) places.push_back(fs::path(folder) / "..");
   std::vector<std::string> prefixes;
   for (const fs::path& place : places)
-    if (has_cmake_package(place)) prefixes.push_back(fs::canonical(place));
+    if (has_cmake_package(place)) prefixes.push_back(canonical_path(place));
   return prefixes;
 }
 
@@ -175,14 +175,14 @@ Expected<std::vector<std::string>> find_tzc_includes(const std::vector<std::stri
       given.empty() ? own_include_folders() : std::vector<fs::path>(given.begin(), given.end());
   std::vector<std::string> found;
   for (const fs::path& place : places)
-    if (fs::exists(place / "tzc")) found.push_back(fs::canonical(place));
-  const auto has_ros = [](const std::string& folder) { return fs::exists(fs::path(folder) / "tzc/ros.h"); };
+    if (is_there(place / "tzc")) found.push_back(canonical_path(place));
+  const auto has_ros = [](const std::string& folder) { return is_there(fs::path(folder) / "tzc/ros.h"); };
   const auto main = std::find_if(found.begin(), found.end(), has_ros);
   if (main == found.end())
     return Error{"TZC's headers were not found", given.empty() ? own_folder() : given.front(),
                  "name the folder that holds tzc/ros.h with --tzc-include"};
   const auto has_twins = [](const std::string& folder) {
-    return fs::exists(fs::path(folder) / "tzc/std_msgs");
+    return is_there(fs::path(folder) / "tzc/std_msgs");
   };
   if (std::none_of(found.begin(), found.end(), has_twins))
     return Error{"TZC's headers of the installed messages were not found", found.front(),

@@ -13,7 +13,7 @@
 namespace tzc::rewriter {
 namespace {
 
-constexpr const char* format = "tzc-rewrite results 1\n";
+constexpr const char* format = "tzc-rewrite results 2\n";
 
 }  // namespace
 

@@ -48,9 +48,16 @@ Expected<void> PortWriter::look_at_git(const std::vector<PackagePort>& ports) {
   if (outside && !outside->uncommitted.empty() && !options_.force)
     return Error{"has changes that git does not have; nothing was written", *outside->uncommitted.begin(),
                  "commit or stash them first, or write over them with --force"};
+  if (outside && !outside->unwatched.empty() && !options_.force)
+    return Error{
+        "git was told not to look for changes of this file, so they cannot be seen; nothing was written",
+        *outside->unwatched.begin(),
+        "type git update-index --no-assume-unchanged FILE, and --no-skip-worktree likewise, or write over it "
+        "with --force"};
   for (const PackagePort& port : ports)
     for (const auto& [file, content] : port.contents)
-      if (!outside || outside->uncommitted.count(file) || outside->unheld.count(file))
+      if (!outside || outside->uncommitted.count(file) || outside->unheld.count(file) ||
+          outside->unwatched.count(file))
         outside_git_.insert(file);
   return {};
 }

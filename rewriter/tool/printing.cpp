@@ -61,14 +61,17 @@ bool has_refusal(const PackagePort& port) {
 
 void print_reports(const Options& options, const std::vector<PackagePort>& ports, const Outcome& outcome) {
   const bool is_diff = options.action == Action::diff;
-  std::FILE* stream = is_diff ? stderr : stdout;
   TextStyle style;
   style.colour = wants_colour(is_diff ? STDERR_FILENO : STDOUT_FILENO);
+  std::string text;
   if (!options.quiet) {
-    for (const PackagePort& port : ports) fmt::print(stream, "{}\n", to_text(port.result, style));
-    fmt::print(stream, "{}", closing_line(options, ports, outcome));
+    for (const PackagePort& port : ports) text += to_text(port.result, style) + "\n";
+    text += closing_line(options, ports, outcome);
   }
-  if (is_diff) fmt::print("{}", diff_of(ports));
+  if (is_diff)
+    say(text), fmt::print("{}", diff_of(ports));
+  else
+    fmt::print("{}", text);
 }
 
 }  // namespace tzc::rewriter

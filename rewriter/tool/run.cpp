@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
@@ -45,8 +46,7 @@ class Run {
     progress_.end();
     warn_about_filters();
     if (failed_ && ports_.empty()) return status();
-    for (const std::string& warning : writer_->warnings())
-      fmt::print(stderr, "tzc-rewrite: warning: {}\n", warning);
+    for (const std::string& warning : writer_->warnings()) say("tzc-rewrite: warning: " + warning + "\n");
     if (Expected<void> done = print(); !done) report_error(done.error());
     if (Expected<void> done = write_reports(); !done) report_error(done.error());
     return status();
@@ -57,8 +57,8 @@ class Run {
     failed_ = true;
     progress_.clear();
     const bool colour = wants_colour(STDERR_FILENO);
-    fmt::print(stderr, "tzc-rewrite: {}error:{} {}\n", colour ? "\033[1;31m" : "", colour ? "\033[0m" : "",
-               to_string(error));
+    say(fmt::format("tzc-rewrite: {}error:{} {}\n", colour ? "\033[1;31m" : "", colour ? "\033[0m" : "",
+                    to_string(error)));
   }
 
   Expected<void> read_inputs() {
@@ -102,8 +102,8 @@ class Run {
       if (!replaced) return replaced.error();
       finished_another_run_ = finished_another_run_ || !replaced->empty();
       if (!replaced->empty())
-        fmt::print(stderr, "tzc-rewrite: {}: finished a run that had been interrupted ({} files)\n", folder,
-                   replaced->size());
+        say(fmt::format("tzc-rewrite: {}: finished a run that had been interrupted ({} files)\n", folder,
+                        replaced->size()));
     }
     return {};
   }
@@ -124,7 +124,16 @@ class Run {
     return all;
   }
 
+  /// What the file system refuses where nobody asked it before ends this group alone: others may be written by now.
   void port_group(const std::vector<std::string>& packages) {
+    try {
+      port_and_write(packages);
+    } catch (const std::system_error& error) {
+      report_error({error.what(), packages.front(), ""});
+    }
+  }
+
+  void port_and_write(const std::vector<std::string>& packages) {
     PortInputs inputs{options_, engine_, measured_, graphs_, &progress_};
     PortCache cache(packages, inputs);
     std::optional<std::vector<PackagePort>> known = cache.find();
@@ -165,11 +174,10 @@ class Run {
       report_error(found.error());
     } else {
       progress_.clear();
-      fmt::print(
-          stderr,
+      say(fmt::format(
           "tzc-rewrite: warning: packages that include headers of each other are ported one by one, and "
           "these headers stay, because they could not be solved as one: {}\n",
-          to_string(found.error()));
+          to_string(found.error())));
       for (const std::string& package : set) analyse({package}, inputs, ports);
     }
   }
@@ -193,8 +201,8 @@ class Run {
       if (matches) continue;
       // A check that looks at nothing would pass.
       const bool is_error = options_.action == Action::check;
-      fmt::print(stderr, "tzc-rewrite: {}: --only {} matches no site\n", is_error ? "error" : "warning",
-                 filter);
+      say(fmt::format("tzc-rewrite: {}: --only {} matches no site\n", is_error ? "error" : "warning",
+                      filter));
       failed_ |= is_error;
     }
   }
@@ -276,6 +284,7 @@ int run(const Options& options, const Engine& engine) {
 }
 
 int tool_main(int argc, const char* const* argv, const Engine& engine) {
+  ::signal(SIGPIPE, SIG_IGN);  // a pipe whose reader is gone ends no run that writes files: printing fails
   const auto parsed = parse_options(argc, argv);
   if (const auto* options = std::get_if<Options>(&parsed)) return run(*options, engine);
   const Answer& answer = std::get<Answer>(parsed);

@@ -37,6 +37,11 @@ rusage used_by(int whose) {
 
 }  // namespace
 
+void say(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
+
 bool wants_colour(int descriptor) {
   const char* refused = std::getenv("NO_COLOR");
   return isatty(descriptor) && !(refused && *refused) && !is_dumb();
@@ -55,8 +60,7 @@ void TerminalProgress::step(const std::string& stage, unsigned done, unsigned to
   std::string line = fmt::format("{} {}/{} {}", stage, done, total, what);
   if (!terminal_) return log(stage, line, done >= total);
   if (line.size() >= columns()) line.resize(columns() - 1);
-  fmt::print(stderr, "\r\033[K{}", line);
-  std::fflush(stderr);
+  rewriter::say("\r\033[K" + line);
   shown_ = true;
 }
 
@@ -64,8 +68,7 @@ void TerminalProgress::log(const std::string& stage, const std::string& line, bo
   constexpr std::chrono::seconds interval{10};
   const auto now = std::chrono::steady_clock::now();
   if (stage == stage_ && !last && now - logged_ < interval) return;
-  fmt::print(stderr, "tzc-rewrite: {}\n", line);
-  std::fflush(stderr);
+  rewriter::say("tzc-rewrite: " + line + "\n");
   stage_ = last ? "" : stage;
   logged_ = now;
 }
@@ -73,8 +76,7 @@ void TerminalProgress::log(const std::string& stage, const std::string& line, bo
 void TerminalProgress::say(const std::string& line) {
   clear();
   if (!enabled_) return;
-  fmt::print(stderr, "tzc-rewrite: {}\n", line);
-  std::fflush(stderr);
+  rewriter::say("tzc-rewrite: " + line + "\n");
 }
 
 void TerminalProgress::end() {
@@ -82,17 +84,16 @@ void TerminalProgress::end() {
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun_;
   if (!enabled_) return;
   const rusage own = used_by(RUSAGE_SELF), others = used_by(RUSAGE_CHILDREN);
-  fmt::print(
-      stderr,
+  rewriter::say(fmt::format(
       "tzc-rewrite: {:.1f} s; processor time: {:.1f} s for tzc-rewrite, {:.1f} s for compilers and CMake; "
       "memory: {} MB, {} MB for the largest of those\n",
       taken.count(), processor_seconds(own), processor_seconds(others), own.ru_maxrss / 1024,
-      others.ru_maxrss / 1024);
+      others.ru_maxrss / 1024));
 }
 
 void TerminalProgress::clear() {
   if (!shown_) return;
-  fmt::print(stderr, "\r\033[K");
+  rewriter::say("\r\033[K");
   shown_ = false;
 }
 

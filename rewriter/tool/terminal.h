@@ -11,6 +11,9 @@ namespace tzc::rewriter {
 /// Whether a stream's descriptor is a terminal that wants colours (NO_COLOR and TERM=dumb are respected).
 bool wants_colour(int descriptor);
 
+/// Writes to standard error. That nobody reads it any more is no reason to stop.
+void say(const std::string& text);
+
 /// One line on standard error that is overwritten as the work goes on. Where that is no terminal, a line for
 /// each stage that begins or ends, and one every ten seconds between.
 class TerminalProgress : public Progress {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool/writing.h"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -43,6 +41,31 @@ std::set<std::string> uncopied(const PackagePort& port) {
   return {paths.begin(), paths.end()};
 }
 
+Error not_copied(const std::string& path, const std::error_code& failed) {
+  return {"cannot be copied: " + failed.message(), path,
+          failed == std::errc::permission_denied ? "make it readable, or move it out of the package"
+                                                 : "make room there, or name another folder with --out-dir"};
+}
+
+/// The user may write to a copy, also to that of a file which he may not write to.
+Expected<void> copy_entry(const fs::path& from, const fs::path& to) {
+  std::error_code failed;
+  const fs::file_status status = fs::symlink_status(from, failed);
+  if (fs::is_directory(status)) {
+    fs::create_directory(to, failed);
+    if (failed) return not_written(to, failed);
+    for (const auto& entry : fs::directory_iterator(from, failed))
+      if (Expected<void> done = copy_entry(entry.path(), to / entry.path().filename()); !done) return done;
+    if (failed) return not_copied(from, failed);
+    fs::permissions(to, status.permissions() | fs::perms::owner_all, failed);
+    return {};
+  }
+  fs::copy(from, to, fs::copy_options::copy_symlinks, failed);
+  if (failed) return not_copied(from, failed);
+  if (fs::is_regular_file(status)) fs::permissions(to, status.permissions() | fs::perms::owner_write, failed);
+  return {};
+}
+
 Expected<void> copy_package(const PackagePort& port, const fs::path& to, const std::string& out_dir) {
   const std::string& from = port.package_dir;
   const std::set<std::string> without = uncopied(port);
@@ -52,10 +75,7 @@ Expected<void> copy_package(const PackagePort& port, const fs::path& to, const s
     const std::string name = entry.path().filename();
     if (name == ".git" || name == ".tzc-rewrite" || entry.path() == out_dir || without.count(entry.path()))
       continue;
-    fs::copy(entry.path(), to / name, fs::copy_options::copy_symlinks | fs::copy_options::recursive, failed);
-    if (failed)
-      return Error{"cannot be copied: " + failed.message(), entry.path(),
-                   "make it readable, or move it out of the package"};
+    if (Expected<void> done = copy_entry(entry.path(), to / name); !done) return done;
   }
   if (failed) return not_written(to, failed);
   return {};
@@ -63,15 +83,15 @@ Expected<void> copy_package(const PackagePort& port, const fs::path& to, const s
 
 /// Moves what is in `from` over what is in `to`; files of `to` that `from` does not have stay.
 Expected<void> move_into(const fs::path& from, const fs::path& to) {
-  std::error_code failed;
-  if (!fs::exists(fs::symlink_status(to)) || !fs::is_directory(from) || fs::is_symlink(from)) {
-    if (fs::is_directory(to) && !fs::is_symlink(to)) fs::remove_all(to, failed);
+  std::error_code failed, ignored;
+  const bool is_folder = fs::is_directory(fs::symlink_status(from, ignored));
+  if (is_folder && fs::is_directory(to, ignored)) {
+    for (const auto& entry : fs::directory_iterator(from, failed))
+      if (Expected<void> done = move_into(entry.path(), to / entry.path().filename()); !done) return done;
+  } else {
+    if (fs::is_directory(fs::symlink_status(to, ignored))) fs::remove_all(to, failed);
     fs::rename(from, to, failed);
-    if (failed) return not_written(to, failed);
-    return {};
   }
-  for (const auto& entry : fs::directory_iterator(from, failed))
-    if (Expected<void> done = move_into(entry.path(), to / entry.path().filename()); !done) return done;
   if (failed) return not_written(to, failed);
   return {};
 }
@@ -159,26 +179,29 @@ bool is_swap_unfinished(const WriteUnit& unit) {
 Expected<OutDir> OutDir::open(const std::string& folder, const std::vector<std::string>& packages,
                               const std::vector<std::string>& named) {
   const std::string place = fs::weakly_canonical(folder);
-  OutDir out(place + "/.tzc-rewrite-" + std::to_string(::getpid()));
-  out.folder_ = place;
+  OutDir out(place);
   for (const std::string& package : packages) out.places_[package] = place_of(package, named);
   if (Expected<void> fits = check_places(out.folder_, out.places_); !fits) return fits.error();
   std::error_code failed;
-  out.is_new_ = fs::create_directories(out.folder_, failed);
-  if (!failed) fs::create_directory(out.staging_.folder(), failed);
+  const bool is_new = fs::create_directories(out.folder_, failed);
   if (failed) return not_written(out.folder_, failed);
+  Expected<ScratchFolder> staging = ScratchFolder::make_in(out.folder_, ".tzc-rewrite-");
+  if (!staging)
+    return Error{staging.error().what, out.folder_, "name a folder that can be written with --out-dir"};
+  out.staging_.emplace(std::move(*staging));
+  out.is_new_ = is_new;
   return out;
 }
 
 OutDir::~OutDir() {
   std::error_code ignored;
-  if (staging_.folder().empty()) return;
-  fs::remove_all(staging_.folder(), ignored);
+  if (!staging_ || staging_->path().empty()) return;  // moved from
+  staging_.reset();
   if (is_new_) fs::remove(folder_, ignored);  // fails where it holds something
 }
 
 Expected<void> OutDir::stage(const PackagePort& port) const {
-  const fs::path staged = fs::path(staging_.folder()) / places_.at(port.package_dir);
+  const fs::path staged = fs::path(staging_->path()) / places_.at(port.package_dir);
   if (Expected<void> copied = copy_package(port, staged, folder_); !copied) return copied;
   for (const auto& [file, content] : port.contents)
     if (Expected<void> done = write_file(staged / file.substr(port.package_dir.size() + 1), content); !done)
@@ -192,7 +215,8 @@ Expected<void> OutDir::move_in(const PackagePort& port) const {
   std::error_code failed;
   fs::create_directories(to.parent_path(), failed);
   if (failed) return not_written(to, failed);
-  return move_into(fs::path(staging_.folder()) / place, to);
+  const InterruptionDelay until_moved;  // over a copy that is there it goes file by file
+  return move_into(fs::path(staging_->path()) / place, to);
 }
 
 }  // namespace tzc::rewriter

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "interruption/interruption.h"
+#include "proof/scratch_folder.h"
 #include "tool/git.h"
 #include "tool/package_port.h"
 
@@ -52,10 +53,10 @@ class OutDir {
   Expected<void> move_in(const PackagePort& port) const;
 
  private:
-  explicit OutDir(std::string staging) : staging_(std::move(staging)) {}
+  explicit OutDir(std::string folder) : folder_(std::move(folder)) {}
 
   std::string folder_;                         ///< canonical
-  RemovedWhenInterrupted staging_;             ///< a folder in it, removed in the end
+  std::optional<ScratchFolder> staging_;       ///< in it
   std::map<std::string, std::string> places_;  ///< package -> its path in the folder
   bool is_new_ = false;                        ///< made by this run: removed in the end when it is empty
 };

@@ -14,6 +14,7 @@
 #include <set>
 #include <thread>
 
+#include "edits/files.h"
 #include "interruption/interruption.h"
 #include "transaction/journal.h"
 
@@ -142,7 +143,7 @@ Expected<void> check_targets(const Journal& journal, const std::string& folder) 
   for (const JournalEntry& entry : journal) {
     const Expected<std::string> content = read_file(entry.target);
     const std::uint64_t hash = content ? content_hash(*content) : 0;
-    if (hash == entry.new_hash || (hash == entry.old_hash && fs::exists(entry.staged))) continue;
+    if (hash == entry.new_hash || (hash == entry.old_hash && is_there(entry.staged))) continue;
     return Error{"changed after a run of tzc-rewrite was interrupted in the middle of replacing files",
                  entry.target, "restore the package's files from version control, then remove " + folder};
   }
@@ -237,7 +238,7 @@ Expected<void> swap_in(const std::vector<PackageSwap>& packages) {
 }
 
 bool is_swap_unfinished(const std::vector<std::string>& packages) {
-  return fs::exists(journal_path(folder_of(common_folder(packages))));
+  return is_there(journal_path(folder_of(common_folder(packages))));
 }
 
 std::vector<std::string> swap_folders(const std::vector<std::string>& packages, uid_t user) {
@@ -256,10 +257,10 @@ std::vector<std::string> swap_folders(const std::vector<std::string>& packages, 
 Expected<std::vector<std::string>> recover(const std::string& place) {
   const std::string folder = folder_of(place);
   std::vector<std::string> replaced;
-  if (!fs::exists(folder)) return replaced;
+  if (!is_there(folder)) return replaced;
   const Expected<Lock> lock = Lock::take(folder);
   if (!lock) return lock.error();
-  if (fs::exists(journal_path(folder))) {
+  if (is_there(journal_path(folder))) {
     const Expected<Journal> journal = read_journal(folder);
     if (!journal) return journal.error();
     if (Expected<void> fit = check_targets(*journal, folder); !fit) return fit.error();

@@ -28,7 +28,8 @@ class Pipe {
     if (::pipe(ends_) != 0) std::abort();
   }
   ~Pipe() {
-    for (const int end : ends_) ::close(end);
+    for (const int end : ends_)
+      if (end >= 0) ::close(end);
   }
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
@@ -44,6 +45,10 @@ class Pipe {
     return line;
   }
   int writing_end() const { return ends_[1]; }
+  void stop_reading() {
+    ::close(ends_[0]);
+    ends_[0] = -1;
+  }
 
  private:
   int ends_[2];
@@ -99,6 +104,22 @@ TEST_F(Interruption, removes_folders_and_ends_children) {
   while (!fs::exists(temp_ / "ended")) ::usleep(1000);  // or this test never ends
 }
 
+/// As when Ctrl-C ends the reader of a pipe, too.
+TEST_F(Interruption, removes_folders_though_nobody_reads_what_it_says) {
+  errors_.stop_reading();
+  start([&] {
+    ::setenv("TMPDIR", temp_.path().c_str(), 1);
+    const Expected<ScratchFolder> folder = ScratchFolder::make();
+    told_.tell(folder->path());
+    for (;;) ::pause();
+  });
+  const std::string folder = told_.next();
+  ASSERT_TRUE(fs::exists(folder));
+  ::kill(child_, SIGTERM);
+  end();
+  EXPECT_FALSE(fs::exists(folder));
+}
+
 TEST_F(Interruption, waits_for_a_delay) {
   start([&] {
     {
@@ -135,9 +156,14 @@ TEST_F(Interruption, what_is_ignored_stays_ignored) {
 
 TEST_F(Interruption, children_take_signals) {
   start([&] {
-    const ProcessResult result = run_process({"sh", "-c", "kill -TERM $$; echo survived"});
-    told_.tell(result.output.empty() ? "ended" : result.output);
+    ::signal(SIGPIPE, SIG_IGN);
+    for (const char* signal : {"TERM", "PIPE"}) {
+      const ProcessResult result =
+          run_process({"sh", "-c", std::string("kill -") + signal + " $$; echo survived"});
+      told_.tell(result.output.empty() ? "ended" : result.output);
+    }
   });
+  EXPECT_EQ(told_.next(), "ended");
   EXPECT_EQ(told_.next(), "ended");
   EXPECT_EQ(end(), "exit 0");
 }

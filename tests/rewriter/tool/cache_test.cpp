@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "cache/result_store.h"
+#include "edits/files.h"
 #include "tool/cache_inputs.h"
 #include "tool/port_record.h"
 #include "tool/workspace.h"
@@ -107,11 +108,27 @@ TEST_F(Cache, every_kind_of_change_is_seen) {
   });
   expect_seen("CMake's cache", write("ws/build/CMakeCache.txt", "X:BOOL=ON\n"));
   expect_seen("a style above the package", write("ws/.clang-format", "BasedOnStyle: Google\n"));
+  expect_seen("trusted functions above the workspace", write(".tzc-rewrite.yaml", "keeps_nothing: []\n"));
   expect_seen("TZC's headers", [&] {
     ws.plan()["reads"].push_back(ws.folder() / "include/tzc/ros.h");
     check();
     ws.folder().write("include/tzc/ros.h", "// x\n");
   });
+}
+
+TEST_F(Cache, packages_behind_links_of_the_workspace_count) {
+  const std::string other = ws.folder() / "elsewhere/other";
+  ws.folder().write("elsewhere/other/package.xml", "<package format=\"2\"><name>other</name></package>");
+  fs::create_directory_symlink(other, ws.folder() / "ws/src/other");
+  expect_seen("a header there", [&] { ws.folder().write("elsewhere/other/include/a.h", ""); });
+}
+
+TEST_F(Cache, response_files_count) {
+  json database = json::parse(ws.folder().read("ws/build/compile_commands.json"));
+  database[0]["command"] = "c++ @flags.rsp -o demo/CMakeFiles/node.dir/src/node.cpp.o -c x";
+  ws.folder().write("ws/build/compile_commands.json", database.dump());
+  ws.folder().write("flags.rsp", "-DX");  // the commands' folder
+  expect_seen("its flags", [&] { ws.folder().write("flags.rsp", "-DY"); });
 }
 
 TEST_F(Cache, sources_count_where_the_build_folder_is_theirs) {
@@ -149,11 +166,28 @@ TEST_F(Cache, options_and_environment_have_results_of_their_own) {
     EXPECT_TRUE(is_hit(check())) << words[1];
   }
   EXPECT_FALSE(is_hit(check({"--check"}, {{"CPATH", "/somewhere"}})));
-  EXPECT_TRUE(is_hit(check({"--check"}, {{"TERM", "dumb"}, {"GITHUB_RUN_ID", "7"}})))
+  EXPECT_TRUE(is_hit(check({"--check"}, {{"TERM", "dumb"}, {"GITHUB_RUN_ID", "7"}, {"CI_JOB_ID", "7"}})))
       << "no compiler reads these";
-  EXPECT_TRUE(is_session_variable("SHLVL"));
+  for (const char* name :
+       {"SHLVL", "BUILD_NUMBER", "GIT_AUTHOR_DATE", "GNOME_TERMINAL_SCREEN", "VSCODE_IPC_HOOK"})
+    EXPECT_TRUE(is_session_variable(name)) << name;
   for (const char* name : {"CPATH", "PATH", "CXX", "ROS_PACKAGE_PATH", "LD_LIBRARY_PATH", "HOME", "LANG"})
     EXPECT_FALSE(is_session_variable(name)) << name;
+}
+
+TEST_F(Cache, holds_no_password_and_is_its_owners_alone) {
+  const std::string old = ws.folder().write("cache/0.result", "kept by an earlier tzc-rewrite");
+  check({"--check"}, {{"CLOUD_SECRET_KEY", "hunter2"}});
+  EXPECT_TRUE(is_hit(check({"--check"}, {{"CLOUD_SECRET_KEY", "hunter2"}})));
+  EXPECT_FALSE(is_hit(check({"--check"}, {{"CLOUD_SECRET_KEY", "hunter3"}})));
+  std::size_t entries = 0;
+  for (const auto& entry : fs::directory_iterator(ws.folder() / "cache")) {
+    EXPECT_THAT(*read_file(entry.path()), ::testing::Not(HasSubstr("hunter")));
+    EXPECT_EQ(entry.status().permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    ++entries;
+  }
+  EXPECT_EQ(entries, 2u);
+  EXPECT_FALSE(fs::exists(old));
 }
 
 TEST_F(Cache, what_changes_during_a_run_is_not_kept) {

@@ -54,6 +54,44 @@ TEST_F(Cli, what_is_written_counts_though_the_report_finds_a_full_disk) {
   EXPECT_TRUE(is_ported());
 }
 
+/// It prints into a pipe that nobody reads any more.
+class CliPipe : public Cli {
+ protected:
+  /// `streams`: of tzc-rewrite, whose exit status then lies in ws/status.
+  void apply(const std::string& streams) {
+    ws.rewrite({"-q"});  // leaves the plan
+    const std::string rewrite =
+        FAKE_REWRITE " --verify=source --tzc-include ../include --report report.json --apply src/demo ";
+    ASSERT_EQ(ws.shell("{ while [ ! -e closed ]; do sleep 0.01; done; " + rewrite + streams +
+                       "; echo $? >status; } | { exec <&-; touch closed; }"),
+              0);
+    EXPECT_THAT(ws.folder().read("ws/report.json"), HasSubstr("zero_copy"));
+    EXPECT_TRUE(is_ported());
+  }
+};
+
+TEST_F(CliPipe, a_reader_that_goes_takes_no_report_along) {
+  apply("2>errors");
+  EXPECT_EQ(ws.folder().read("ws/status"), "1\n");
+  EXPECT_THAT(ws.folder().read("ws/errors"), HasSubstr("standard output: cannot be written: Broken pipe"));
+}
+
+TEST_F(CliPipe, nobody_need_read_what_is_said_meanwhile) {
+  ws.plan()["progress"] = 3;
+  apply("2>&1 >output");
+  EXPECT_EQ(ws.folder().read("ws/status"), "0\n");
+  EXPECT_THAT(ws.folder().read("ws/output"), HasSubstr("zero_copy"));
+}
+
+TEST_F(Cli, a_copy_that_a_killed_run_left_is_in_nobodys_way) {
+  ws.rewrite({"-q"});  // leaves the plan
+  const std::string kill =
+      "sh -c 'mkdir -p out/.tzc-rewrite-$$/demo; touch out/.tzc-rewrite-$$/demo/package.xml; "
+      "exec " FAKE_REWRITE " --verify=source --tzc-include ../include --out-dir out src/demo'";
+  EXPECT_EQ(ws.shell(kill), 0);
+  EXPECT_THAT(ws.folder().read("ws/out/demo/src/node.cpp"), HasSubstr("tzc::Publisher"));
+}
+
 TEST_F(Cli, patch_takes_the_diff_without_git) {
   EXPECT_EQ(ws.shell("GIT_CEILING_DIRECTORIES=/ " FAKE_REWRITE
                      " -q --verify=source --tzc-include ../include src/demo | patch -p1"),

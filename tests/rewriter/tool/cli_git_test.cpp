@@ -92,6 +92,23 @@ TEST_F(CliGit, a_repository_that_git_refuses_is_not_written_to_until_the_user_tr
   EXPECT_TRUE(is_ported());
 }
 
+TEST_F(CliGit, files_that_git_does_not_look_at_are_not_written_over) {
+  commit(".");
+  for (const char* told : {"--assume-unchanged", "--skip-worktree"}) {
+    ASSERT_EQ(ws.shell(std::string("git update-index ") + told + " src/demo/src/node.cpp"), 0);
+    change_something();
+    const auto refused = apply(environment());
+    EXPECT_EQ(refused.status, 2) << told;
+    EXPECT_FALSE(is_ported()) << told;
+    EXPECT_THAT(refused.errors, AllOf(HasSubstr("node.cpp: git was told not to look"), HasSubstr("--force")));
+    for (const char* option : {"--no-assume-unchanged", "--no-skip-worktree"})
+      ASSERT_EQ(ws.shell(std::string("git update-index ") + option + " src/demo/src/node.cpp"), 0);
+    ASSERT_EQ(ws.shell("git checkout -q ."), 0);
+  }
+  const auto written = apply(environment());
+  EXPECT_EQ(written.status, 0) << written.errors;
+}
+
 /// A way in which git fails.
 struct Failure {
   const char* name;

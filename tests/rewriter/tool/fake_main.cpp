@@ -3,12 +3,13 @@
 //   {"edits": [{"file", "find", "replace"}], "sites": [{"id", "kind", "file", "line", "type", "topic",
 //   "level", "code"}],
 //    "error": "...", "touch": "file to change while analysing", "echo": true, "progress": 3,
-//    "reads": [absolute paths], "unread": [files that the package's compiler refuses]}
+//    "throws": "as a system_error", "reads": [absolute paths], "unread": [files that the package's compiler refuses]}
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "edits/apply.h"
 #include "edits/files.h"
@@ -74,6 +75,8 @@ Expected<PortPlan> fake_plan(const EngineOptions& options, const std::string& pa
   std::ifstream file(package_dir + "/plan.json");
   const json script = json::parse(file);
   if (script.contains("error")) return Error{script["error"], package_dir + "/src/node.cpp:3", "repair it"};
+  if (script.contains("throws"))
+    throw std::system_error(std::make_error_code(std::errc::permission_denied), script["throws"]);
   if (script.contains("echo")) show(options);
   for (const std::string& file : script.value("reads", std::vector<std::string>()))
     if (options.accesses) options.accesses->note(file);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -42,6 +44,11 @@ class Workspace {
             .dump());
   }
 
+  /// From now on the program may do what the modes of files say, and no more, also when root runs the tests.
+  void respect_modes() {
+    if (::geteuid() == 0) launcher_ = {"setpriv", "--bounding-set=-dac_override,-dac_read_search"};
+  }
+
   /// What the planner does, changed by the test before it runs anything.
   nlohmann::json& plan() { return plan_; }
 
@@ -60,6 +67,7 @@ class Workspace {
     folder_.write("ws/src/demo/plan.json", plan_.dump());
     if (!names_verification(words)) words.insert(words.begin(), "--verify=source");
     words.insert(words.begin(), {FAKE_REWRITE, "--tzc-include", folder_ / "include"});
+    words.insert(words.begin(), launcher_.begin(), launcher_.end());
     environment.insert({{"XDG_STATE_HOME", folder_ / "state"}, {"XDG_CACHE_HOME", folder_ / "xdg"}});
     return run_process(Command{words, "", environment});
   }
@@ -78,6 +86,7 @@ class Workspace {
 
   tzc::test::TempDir folder_;
   nlohmann::json plan_;
+  std::vector<std::string> launcher_;
 };
 
 }  // namespace tzc::rewriter::test
