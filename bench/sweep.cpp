@@ -129,6 +129,7 @@ int sweep(const Options& options, const Contenders& contenders) {
   std::vector<Entry> entries;
   for (const auto& [contender, setup] : wanted_cells(options, contenders))
     entries.push_back({contender, setup});
+  if (entries.empty()) return std::fprintf(stderr, "tzc-bench: %s\n", nobody_takes_these_sizes), 2;
   const Outcome outcome = measure_all(options, entries);
   if (outcome == Outcome::interrupted) return show_interrupted(entries);
   bool failures = outcome == Outcome::failed;

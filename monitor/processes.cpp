@@ -97,6 +97,13 @@ double age_of(std::uint64_t time_ns) {
   return std::max(0.0, now_s - static_cast<double>(time_ns) * 1e-9);
 }
 
+/// In a container it knows its peers by the numbers that they have there; here these may be anybody's.
+void forget_peers(Node& node) {
+  for (Topic& topic : node.topics)
+    for (Connection& connection : topic.connections) connection.pid = 0;
+  for (Subscription& subscription : node.subscriptions) subscription.pid = 0;
+}
+
 void judge_state(const std::string& proc, const std::string& process, Node& node) {
   node.age_s = node.updated_ns != 0 ? age_of(node.updated_ns) : 0;
   if (is_stopped(state_of(process)))
@@ -145,6 +152,7 @@ void look_at(const std::string& proc, const std::string& number, Sample& sample)
   }
   const auto pid = static_cast<std::uint32_t>(std::strtoul(number.c_str(), nullptr, 10));
   if (node.pid != own_pid(process, pid)) return;  // a forked child has a copy of its parent's descriptor
+  if (node.pid != pid) forget_peers(node);
   node.pid = pid;
   judge_state(proc, process, node);
   sample.nodes.push_back(std::move(node));

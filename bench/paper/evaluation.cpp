@@ -48,7 +48,8 @@ std::string time_left(std::size_t next, const std::vector<Turn>& turns, const Ti
   return next == turns.size() ? "" : "; " + duration_text(timetable.seconds_from(next, turns)) + " left";
 }
 
-void tell_plan(const std::vector<Turn>& turns, const Timetable& timetable) {
+void tell_plan(const std::vector<Cell>& cells, const std::vector<Turn>& turns, const Timetable& timetable) {
+  if (cells.empty()) return void(std::fprintf(stderr, "nothing of it can be measured here\n"));
   if (turns.empty()) return void(std::fprintf(stderr, "everything is measured already\n"));
   fmt::print(stderr, "{}, about {}\n", counted(turns.size(), "measurement"),
              duration_text(timetable.seconds_from(0, turns)));
@@ -137,7 +138,7 @@ Progress measure_missing(const Options& options, const std::vector<Cell>& cells,
   std::vector<CellResult> results = store.load(cells);
   const std::vector<Turn> turns = turns_of(options, results);
   Timetable timetable(options.rate, results);
-  tell_plan(turns, timetable);
+  tell_plan(cells, turns, timetable);
   bool failures = false;
   for (std::size_t i = 0; i < turns.size(); ++i) {
     announce(turns[i], i + 1, turns.size());

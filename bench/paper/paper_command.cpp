@@ -95,9 +95,10 @@ int show_plan(const PaperOptions& options, const Contestants& contestants) {
 
 /// What could not be measured is not what was asked for: the status says so.
 int evaluate(const PaperOptions& options, const Contestants& contestants) {
+  std::vector<Cell> cells = cells_of(options, contestants);
+  if (cells.empty()) return fail(2, nobody_takes_these_sizes);
   const Store store(options.output);
   store.begin(description_of(options));
-  std::vector<Cell> cells = cells_of(options, contestants);
   std::vector<std::string> obstacles;
   leave_out_impossible(options, contestants, cells, obstacles);
   const Daemons daemons(contestants.usual, cells, obstacles);

@@ -60,6 +60,9 @@ def check_failures(bench):
     """What could not be measured is no row of lost messages, and no success."""
     unknown = run(bench, "core", "--only", "tzc,zeromq")
     assert unknown.returncode == 2 and "no zeromq; there are seqpacket, futex, tzc" in unknown.stderr, unknown
+    if "iceoryx" in unknown.stderr:
+        nobody = run(bench, "core", "--only", "iceoryx-listener", "--sizes", "64m")
+        assert nobody.returncode == 2 and "none of the wanted contenders takes" in nobody.stderr and not nobody.stdout, nobody
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "figures.json")
         failed = run(bench, "core", "--only", "tzc,futex", "--sizes", "4k,900g", "--subscribers", "1", "--count", "4", "--rounds", "2",

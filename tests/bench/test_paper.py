@@ -141,6 +141,9 @@ def check_other_cases(bench, scratch, cells):
     without_ros = run(bench, scratch, *common, "--sizes", "4k,64k", "--only", "tcpros,tzc", "--no-plots", PATH=scratch)
     assert without_ros.returncode == 1 and "rosmaster" in without_ros.stderr, without_ros
     assert [key(row) for row in rows(scratch, "latency.csv")].count(("tcpros", 65536, 2)) == 1
+    alone = run(bench, scratch, *common, "--sizes", "4k", "--only", "tcpros", "--no-plots", PATH=scratch)
+    assert alone.returncode == 1 and "nothing of it can be measured here" in alone.stderr, alone
+    assert "measured already" not in alone.stderr, alone
     assert len(rows(scratch, "latency.csv")) == cells
     assert run(bench, scratch, *common, "--sizes", "4k", "--only", "tzc").returncode == 0  # with plots again
 

@@ -9,8 +9,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
 
 #include "statistics/page_writer.h"
+#include "support/temp_dir.h"
 
 namespace tzc::monitor {
 namespace {
@@ -121,6 +124,30 @@ TEST(Sample, has_topics_and_peers_by_name) {
     return;
   }
   FAIL() << "the page was not found";
+}
+
+/// The folder of a process in a container, as its host sees it.
+TEST(Sample, takes_no_number_of_a_container_for_one_of_this_machine) {
+  const auto page = *statistics::PageWriter::create("/contained");
+  page->begin();
+  auto topic = row<statistics::TopicRow>(statistics::RowKind::topic);
+  page->add(topic);
+  auto connection = row<statistics::ConnectionRow>(statistics::RowKind::connection);
+  connection.pid = 9;
+  page->add(connection);
+  page->publish();
+  const test::TempDir proc;
+  const std::string own = std::to_string(::getpid());
+  proc.write("1000/status", "Name:\tnode\nNSpid:\t1000\t" + own + "\n");
+  proc.write("1000/stat", "1000 (node) S 1\n");
+  std::filesystem::create_directory_symlink("/proc/self/fd", proc / "1000/fd");
+  proc.write("9/stat", "9 (somebody's editor) T 1\n");
+  const Sample sample = take_sample(proc.path());
+  ASSERT_EQ(sample.nodes.size(), 1u);
+  EXPECT_EQ(sample.nodes[0].pid, 1000u);
+  const Connection& seen = sample.nodes[0].topics.at(0).connections.at(0);
+  EXPECT_EQ(seen.pid, 0u);
+  EXPECT_FALSE(seen.is_stopped);
 }
 
 TEST(Sample, of_a_folder_without_processes_is_empty) {

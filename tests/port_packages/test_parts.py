@@ -67,7 +67,7 @@ class Comparing(Folder):
             def build_original(self):
                 raise RuntimeError("not in this test")
 
-        NotBuilt("wild", self.path, types.SimpleNamespace(out=self.path, inputs=inputs, key="", tzc="/tzc")).run()
+        NotBuilt("wild", self.path, types.SimpleNamespace(out=self.path, inputs=inputs, key="", runtime="", tzc="/tzc")).run()
         return "\n".join(said)
 
     def test_a_source_without_arguments_is_told(self):
@@ -77,6 +77,59 @@ class Comparing(Folder):
         self.put("inputs/wild.args")
         self.assertNotIn("wild.args", self.said_by(inputs))
         self.assertNotIn("wild.args", self.said_by(None))
+
+
+class Results(Folder):
+    """Of a source that could not be built, or whose result was saved by hand."""
+
+    def repository(self, runtime="1"):
+        settings = types.SimpleNamespace(out=self.path, inputs=None, key="", runtime=runtime, tzc="/tzc")
+        return Repository("wild", os.path.join(self.path, "source"), settings)
+
+    def save(self, **result):
+        self.put("wild/result.json", json.dumps(result))
+
+    def test_a_result_is_taken_again_for_what_it_depends_on(self):
+        self.put("source/a.cpp", "1")
+        depends = self.repository().depends
+        self.save(problems=[], depends=depends, units=3)
+        self.assertEqual(self.repository().saved()["units"], 3)
+        self.assertIsNone(self.repository(runtime="2").saved())
+        self.put("source/.git/index", "changes with each look at it")
+        self.assertIsNotNone(self.repository().saved())
+        self.put("source/a.cpp", "2")
+        self.assertIsNone(self.repository().saved())
+
+    def test_one_with_a_problem_is_not(self):
+        self.put("source/a.cpp", "1")
+        self.save(problems=["No space left on device"], depends=self.repository().depends)
+        self.assertIsNone(self.repository().saved())
+
+
+class StoppedTests(Folder):
+    ALL, FIRST = {("a", "x"): True, ("a", "y"): True}, {("a", "x"): True}
+
+    def problems_of(self, before, after):
+        """Of two versions, as (results of their tests, whether these ended)."""
+        settings = types.SimpleNamespace(out=self.path, inputs=None, key="", runtime="", tzc="/tzc", tests=True, timeout=2)
+        repository = Repository("a", self.path, settings)
+        repository.say = lambda text: None
+        repository.original, repository.ported = (
+            types.SimpleNamespace(make=lambda *_, **__: types.SimpleNamespace(timed_out=False),
+                                  run_tests=lambda *_, ended=ended: ended, test_results=lambda results=results: results)
+            for results, ended in (before, after))
+        repository.test()
+        return repository.result["problems"]
+
+    def test_what_the_port_breaks_is_told_from_what_was_not_waited_for(self):
+        self.assertEqual(self.problems_of((self.ALL, True), (self.ALL, True)), [])
+        self.assertEqual(self.problems_of((self.ALL, True), (self.FIRST, True)), ["test passed before and not after: a y"])
+        stopped = "the tests {} the port were stopped after 2 s: a longer --timeout lets them end"
+        self.assertEqual(self.problems_of((self.ALL, True), (self.FIRST, False)), [stopped.format("after")])
+        self.assertEqual(self.problems_of((self.FIRST, False), (self.FIRST, False)),
+                         [stopped.format("before"), stopped.format("after")])
+        self.assertEqual(self.problems_of((self.ALL, True), ({("a", "x"): False}, False)),
+                         [stopped.format("after"), "test passed before and not after: a x"])
 
 
 class KeptSteps(Folder):

@@ -3,12 +3,14 @@
 import argparse
 import contextlib
 import fcntl
+import glob
 import hashlib
 import json
 import os
 import sys
 
 from .command import ended_by_signals
+from .kept import digest_of
 from .repository import Repository
 from .table import table
 
@@ -33,11 +35,21 @@ def parse_arguments():
 
 
 def key_of(settings):
-    """What a result depends on besides its source: the program and what it was told."""
+    """What a rewriting depends on besides its source: the program and what it was told."""
     with open(os.path.join(settings.tzc, "bin/tzc-rewrite"), "rb") as file:
         program = hashlib.sha256(file.read()).hexdigest()
     built = [] if settings.build_type == USUAL_BUILD else [settings.build_type]
     return [program, settings.only, settings.options, settings.tests, settings.speed, settings.inputs, *built]
+
+
+def runtime_of(settings):
+    """What ports are built, run and compared with."""
+    programs = [os.path.join(settings.tzc, "bin", name) for name in ("tzc-compare", "tzc-msggen")]
+    libraries = glob.glob(os.path.join(settings.tzc, "devel/lib/libtzc*.so"))
+    folders = []
+    with contextlib.suppress(FileNotFoundError), open(os.path.join(settings.tzc, "devel/share/tzc/include_folders")) as file:
+        folders = file.read().split("\n")
+    return digest_of(*filter(os.path.exists, [*programs, *sorted(libraries), *folders]))
 
 
 def catkin_share():
@@ -103,7 +115,7 @@ def main():
     settings = parse_arguments()
     settings.out, settings.tzc = os.path.abspath(settings.out), os.path.abspath(settings.tzc)
     settings.inputs = settings.inputs and os.path.abspath(settings.inputs)
-    settings.catkin, settings.key = catkin_share(), key_of(settings)
+    settings.catkin, settings.key, settings.runtime = catkin_share(), key_of(settings), runtime_of(settings)
     try:
         results = port_all(settings)
         print(table(results), end="", flush=True)

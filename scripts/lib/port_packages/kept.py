@@ -9,13 +9,13 @@ def files_below(place):
     if not os.path.isdir(place):
         yield place
     for folder, folders, names in os.walk(place):
-        folders.sort()
+        folders[:] = sorted(name for name in folders if name != ".git")
         for name in sorted(names):
             yield os.path.join(folder, name)
 
 
 def digest_of(*places):
-    """Of files, and of all files below folders."""
+    """Of files, and of all files below folders, but for git's own."""
     digest = hashlib.sha256()
     for place in places:
         for path in files_below(place):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One repository: built, ported, built again, tested and compared. Each step says what failed and lets the others go on."""
+import functools
 import json
 import os
 import shutil
@@ -21,20 +22,25 @@ class Repository:
         self.name, self.folder, self.settings = name, folder, settings
         self.out = os.path.join(settings.out, name)
         self.original, self.ported = (Workspace(os.path.join(self.out, which), settings) for which in ("original", "ported"))
-        self.result = {"name": name, "source": folder, "key": settings.key, "problems": []}
+        self.result = {"name": name, "problems": []}
         self.packages = []
 
+    @functools.cached_property
+    def depends(self):
+        """What its result depends on."""
+        return [self.folder, self.settings.key, self.settings.runtime, digest_of(self.folder, *filter(None, [self.arguments()]))]
+
     def saved(self):
-        """The result of an earlier run with the same tzc-rewrite and options, or None."""
+        """The result of an earlier run that depends on the same and had no problem (a full disk may have been one); or None."""
         try:
             with open(os.path.join(self.out, "result.json")) as file:
                 result = json.load(file)
         except (OSError, ValueError):
             return None
-        same = result.get("key") == self.settings.key and result.get("source") == self.folder
-        return result if same else None
+        return result if result.get("depends") == self.depends and not result["problems"] else None
 
     def run(self):
+        self.result["depends"] = self.depends
         if self.settings.inputs and not self.arguments():
             self.say(f"its runs are not compared: {self.settings.inputs} has no {self.name}.args")
         for step in (self.build_original, self.port, self.build_port, self.measure, self.test, self.compare):
@@ -147,14 +153,19 @@ class Repository:
     def test(self):
         if not self.settings.tests:
             return
-        results = {}
+        results, stopped = {}, []
         for version, workspace in (("before", self.original), ("after", self.ported)):
-            workspace.make("tests", timeout=self.settings.timeout)
-            if not workspace.run_tests(self.packages, self.settings.timeout):
-                self.say(f"the tests took longer than {self.settings.timeout} s and were stopped")
+            built = workspace.make("tests", timeout=self.settings.timeout)
+            if built.timed_out or not workspace.run_tests(self.packages, self.settings.timeout):
+                stopped.append(version)
             results[version] = workspace.test_results()
             self.result[f"tests_{version}"] = [sum(results[version].values()), len(results[version])]
-        broken = [test for test, passed in results["before"].items() if passed and not results["after"].get(test)]
+        for version in stopped:
+            self.problem(f"the tests {version} the port were stopped after {self.settings.timeout:g} s: a longer --timeout "
+                         "lets them end")
+        # What a stopped run has not come to says nothing of the port.
+        missing = "after" in stopped
+        broken = [test for test, passed in results["before"].items() if passed and not results["after"].get(test, missing)]
         self.result["broken_tests"] = sorted(" ".join(test) for test in broken)
         for test in self.result["broken_tests"]:
             self.problem(f"test passed before and not after: {test}")
