@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <vector>
 
@@ -19,7 +20,7 @@ namespace {
 constexpr std::uint64_t warm_up = 20;  // the first messages fault pages in and open segments
 constexpr int rest_ms = 100;           // and the scheduler forgets how busy it was
 constexpr int patience_ms = 20'000;
-constexpr int time_to_leave_ms = 500;
+constexpr std::chrono::seconds time_to_leave{20};  // with messages of 64 MB it takes seconds
 constexpr int silence_ms = 1000;  // after this long without an arrival nothing more is expected
 
 Board* create_board() {
@@ -149,7 +150,7 @@ Outcome run_publisher(Contender& contender, const Setup& setup, Board& board) {
   const Ending ending = wait_for(publisher);
   if (ending == Ending::interrupted) {
     board.stop = true;
-    if (contender.cleans_up_at_exit()) sleep_ms(time_to_leave_ms);
+    if (contender.cleans_up_at_exit()) let_end({publisher}, time_to_leave);
     stop({publisher});
     return Outcome::interrupted;
   }
@@ -220,7 +221,8 @@ Measurement measure(Contender& contender, const Setup& setup) {
     std::fprintf(stderr, "%s: a subscriber has ended early\n", contender.name());
     outcome = Outcome::failed;
   }
-  if (!board->stop.exchange(true) && contender.cleans_up_at_exit()) sleep_ms(time_to_leave_ms);
+  board->stop = true;
+  if (contender.cleans_up_at_exit()) let_end(subscribers, time_to_leave);
   stop(subscribers);
   Measurement result = collect(setup, *board, outcome);
   ::munmap(board, sizeof(Board));

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <thread>
 
 namespace tzc {
 namespace bench {
@@ -31,6 +32,12 @@ void become_a_child(pid_t parent) {
   ::signal(SIGINT, SIG_IGN);
   const sigset_t signals = held_signals();
   ::sigprocmask(SIG_UNBLOCK, &signals, nullptr);
+}
+
+bool runs(pid_t child) {
+  siginfo_t ended{};
+  return ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         ended.si_pid == 0;
 }
 
 void note(int signal) {
@@ -77,11 +84,13 @@ Ending wait_for(pid_t child) {
 }
 
 bool all_run(const std::vector<pid_t>& children) {
-  return std::all_of(children.begin(), children.end(), [](pid_t child) {
-    siginfo_t ended{};
-    return ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-           ended.si_pid == 0;
-  });
+  return std::all_of(children.begin(), children.end(), runs);
+}
+
+void let_end(const std::vector<pid_t>& children, std::chrono::milliseconds most) {
+  const auto end = std::chrono::steady_clock::now() + most;
+  while (std::any_of(children.begin(), children.end(), runs) && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
 }
 
 void stop(const std::vector<pid_t>& children) {

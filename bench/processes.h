@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <functional>
 #include <vector>
 
@@ -31,6 +32,9 @@ Ending wait_for(pid_t child);
 
 /// Whether none of the children has ended yet.
 bool all_run(const std::vector<pid_t>& children);
+
+/// Waits for children that end by themselves, for so long at most: those that are killed leave their shared memory behind.
+void let_end(const std::vector<pid_t>& children, std::chrono::milliseconds most);
 
 /// Kills the children and waits for them.
 void stop(const std::vector<pid_t>& children);

@@ -4,6 +4,7 @@
 What tzc-bench paper measures besides the main cases, and whom it compares with; no ROS is needed."""
 import csv
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -33,8 +34,21 @@ def contenders(bench, scratch):
         assert (copies < 0.1) == borrows, row
         if row["contender"] == "cyclone-shm":
             assert float(row["publisher_copied_bytes"]) < 6554, row
+    if "fastdds-shm" in others:
+        check_nothing_is_left(bench, scratch)
     if "lcm" in others:
         check_obstacle(bench, scratch, [*options, "--only", "lcm,ach", "--output", os.path.join(scratch, "alone")])
+
+
+def check_nothing_is_left(bench, scratch):
+    """A process that is killed leaves its shared memory behind; with large messages it takes a while to end by itself."""
+    def segments():
+        return {name for name in os.listdir("/dev/shm") if re.fullmatch("fastrtps_[0-9a-f]{16}", name)}
+
+    before = segments()
+    run(bench, scratch, "--sizes", "64m", "--subscribers", "8", "--count", "4", *TINY, "--no-plots", "--only", "fastdds-shm",
+        output="large")
+    assert segments() <= before, segments() - before
 
 
 def check_obstacle(bench, scratch, options):
