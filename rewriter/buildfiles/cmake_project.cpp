@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "edits/files.h"
 
@@ -58,51 +59,59 @@ class Loader {
 
  private:
   Expected<void> read(const std::string& path, CmakeValues values, std::vector<std::size_t> parents) {
-    Expected<std::string> content = read_file(path);
-    if (!content) return content.error();
-    Expected<std::vector<CmakeCommand>> commands = parse_cmake(*content, path);
-    if (!commands) return commands.error();
     const fs::path folder = fs::path(path).parent_path();
     const std::size_t index = project_.files.size();
-    project_.files.push_back({canonical_path(path), *content, *commands, {}, parents, {}});
+    if (Expected<void> added = add(path, parents); !added) return added;
     parents.push_back(index);
-    for (const CmakeCommand& command : *commands) {
+    learn(index, folder, values, parents);
+    const std::vector<CmakeCommand> commands = project_.files[index].commands;  // further files move it
+    return read_children(commands, folder, values, parents);
+  }
+
+  /// As the last file of the project; its values are yet to come.
+  Expected<void> add(const std::string& path, const std::vector<std::size_t>& parents) {
+    const Expected<std::string> content = read_file(path);
+    if (!content) return content.error();
+    const Expected<std::vector<CmakeCommand>> commands = parse_cmake(*content, path);
+    if (!commands) return commands.error();
+    project_.files.push_back({canonical_path(path), *content, *commands, {}, parents, {}});
+    return {};
+  }
+
+  /// What the file's commands, and those of what it includes, give to variables. `folder`: of the CMakeLists.txt that it is or that includes it,
+  /// `within`: that file and those above.
+  void learn(std::size_t index, const fs::path& folder, CmakeValues& values,
+             const std::vector<std::size_t>& within) {
+    const std::vector<CmakeCommand> commands = project_.files[index].commands;
+    const std::string own_folder = fs::path(project_.files[index].path).parent_path();
+    for (const CmakeCommand& command : commands) {
       values.learn(command);
-      if (command.name == "include" && !command.arguments.empty())
-        include(command.arguments[0].text, folder, values, parents);
+      if (command.name != "include" || command.arguments.empty()) continue;
+      for (const std::string& file : values.expand(command.arguments[0].text))
+        include((folder / with_folders(file, folder, own_folder)).lexically_normal(), folder, values, within);
     }
     project_.files[index].values = values;
-    return read_children(*commands, folder, values, parents);
   }
 
   /// A file of the package whose commands run as if they stood there. One that cannot be read, or that is CMake's, is none.
-  void include(const std::string& name, const fs::path& folder, CmakeValues& values,
-               const std::vector<std::size_t>& parents) {
-    for (const std::string& file : values.expand(name)) {
-      const std::string path = (folder / in_folder(file, folder)).lexically_normal();
-      if (!is_below(path, package_dir_) || !is_there(path) || !seen_.insert(canonical_path(path)).second)
-        continue;
-      const Expected<std::string> content = read_file(path);
-      const auto commands = content ? parse_cmake(*content, path) : content.error();
-      if (!commands) continue;
-      const std::size_t index = project_.files.size();
-      for (const std::size_t parent : parents) project_.files[parent].included.push_back(index);
-      project_.files.push_back({canonical_path(path), *content, *commands, {}, parents, {}});
-      for (const CmakeCommand& command : *commands) {
-        values.learn(command);
-        if (command.name == "include" && !command.arguments.empty())
-          include(command.arguments[0].text, fs::path(path).parent_path(), values, parents);
-      }
-      project_.files[index].values = values;
-    }
+  void include(const std::string& path, const fs::path& folder, CmakeValues& values,
+               const std::vector<std::size_t>& within) {
+    if (!is_below(path, package_dir_) || !is_there(path) || !seen_.insert(canonical_path(path)).second)
+      return;
+    const std::size_t index = project_.files.size();
+    if (!add(path, within)) return;
+    for (const std::size_t includer : within) project_.files[includer].included.push_back(index);
+    learn(index, folder, values, within);
   }
 
   /// ${CMAKE_CURRENT_SOURCE_DIR}/cmake/nodes.cmake
-  std::string in_folder(std::string file, const fs::path& folder) const {
-    for (const char* variable : {"${CMAKE_CURRENT_SOURCE_DIR}", "${CMAKE_CURRENT_LIST_DIR}"})
-      if (file.rfind(variable, 0) == 0) file.replace(0, std::string(variable).size(), folder.string());
-    for (const char* variable : {"${PROJECT_SOURCE_DIR}", "${CMAKE_SOURCE_DIR}"})
-      if (file.rfind(variable, 0) == 0) file.replace(0, std::string(variable).size(), package_dir_);
+  std::string with_folders(std::string file, const std::string& folder, const std::string& own_folder) const {
+    const std::pair<std::string, std::string> folders[] = {{"${CMAKE_CURRENT_SOURCE_DIR}", folder},
+                                                           {"${CMAKE_CURRENT_LIST_DIR}", own_folder},
+                                                           {"${PROJECT_SOURCE_DIR}", package_dir_},
+                                                           {"${CMAKE_SOURCE_DIR}", package_dir_}};
+    for (const auto& [variable, value] : folders)
+      if (file.rfind(variable, 0) == 0) file.replace(0, variable.size(), value);
     return file;
   }
 
