@@ -146,7 +146,9 @@ class Collector {
   void add_source_space(const std::string& space) {
     found_.trees.insert(space);
     const Expected<std::vector<std::string>> packages = find_packages_at(space);
-    if (packages) found_.trees.insert(packages->begin(), packages->end());
+    if (!packages) return;
+    for (const std::string& package : *packages)
+      if (!is_below(package, space)) found_.trees.insert(package);
   }
 
   void add_compile_commands(const std::string& build_dir) {

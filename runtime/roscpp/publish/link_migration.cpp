@@ -3,6 +3,7 @@
 
 #include <ros/connection.h>
 #include <ros/console.h>
+#include <ros/init.h>
 #include <ros/publication.h>
 
 #include <algorithm>
@@ -79,6 +80,7 @@ void LinkMigration::attempt(const SharedLinkPtr& link, int looks, Step step) {
   try {
     (this->*step)(link, looks);
   } catch (const std::exception& error) {
+    if (ros::isShuttingDown()) return;  // the log's locks may be gone
     TZC_WARN_THROTTLED_FOR(topic_, 10,
                            "TZC: " << topic_ << ": the move of the connection to "
                                    << link->getDestinationCallerID() << " is tried again: " << error.what());
