@@ -16,18 +16,26 @@ constexpr std::uint32_t nobody = ~std::uint32_t{0};
 // A publisher that clears the bits of others, or does not ring, delays messages by this time.
 constexpr std::chrono::seconds between_looks_at_all{1};
 constexpr std::chrono::milliseconds between_questions{1};  // to an end that may not be read yet
+constexpr std::chrono::milliseconds longest_round{2};      // of a guest that is wanted elsewhere
 
 std::atomic<Receiver*> running_receiver{nullptr};
 std::mutex receiver_start_mutex;
 
 thread_local bool reads_now = false;
 
+/// Of a thread that has got the turn, which it gives at the end.
 class ReadingScope {
  public:
-  ReadingScope() { reads_now = true; }
-  ~ReadingScope() { reads_now = false; }
+  explicit ReadingScope(Turn& turn) : turn_(turn) { reads_now = true; }
+  ~ReadingScope() {
+    reads_now = false;
+    turn_.give();
+  }
   ReadingScope(const ReadingScope&) = delete;
   ReadingScope& operator=(const ReadingScope&) = delete;
+
+ private:
+  Turn& turn_;
 };
 
 }  // namespace
@@ -118,21 +126,22 @@ void Receiver::give_back(std::uint32_t number) {
 }
 
 void Receiver::run() {
+  const Ask is_enough = [this] { return turn_.is_wanted(); };
   for (;;) {
     std::uint32_t heard = 0;
-    const std::chrono::nanoseconds time = read_round(heard);
+    turn_.take_as_reader();
+    const std::chrono::nanoseconds time = read_round(heard, is_enough);
     if (time.count() > 0) sleepers_.sleep(reader_sleeps, heard, time, nullptr);
   }
 }
 
-// How long the reader may sleep then: 0 when there is more to read. An exception of a callback ends the process, on a
+// Gives the turn. How long the reader may sleep then: 0 when there is more to read. An exception of a callback ends the process, on a
 // guest's thread as on the library's.
-std::chrono::nanoseconds Receiver::read_round(std::uint32_t& heard) noexcept {
-  const std::lock_guard<std::mutex> turn(turn_);
-  const ReadingScope reading;
+std::chrono::nanoseconds Receiver::read_round(std::uint32_t& heard, const Ask& is_enough) noexcept {
+  const ReadingScope reading(turn_);
   heard = doorbell_->page().bell.load(std::memory_order_acquire);
   collect();
-  read_all();
+  read_all(is_enough);
   if (Clock::now() >= round_.next_look_at_all) collect_all();
   if (!round_.ready.empty()) return std::chrono::nanoseconds(0);
   return round_.later.empty() ? std::chrono::nanoseconds(between_looks_at_all) : between_questions;
@@ -143,9 +152,13 @@ bool Receiver::host(std::chrono::nanoseconds most, const std::function<bool()>& 
   const std::unique_lock<std::mutex> guest(guest_, std::try_to_lock);
   if (!guest.owns_lock()) return false;
   const Clock::time_point end = Clock::now() + most;
+  Clock::time_point begun;
+  const Ask is_enough = [&] { return Clock::now() - begun > longest_round && wanted(); };
   for (;;) {
     std::uint32_t heard = 0;
-    const std::chrono::nanoseconds time = read_round(heard);
+    turn_.take_as_guest();
+    begun = Clock::now();
+    const std::chrono::nanoseconds time = read_round(heard, is_enough);
     const std::chrono::nanoseconds left = end - Clock::now();
     if (left.count() <= 0 || wanted()) break;
     if (time.count() > 0) sleepers_.sleep(guest_sleeps, heard, std::min(time, left), wanted);
@@ -156,10 +169,10 @@ bool Receiver::host(std::chrono::nanoseconds most, const std::function<bool()>& 
 
 // What the guest leaves unread is the reader's.
 void Receiver::hand_over() {
-  {
-    const std::lock_guard<std::mutex> turn(turn_);
-    if (round_.ready.empty() && round_.later.empty()) return;
-  }
+  turn_.take_as_guest();
+  const bool is_all_read = round_.ready.empty() && round_.later.empty();
+  turn_.give();
+  if (is_all_read) return;
   doorbell_->page().bell.fetch_add(1, std::memory_order_seq_cst);  // it may be about to fall asleep
   sleepers_.wake(reader_sleeps);
 }
@@ -177,7 +190,7 @@ void Receiver::collect() {
     const std::uint32_t number =
         round_.hints.next(page.groups, [&page](std::uint32_t leaf) -> auto& { return page.leaves[leaf]; });
     if (number == segment::no_slot) return;
-    round_.ready.push_back(number);
+    round_.list(number, round_.ready);
   }
 }
 
@@ -185,17 +198,22 @@ void Receiver::collect_all() {
   round_.next_look_at_all = Clock::now() + between_looks_at_all;
   const std::lock_guard<std::mutex> lock(mutex_);
   for (std::uint32_t number = 0; number < places_.size(); ++number)
-    if (places_[number].end) round_.ready.push_back(number);
+    if (places_[number].end) round_.list(number, round_.ready);
 }
 
-void Receiver::read_all() {
+void Receiver::read_all(const Ask& is_enough) {
   std::vector<std::uint32_t>& now = round_.now;
   now.swap(round_.ready);
-  for (const std::uint32_t number : now) {
+  auto next = now.begin();
+  while (next != now.end()) {
+    const std::uint32_t number = *next++;
+    round_.listed[number] = false;  // what comes from now on may come after this look
     const ReceivingEnd::Progress progress = read(number);
-    if (progress == ReceivingEnd::Progress::more) round_.ready.push_back(number);
-    if (progress == ReceivingEnd::Progress::later) round_.later.push_back(number);
+    if (progress == ReceivingEnd::Progress::more) round_.list(number, round_.ready);
+    if (progress == ReceivingEnd::Progress::later) round_.list(number, round_.later);
+    if (is_enough()) break;
   }
+  round_.ready.insert(round_.ready.begin(), next, now.end());  // those that were left come first
   now.clear();
 }
 

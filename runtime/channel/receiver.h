@@ -12,6 +12,7 @@
 
 #include "channel/doorbell.h"
 #include "channel/sleepers.h"
+#include "channel/turn.h"
 #include "posix/hot.h"
 #include "tzc/error.h"
 
@@ -85,11 +86,13 @@ class Receiver {
   void end(std::uint32_t number);
   void give_back(std::uint32_t number);
 
+  using Ask = std::function<bool()>;
+
   void run();
-  TZC_HOT std::chrono::nanoseconds read_round(std::uint32_t& heard) noexcept;
+  TZC_HOT std::chrono::nanoseconds read_round(std::uint32_t& heard, const Ask& is_enough) noexcept;
   TZC_HOT void collect();
   void collect_all();
-  TZC_HOT void read_all();
+  TZC_HOT void read_all(const Ask& is_enough);
   TZC_HOT ReceivingEnd::Progress read(std::uint32_t number);
   void hand_over();
   std::shared_ptr<ReceivingEnd> begin_call(std::uint32_t number);
@@ -103,13 +106,21 @@ class Receiver {
   /// Used by the thread whose turn it is.
   struct Round {
     segment::HintReader hints{doorbell_numbers};
-    std::vector<std::uint32_t> ready;  // numbers to read for next
-    std::vector<std::uint32_t> now;    // those that are being read for
-    std::vector<std::uint32_t> later;  // and those to read for in a moment
+    std::vector<std::uint32_t> ready;                                // numbers to read for next
+    std::vector<std::uint32_t> now;                                  // those that are being read for
+    std::vector<std::uint32_t> later;                                // and those to read for in a moment
+    std::vector<bool> listed = std::vector<bool>(doorbell_numbers);  // whether a number is in one of these
     Clock::time_point next_look_at_all{};
+
+    /// Once, however often it is rung for: each time would be a turn of its own, and a connection that never empties would get more and
+    /// more of them.
+    void list(std::uint32_t number, std::vector<std::uint32_t>& in) {
+      if (!listed[number]) in.push_back(number);
+      listed[number] = true;
+    }
   };
   Round round_;
-  std::mutex turn_;   // to read
+  Turn turn_;
   std::mutex guest_;  // held by the one that is there
 
   struct Place {

@@ -157,6 +157,64 @@ TEST_F(SharedReading, a_callback_is_no_guest) {
   EXPECT_TRUE(refused_);
 }
 
+/// A subscriber whose messages take longer to read than to publish, so that there is always one more; and one with little to read.
+/// Turns are counted in messages of the first, not in time.
+class SaturatedReading : public ::testing::Test {
+ protected:
+  static constexpr int in_a_row = 16;  // as the subscriber's
+
+  void SetUp() override {
+    flood_ = subscribe(*flooding_, [this] {
+      ++flooded_;
+      std::this_thread::sleep_for(milliseconds(1));
+    });
+    drop_ = subscribe(*dropping_, [this] { ++dropped_; });
+    flooder_ = std::thread([this] {
+      while (!stop_) {
+        flooding_->publish(text_record("flood"));
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
+      }
+    });
+    ASSERT_TRUE(eventually([this] { return flooded_ > 10 * in_a_row; }));
+  }
+  void TearDown() override {
+    stop_ = true;
+    flooder_.join();
+  }
+  static std::shared_ptr<Subscriber> subscribe(const Publisher& to, const std::function<void()>& on_message) {
+    SubscriberOptions options;
+    options.address = to.address();
+    options.shared_thread = true;
+    options.on_message = [on_message](const MessagePtr&) { on_message(); };
+    return *Subscriber::create(std::move(options));
+  }
+
+  const std::shared_ptr<Publisher> flooding_ = publisher(1000), dropping_ = publisher(1000);
+  std::atomic<int> flooded_{0}, dropped_{0};
+  std::atomic<bool> stop_{false};
+  std::shared_ptr<Subscriber> flood_, drop_;
+  std::thread flooder_;
+};
+
+// Each ring of a connection that had its turn already was a turn more.
+TEST_F(SaturatedReading, a_connection_that_never_empties_has_one_turn_of_each_round) {
+  for (int i = 1; i <= 60; ++i) {
+    const int before = flooded_;
+    dropping_->publish(text_record("drop"));
+    ASSERT_TRUE(eventually([&] { return dropped_ == i; }));
+    EXPECT_LE(flooded_ - before, 4 * in_a_row) << "in round " << i;
+  }
+}
+
+// A thread that has other work comes back to it, though the reader never rests.
+TEST_F(SaturatedReading, a_guest_is_let_in_and_let_go) {
+  for (int i = 1; i <= 60; ++i) {
+    const int before = flooded_;
+    EXPECT_TRUE(read_while_idle(milliseconds(100), [] { return true; }));
+    EXPECT_LE(flooded_ - before, 4 * in_a_row) << "in call " << i;
+  }
+}
+
 TEST(SharedReadingAlone, is_not_there_without_a_subscriber_in_a_child) {
   const pid_t child = in_child([] {
     wake_idle_reader();
