@@ -25,10 +25,16 @@ int LentSockets::current() const {
 
 bool LentSockets::lend(posix::FileDescriptor socket) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  missed_ = missed_ || !socket;
   if (!socket || (current_ && next_)) return false;
   if (stopped_) posix::stop_receiving(socket.get());
   (current_ ? next_ : current_) = std::move(socket);
   return true;
+}
+
+bool LentSockets::missed() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return missed_;
 }
 
 bool LentSockets::give_back() {

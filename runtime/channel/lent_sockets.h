@@ -19,8 +19,10 @@ class LentSockets {
   bool lent() const;
   /// The one to read. -1: the next one is on its way.
   int current() const;
-  /// False: two are there already. No honest publisher lends a third one.
+  /// False: it did not arrive, or two are there already. No honest publisher lends a third one.
   bool lend(posix::FileDescriptor socket);
+  /// Whether one has not arrived.
+  bool missed() const;
   /// Reader: all was read that came through the current one. True: it was a loan, and its end counts as a packet. False:
   /// nothing more comes.
   bool give_back();
@@ -33,6 +35,7 @@ class LentSockets {
   posix::FileDescriptor next_;
   bool lent_ = false;
   bool stopped_ = false;
+  bool missed_ = false;
 };
 
 }  // namespace channel

@@ -43,7 +43,7 @@ Reader::Result Reader::read(posix::Waiting waiting, MessagePtr& message) try {
     const auto result = receive(waiting, packet);
     if (result == posix::ReceiveResult::nothing) return Result::nothing;
     if (result == posix::ReceiveResult::closed) {
-      reason_ = closed_by_publisher;
+      reason_ = link_->sockets().missed() ? lent_socket_missed : closed_by_publisher;
       return Result::closed;
     }
     counters_.bytes += packet.size;

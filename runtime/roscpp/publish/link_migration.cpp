@@ -53,14 +53,14 @@ void LinkMigration::disconnected_later(const channel::ConnectionPtr& connection)
 }
 
 void LinkMigration::connected(const channel::ConnectionPtr& connection) {
+  boost::weak_ptr<SharedLink>& known = by_connection_[connection];  // before the invitation is used up
   const TcpLink tcp = negotiator_->welcome(connection->hello());
-  if (!tcp) return connection->close();
-  boost::weak_ptr<SharedLink>& known = by_connection_[connection];
-  const SharedLinkPtr link = park_if_possible(tcp, connection);
+  const SharedLinkPtr link = tcp ? park_if_possible(tcp, connection) : SharedLinkPtr();
   if (!link) {
     by_connection_.erase(connection);
     connection->close();
-    return negotiator_->lost(tcp, "it came, and its link could not be moved");
+    if (tcp) negotiator_->lost(tcp, "it came, and its link could not be moved");
+    return;
   }
   known = link;
   try {
@@ -116,16 +116,16 @@ SharedLinkPtr LinkMigration::park(const TcpLink& tcp, const channel::ConnectionP
   const PublicationLock lock(*publication);
   link = boost::make_shared<SharedLink>(stream, publication, tcp, connection, lock.queued());
   live_.reserve(live_.size() + 1);  // nothing may fail once it stands in roscpp's list
-  if (!swap_to_front_locked(*publication, tcp, link)) return SharedLinkPtr();
-  add_live(*link);
+  stream->set_links(live_.size() + 1);
+  if (!swap_to_front_locked(*publication, tcp, link)) {
+    stream->set_links(live_.size());
+    if (standing_ == 0) stream->forget_queue();
+    return SharedLinkPtr();
+  }
+  live_.push_back(link.get());
   ++standing_;
   sync_point("move: parked");
   return link;
-}
-
-void LinkMigration::add_live(SharedLink& link) {
-  live_.push_back(&link);
-  link.stream().set_links(live_.size());
 }
 
 void LinkMigration::remove_live(SharedLink& link) {

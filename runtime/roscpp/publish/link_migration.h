@@ -65,7 +65,6 @@ class LinkMigration : public std::enable_shared_from_this<LinkMigration> {
 
   /// \name Under subscriber_links_mutex_
   /// @{
-  void add_live(SharedLink& link);
   void remove_live(SharedLink& link);
   void put_back(ros::Publication& publication, const SharedLinkPtr& link);
   /// @}

@@ -2,6 +2,7 @@
 #include "roscpp/publish/sequence_numbers.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace tzc {
 namespace detail {
@@ -27,13 +28,25 @@ std::size_t SequenceNumbers::queued() const {
 }
 
 std::size_t SequenceNumbers::numbered(const void* bytes) {
-  if (waiting_.empty() || waiting_.front() != bytes) return 0;
-  waiting_.pop_front();
-  return skip_numbered();
+  const auto found = std::find(waiting_.begin(), waiting_.end(), bytes);
+  if (!is_queued(bytes) || found == waiting_.end()) return 0;
+  const auto skipped = std::count(waiting_.begin(), found, kNumberedAlready);
+  waiting_.erase(waiting_.begin(), found + 1);  // those before it never came into the queue
+  return static_cast<std::size_t>(skipped) + skip_numbered();
 }
 
 void SequenceNumbers::follow(const std::vector<const void*>& queue) {
-  for (std::size_t i = queued(); i < queue.size(); ++i) waiting_.push_back(queue[i]);
+  std::deque<const void*> all;
+  auto known = waiting_.begin();
+  for (const void* bytes : queue) {
+    if (const auto at = std::find(known, waiting_.end(), bytes); at != waiting_.end()) {
+      std::copy_if(known, at, std::back_inserter(all), [](const void* each) { return !is_queued(each); });
+      known = at + 1;
+    }
+    all.push_back(bytes);
+  }
+  all.insert(all.end(), known, waiting_.end());
+  waiting_.swap(all);  // as a whole: without memory it stays as it was
 }
 
 std::size_t SequenceNumbers::forget() {

@@ -36,12 +36,13 @@ class SequenceNumbers {
   /// Returns the number of known messages in roscpp's queue.
   std::size_t queued() const;
 
-  /// roscpp has taken these bytes from its queue and numbered them.
+  /// roscpp has taken these bytes from its queue and numbered them. Older ones, if there are any, never came into it: something threw while
+  /// they were published.
   /// @return by how much roscpp must advance its count
   std::size_t numbered(const void* bytes);
 
-  /// Adds the messages in roscpp's queue, as bytes, that wait for a number. Those that are known are not
-  /// counted twice.
+  /// Adds the messages in roscpp's queue, as bytes, that wait for a number, in their order. Those that are known are not
+  /// counted twice. Without memory nothing changes.
   void follow(const std::vector<const void*>& queue);
 
   /// Ends the counting. @return by how much roscpp must advance its count

@@ -22,8 +22,11 @@ bool socket_is_empty(ros::Connection& connection) {
 }  // namespace
 
 bool TcprosDrain::is_over(ros::Connection& connection) {
-  if (deadline_ == Clock::time_point()) deadline_ = Clock::now() + std::chrono::seconds(5);
-  if (!socket_is_empty(connection)) return connection.isDropped() || Clock::now() > deadline_;
+  const Clock::time_point now = Clock::now();
+  // A process that is stopped is asked again when it goes on, and its reading thread has not had that time.
+  if (now - last_look_ > std::chrono::seconds(1)) deadline_ = now + std::chrono::seconds(5);
+  last_look_ = now;
+  if (!socket_is_empty(connection)) return connection.isDropped() || now > deadline_;
   // The reading thread (not always the poll thread) holds this mutex until it has passed on what it read.
   sync_point("switch: waits for the reader");
   const boost::unique_lock<boost::recursive_mutex> lock(roscpp_access::read_mutex_(connection),

@@ -264,7 +264,9 @@ TEST_F(LyingLender, more_sockets_than_an_honest_one_lends_are_the_end) {
 
 TEST_F(LyingLender, a_loan_without_a_socket_is_the_end) {
   say(TrunkWord::lend, number_);
-  EXPECT_TRUE(in_->wait_for_end());
+  ASSERT_TRUE(in_->wait_for_end());
+  EXPECT_NE(in_->reason().find("did not arrive"), std::string::npos)
+      << "a subscriber without descriptors learns nothing of it otherwise: " << in_->reason();
 }
 
 TEST_F(LyingLender, words_about_nobody_are_nothing) {

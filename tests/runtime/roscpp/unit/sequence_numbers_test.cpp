@@ -82,6 +82,32 @@ TEST(SequenceNumbers, following_twice_counts_nothing_twice) {
   EXPECT_EQ(topic.publish(false), 1u);
 }
 
+// Something threw while roscpp published them.
+TEST(SequenceNumbers, bytes_that_never_came_into_the_queue_are_forgotten) {
+  Publication topic;
+  EXPECT_EQ(topic.publish(true), 0u);
+  EXPECT_EQ(topic.publish(false), 1u);
+  topic.queue.clear();
+  EXPECT_EQ(topic.publish(true), 2u);
+  topic.work_off();
+  EXPECT_EQ(topic.numbers.queued(), 0u);
+  const std::uint32_t number = topic.publish(false);
+  EXPECT_EQ(number + 1, topic.count) << "it counts at once, as nothing waits";
+}
+
+TEST(SequenceNumbers, follows_what_stands_before_what_it_knows) {
+  Publication topic;
+  const void* first = topic.publish_bytes();
+  EXPECT_EQ(topic.publish(true), 0u);
+  const void* second = topic.queue.back();
+  topic.numbers.follow({first, second});
+  EXPECT_EQ(topic.numbers.queued(), 2u);
+  EXPECT_EQ(topic.work_off(), 0u);
+  EXPECT_EQ(topic.work_off(), 1u);
+  EXPECT_EQ(topic.publish(false), 2u);
+  EXPECT_EQ(topic.count, 3u);
+}
+
 TEST(SequenceNumbers, bytes_that_it_does_not_follow_change_nothing) {
   Publication topic;
   topic.publish_bytes();
