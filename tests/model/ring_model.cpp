@@ -119,7 +119,8 @@ void sleep(Context& context, std::uint32_t heard) {
   auto words = words_of(context);
   channel::wait_for_bell(words, heard, [&](std::uint32_t value) {
     const bool deaf = scenario.mistake == Mistake::deaf_sleep;
-    const std::size_t compared = deaf ? asleep : bell;  // it does not change while this thread is awake
+    const std::size_t compared =
+        deaf ? std::size_t{asleep} : std::size_t{bell};  // it does not change while this thread is awake
     ModelAtomic(context, asleep).sleep(compared, deaf ? 0 : value);
   });
 }

@@ -19,7 +19,9 @@ TEST_P(Golden, is_ported_as_written) {
   EXPECT_EQ(found, one.golden.expected(found)) << GetParam();
   EXPECT_EQ(std::filesystem::path(GetParam()).parent_path().filename(), outcome(plan))
       << "the folder is wrong";
-  if (plan) EXPECT_TRUE(check_report(plan->report)) << to_string(check_report(plan->report).error());
+  if (plan) {
+    EXPECT_TRUE(check_report(plan->report)) << to_string(check_report(plan->report).error());
+  }
   if (!plan || plan->edits.empty()) return;
 
   // The output compiles on its own, and a second run finds nothing to do, and the same sites.

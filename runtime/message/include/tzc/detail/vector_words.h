@@ -25,7 +25,14 @@ struct VectorWords {
     std::memcpy(&words, vector, sizeof words);
     return words;
   }
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wstringop-overflow"  // GCC 12 takes the vector for its first pointer
+#endif
   void write_to(void* vector) const { std::memcpy(vector, this, sizeof *this); }
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
   static void clear(void* vector) { VectorWords{nullptr, nullptr, nullptr}.write_to(vector); }
 };
 

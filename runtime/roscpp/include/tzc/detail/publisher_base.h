@@ -68,7 +68,6 @@ class PublisherBase {
   /// a copy. To convert back, `M(stock)` makes a deep copy.
   template <class M>
   boost::shared_ptr<const typename message::StockOf<M>::type> stock_view(const M& message) const {
-    typedef typename message::StockOf<M>::type View;
     SharedMessage<M> shared;
     if (attachment_ && shared.encode(message, attachment_->memory()))
       if (const auto view = message::callback_view(message, shared.encoded)) return view;
