@@ -10,7 +10,7 @@
 #   find_package(tzc REQUIRED)
 #   tzc_generate_messages(my_msgs FILES msg/Scan.msg INCLUDES std_msgs:/opt/ros/noetic/share/std_msgs/msg)
 #
-# FILES are .msg, .srv or .action; INCLUDES say where the packages are whose types they use (of a catkin package both
+# FILES are .msg, .srv or .action, all that are wanted of a package, in one call; INCLUDES say where the packages are whose types they use (of a catkin package both
 # are known). Headers go to OUTPUT_DIRECTORY, by default a folder of this build.
 # A package that calls generate_messages() with tzc among its catkin components needs none of this.
 # In a cross build TZC_HOST_MSGGEN names a tzc-msggen that runs here: -DTZC_HOST_MSGGEN=/usr/bin/tzc-msggen.
@@ -67,7 +67,8 @@ function(_tzc_include_flags package flags_result)
     list(APPEND handled ${dependency})
     unset(paths_file CACHE)
     find_file(paths_file share/${dependency}/cmake/${dependency}-msg-paths.cmake
-      PATHS ${CATKIN_DEVEL_PREFIX} ${CATKIN_WORKSPACES} ${CMAKE_PREFIX_PATH} ${${dependency}_DIR}/../../..)
+      PATHS ${CATKIN_DEVEL_PREFIX} ${CATKIN_WORKSPACES} ${CMAKE_PREFIX_PATH} ${${dependency}_DIR}/../../..
+      CMAKE_FIND_ROOT_PATH_BOTH)  # of a cross build: the workspace does not lie in the sysroot
     if(NOT paths_file)
       message(FATAL_ERROR "tzc_generate_messages(): cannot find ${dependency}-msg-paths.cmake, which a package gets that "
         "calls generate_messages(). Is ${dependency} a message package, and among find_package(catkin COMPONENTS)?")
@@ -140,6 +141,19 @@ function(_tzc_is_installed package result)
   endforeach()
 endfunction()
 
+# Whether this build makes the headers that lie in a folder, or made them when its own folder had another name.
+function(_tzc_is_own folder package result)
+  set(builder "")
+  if(EXISTS ${folder}/tzc/${package}/${_tzc_mark})
+    file(READ ${folder}/tzc/${package}/${_tzc_mark} builder)
+  endif()
+  set(${result} FALSE PARENT_SCOPE)
+  if(builder STREQUAL CMAKE_BINARY_DIR OR
+     (builder AND NOT EXISTS "${builder}" AND folder STREQUAL "${CATKIN_DEVEL_PREFIX}/include"))
+    set(${result} TRUE PARENT_SCOPE)
+  endif()
+endfunction()
+
 # Whether tzc/PACKAGE/*.h exists already, and this build is not who makes it.
 function(_tzc_has_headers package result)
   set(${result} FALSE PARENT_SCOPE)
@@ -154,11 +168,8 @@ function(_tzc_has_headers package result)
   endif()
   foreach(folder ${tzc_INCLUDE_DIRS} ${${package}_INCLUDE_DIRS})
     if(EXISTS ${folder}/tzc/${package})
-      set(builder "")
-      if(EXISTS ${folder}/tzc/${package}/${_tzc_mark})
-        file(READ ${folder}/tzc/${package}/${_tzc_mark} builder)
-      endif()
-      if(NOT builder STREQUAL CMAKE_BINARY_DIR)
+      _tzc_is_own(${folder} ${package} is_own)
+      if(NOT is_own)
         set(${result} TRUE PARENT_SCOPE)
       endif()
     endif()
@@ -195,12 +206,12 @@ function(_tzc_add_headers target package output_directory include_flags)  # FILE
   _tzc_definitions_in("${include_flags}" dependencies)
   set(all_headers "")
   foreach(file ${ARGN})
-    get_filename_component(file ${file} ABSOLUTE)
     _tzc_header_command(headers ${package} ${file} "${include_flags}" ${output_directory} "${dependencies};${ARGN}")
     list(APPEND all_headers ${headers})
   endforeach()
   file(MAKE_DIRECTORY ${output_directory}/tzc/${package})
   add_custom_target(${target} ALL DEPENDS ${all_headers})
+  set_target_properties(${target} PROPERTIES TZC_DEFINITIONS "${ARGN}")
   if(TARGET ${package}_generate_messages_cpp)
     add_dependencies(${target} ${package}_generate_messages_cpp)
   endif()
@@ -209,14 +220,34 @@ function(_tzc_add_headers target package output_directory include_flags)  # FILE
   add_dependencies(${target}_headers ${target})
 endfunction()
 
+# One target makes a package's headers, so that no header is made twice.
+function(_tzc_require_definitions target package files)
+  get_target_property(made ${target} TZC_DEFINITIONS)
+  foreach(file ${files})
+    if(NOT file IN_LIST made)
+      message(FATAL_ERROR "tzc_generate_messages(${package}): an earlier call makes headers of other files of ${package}, and not "
+        "of ${file}. Name all FILES in the first call.")
+    endif()
+  endforeach()
+endfunction()
+
 function(tzc_generate_messages package)
   cmake_parse_arguments(ARG "" "OUTPUT_DIRECTORY" "FILES;INCLUDES" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "tzc_generate_messages(): unknown arguments: ${ARG_UNPARSED_ARGUMENTS}")
   endif()
+  set(files "")
+  foreach(file ${ARG_FILES})
+    get_filename_component(file ${file} ABSOLUTE)
+    list(APPEND files ${file})
+  endforeach()
+  if(NOT files)
+    _tzc_definition_files(${package} files)
+  endif()
   set(target tzc_messages_of_${package})
   foreach(known ${target} tzc_exported_messages_of_${package})
     if(TARGET ${known})
+      _tzc_require_definitions(${known} ${package} "${files}")
       link_libraries(${known}_headers)
       return()
     endif()
@@ -226,9 +257,8 @@ function(tzc_generate_messages package)
   endif()
   list(TRANSFORM ARG_INCLUDES PREPEND -I OUTPUT_VARIABLE flags)
   if(NOT ARG_FILES)
-    _tzc_definition_files(${package} ARG_FILES)
     _tzc_include_flags(${package} flags)
   endif()
-  _tzc_add_headers(${target} ${package} ${ARG_OUTPUT_DIRECTORY} "${flags}" ${ARG_FILES})
+  _tzc_add_headers(${target} ${package} ${ARG_OUTPUT_DIRECTORY} "${flags}" ${files})
   link_libraries(${target}_headers)
 endfunction()

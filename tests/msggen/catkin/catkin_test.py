@@ -119,6 +119,48 @@ def test_plain_project(build_folder, prefix):
     run(['cmake', '-S', f'{here}/plain_project', '-B', build_folder, '-DPYTHON_EXECUTABLE=/usr/bin/python3'], env=variables)
     run(['cmake', '--build', build_folder], env=variables)
     check(os.path.exists(f'{build_folder}/tzc_messages/tzc/own_msgs/Own.h'), 'a plain CMake project generates headers')
+    again = subprocess.run(['cmake', '-DWITH_ANOTHER_FILE=ON', build_folder], env=variables, capture_output=True, text=True)
+    check(again.returncode != 0 and 'msg/Other.msg' in again.stderr and 'Name all FILES' in again.stderr,
+          'a second call for other files of the package is refused')
+
+
+def test_moved_build(scratch):
+    """Headers of a build folder that has got another name are made again; those that came from elsewhere are not."""
+    script = f'{scratch}/ask.cmake'
+    change(script, f"""include({here}/../../../cmake/tzc_generate_messages.cmake)
+        set(CATKIN_DEVEL_PREFIX {scratch}/devel)
+        foreach(prefix devel underlay)
+          _tzc_is_own({scratch}/${{prefix}}/include some_msgs own)
+          message("${{prefix}} ${{own}}")
+        endforeach()
+        """)
+    for prefix in ('devel', 'underlay'):
+        os.makedirs(f'{scratch}/{prefix}/include/tzc/some_msgs')
+        change(f'{scratch}/{prefix}/include/tzc/some_msgs/made_by', f'{scratch}/was_here')
+    told = run(['cmake', '-P', script]).split()
+    check(told == ['devel', 'TRUE', 'underlay', 'FALSE'], f'headers of a build folder with another name: {told}')
+
+
+def test_cross_build(scratch):
+    """Packages of the workspace do not lie in the sysroot; those that are installed in it are found there."""
+    for space, package in (('devel', 'near_msgs'), ('sysroot/opt/ros', 'far_msgs')):
+        folder = f'{scratch}/{space}/share/{package}/cmake'
+        os.makedirs(folder)
+        change(f'{folder}/{package}-msg-paths.cmake', f'set({package}_MSG_INCLUDE_DIRS /{package}/msg)\n')
+    script = f'{scratch}/ask.cmake'
+    change(script, f"""cmake_minimum_required(VERSION 3.10)
+        include({here}/../../../cmake/tzc_generate_messages.cmake)
+        set(CMAKE_FIND_ROOT_PATH {scratch}/sysroot)
+        set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+        set(CATKIN_DEVEL_PREFIX {scratch}/devel)
+        set(CMAKE_PREFIX_PATH /opt/ros)
+        foreach(package near_msgs far_msgs)
+          _tzc_include_flags(${{package}} flags)
+          message("${{flags}}")
+        endforeach()
+        """)
+    told = run(['cmake', '-P', script]).split()
+    check(told == ['-Inear_msgs:/near_msgs/msg', '-Ifar_msgs:/far_msgs/msg'], f'a cross build finds the folders of messages: {told}')
 
 
 def main():
@@ -130,6 +172,10 @@ def main():
             run(['cmake', '--install', folder, '--prefix', prefix])
         os.mkdir(f'{scratch}/ws')
         test_plain_project(f'{scratch}/plain', prefix)
+        os.mkdir(f'{scratch}/moved')
+        test_moved_build(f'{scratch}/moved')
+        os.mkdir(f'{scratch}/cross')
+        test_cross_build(f'{scratch}/cross')
         if kind == 'install':  # what came with TZC is of an older version than the workspace's
             os.makedirs(f'{prefix}/include/tzc/plain_msgs')
             change(f'{prefix}/include/tzc/plain_msgs/Samples.h', '#error the headers of another version\n')
