@@ -260,8 +260,7 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
   add_code_choices(app, raw);
   add_outputs(app, raw);
   add_cache(app, raw);
-  if (const std::string option = command_line::option_without_value(argc, argv); !option.empty())
-    return mistake(option + ": a value is missing behind the '='");
+  if (const std::string why = command_line::why_incomplete(argc, argv); !why.empty()) return mistake(why);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -47,19 +47,20 @@ CLI::Validator file_to_write() {
   return CLI::Validator(check, "FILE");
 }
 
-std::string option_without_value(int argc, const char* const* argv) {
+std::string why_incomplete(int argc, const char* const* argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument == "--") break;
-    if (argument.rfind("--", 0) == 0 && argument.find('=') == argument.size() - 1) return argument;
+    if (argument.empty()) return "an argument is empty, behind '" + std::string(argv[i - 1]) + "'";
+    if (argument.rfind("--", 0) == 0 && argument.find('=') == argument.size() - 1)
+      return argument + ": a value is missing behind the '='";
   }
   return "";
 }
 
 std::optional<int> parse(CLI::App& app, int argc, const char* const* argv) {
   try {
-    if (const std::string option = option_without_value(argc, argv); !option.empty())
-      throw CLI::ValidationError(option, "a value is missing behind the '='");
+    if (const std::string why = why_incomplete(argc, argv); !why.empty()) throw CLI::ValidationError(why);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& mistake) {
     return app.exit(mistake) == 0 ? 0 : 2;

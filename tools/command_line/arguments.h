@@ -16,8 +16,9 @@ CLI::Validator size_in_bytes();
 /// A file that can be written, as far as one can tell before the work whose result goes there. A folder is none, nor is `-`.
 CLI::Validator file_to_write();
 
-/// `--cache-dir=` where a shell's variable was empty: CLI11 would take the next argument for the value. Empty: there is none.
-std::string option_without_value(int argc, const char* const* argv);
+/// What a shell's empty variable has left of an argument: nothing, which options take for "not given", or `--cache-dir=`, for whose value
+/// CLI11 takes the next argument. For the user; empty: no such argument.
+std::string why_incomplete(int argc, const char* const* argv);
 
 /// Parses the command line, and prints help, the version, or what is wrong. The exit status where the command is over
 /// with that: 2 after a mistake. Mistakes that only several options together make: in app.callback.

@@ -77,11 +77,18 @@ TEST(Parse, does_not_take_the_next_argument_for_an_empty_value) {
   EXPECT_EQ(status_and_rate({"--rate=", "3"}).first, 2);
 }
 
-TEST(OptionWithoutValue, ends_where_options_do) {
-  const std::vector<const char*> none = {"program", "--a=b", "x=", "--", "--c="};
-  EXPECT_EQ(option_without_value(static_cast<int>(none.size()), none.data()), "");
-  const std::vector<const char*> one = {"program", "--a=b", "--c="};
-  EXPECT_EQ(option_without_value(static_cast<int>(one.size()), one.data()), "--c=");
+TEST(Parse, refuses_an_empty_value) {
+  EXPECT_EQ(status_and_rate({"--rate", ""}).first, 2);
+}
+
+std::string incomplete(std::vector<const char*> arguments) {
+  return why_incomplete(static_cast<int>(arguments.size()), arguments.data());
+}
+
+TEST(WhyIncomplete, ends_where_options_do) {
+  EXPECT_EQ(incomplete({"program", "--a=b", "x=", "--", "--c=", ""}), "");
+  EXPECT_EQ(incomplete({"program", "--a=b", "--c="}), "--c=: a value is missing behind the '='");
+  EXPECT_EQ(incomplete({"program", "--a", ""}), "an argument is empty, behind '--a'");
 }
 
 }  // namespace
