@@ -77,13 +77,15 @@ std::string message_name(clang::QualType type) {
 }
 
 /// The message that a function or the class that has it is a template of.
-std::string message_of_template(const clang::FunctionDecl* function) {
-  const clang::TemplateArgumentList* arguments = template_arguments(function);
-  if (const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(function->getDeclContext()))
-    arguments = &made->getTemplateArgs();
+std::string first_message(const clang::TemplateArgumentList* arguments) {
   const bool named =
       arguments && arguments->size() > 0 && (*arguments)[0].getKind() == clang::TemplateArgument::Type;
   return named ? message_name((*arguments)[0].getAsType()) : "";
+}
+
+std::string message_of_template(const clang::FunctionDecl* function) {
+  const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(function->getDeclContext());
+  return first_message(made ? &made->getTemplateArgs() : template_arguments(function));
 }
 
 class ApiCalls : public AstVisitor {
@@ -96,7 +98,7 @@ class ApiCalls : public AstVisitor {
   bool VisitCallExpr(clang::CallExpr* call) override {
     const clang::FunctionDecl* function = call->getDirectCallee();
     if (!function || !function->getIdentifier() || call->isTypeDependent()) return true;
-    if (function->getName().starts_with("make_")) return note_made_filter(call, function);
+    if (function->getName().starts_with("make_")) return note_made(call, function);
     if (function->getName().starts_with("emplace") || function->getName() == "try_emplace")
       return note_emplaced_filter(call, function);
     const std::string owner = space_of(function->getDeclContext());
@@ -130,7 +132,7 @@ class ApiCalls : public AstVisitor {
         construct->getConstructor()->getInheritedConstructor().getConstructor();
     const clang::CXXRecordDecl* record = (inherited ? inherited : construct->getConstructor())->getParent();
     if (construct->getNumArgs() >= 2 && is_filter(record)) note(SiteKind::subscribe, construct, "");
-    if (construct->getNumArgs() >= 3 && space_of(record) == "realtime_tools::RealtimePublisher::")
+    if (construct->getNumArgs() >= 3 && is_realtime_publisher(record))
       note_behalf(SiteKind::advertise, construct, construct->getConstructor());
     return true;
   }
@@ -143,6 +145,9 @@ class ApiCalls : public AstVisitor {
   static bool is_filter(const clang::CXXRecordDecl* record) {
     return record &&
            filters.count(space_of(record->getDeclContext()) + record->getNameAsString() + "::") != 0;
+  }
+  static bool is_realtime_publisher(const clang::CXXRecordDecl* record) {
+    return record && space_of(record) == "realtime_tools::RealtimePublisher::";
   }
   static std::string type_at(SiteKind kind, const clang::CallExpr* call,
                              const clang::FunctionDecl* function) {
@@ -172,12 +177,17 @@ class ApiCalls : public AstVisitor {
         return note(SiteKind::publish, call, message);
   }
 
-  bool note_made_filter(const clang::CallExpr* call, const clang::FunctionDecl* function) {
+  /// make_shared<T>(...) and its likes
+  bool note_made(const clang::CallExpr* call, const clang::FunctionDecl* function) {
     const clang::TemplateArgumentList* arguments = template_arguments(function);
-    if (call->getNumArgs() < 2 || !arguments || arguments->size() == 0) return true;
-    const clang::TemplateArgument& made = (*arguments)[0];
-    if (made.getKind() == clang::TemplateArgument::Type && is_filter(made.getAsType()->getAsCXXRecordDecl()))
-      note(SiteKind::subscribe, call, "");
+    if (!arguments || arguments->size() == 0 || (*arguments)[0].getKind() != clang::TemplateArgument::Type)
+      return true;
+    const clang::CXXRecordDecl* made = (*arguments)[0].getAsType()->getAsCXXRecordDecl();
+    if (call->getNumArgs() >= 2 && is_filter(made)) note(SiteKind::subscribe, call, "");
+    const auto* instance = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(made);
+    if (instance && call->getNumArgs() >= 3 && is_realtime_publisher(made))
+      if (const std::string message = first_message(&instance->getTemplateArgs()); !message.empty())
+        note(SiteKind::advertise, call, message);
     return true;
   }
 
@@ -250,7 +260,8 @@ class ApiCalls : public AstVisitor {
 
   void note(SiteKind kind, const clang::Expr* call, const std::string& type) {
     const Place where = source_.where(call->getExprLoc());
-    if (source_.in_package(call->getExprLoc())) calls.insert({kind, location_of(where), type});
+    if (source_.in_package(call->getExprLoc()))
+      calls.insert({kind, location_of(where), type, source_.offsets_in_macros(call->getExprLoc())});
   }
 
   const Source& source_;

@@ -28,20 +28,23 @@ Error broken(const Report& report, SiteKind kind, const Location& where, const s
 Expected<void> check_complete(const Report& report, const std::set<ApiCall>& calls) {
   std::map<Spot, std::multiset<std::string>> reported;
   for (const Site& site : report.sites) reported[order_of(site.kind, site.where)].insert(site.message_type);
-  std::set<Spot> spots;
+  std::map<Spot, std::multiset<std::string>> seen;  // one macro may make several calls of a type
+  for (const ApiCall& call : calls)
+    if (is_below(call.where.file, report.package_dir))
+      seen[order_of(call.kind, call.where)].insert(call.type);
   for (const ApiCall& call : calls) {
-    if (!is_below(call.where.file, report.package_dir)) continue;
     const Spot spot = order_of(call.kind, call.where);
-    spots.insert(spot);
+    if (seen.count(spot) == 0) continue;
     const auto found = reported.find(spot);
     if (found == reported.end()) return broken(report, call.kind, call.where, "is not in it");
-    if (!call.type.empty() && found->second.count(call.type) != 1)
-      return broken(
-          report, call.kind, call.where,
-          "is in it " + std::to_string(found->second.count(call.type)) + " times with " + call.type);
+    const std::size_t wanted = seen[spot].count(call.type), there = found->second.count(call.type);
+    if (!call.type.empty() && there != wanted)
+      return broken(report, call.kind, call.where,
+                    "is in it " + std::to_string(there) + " times with " + call.type + ", and not " +
+                        std::to_string(wanted));
   }
   for (const Site& site : report.sites)
-    if (spots.count(order_of(site.kind, site.where)) == 0)
+    if (seen.count(order_of(site.kind, site.where)) == 0)
       return broken(report, site.kind, site.where, "is in it, but not in the package (" + site.id + ")");
   return {};
 }

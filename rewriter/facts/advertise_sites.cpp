@@ -68,8 +68,7 @@ bool takes_template_parameter(const clang::CXXMemberCallExpr* call) {
 /// An image unless the call names another type.
 Advertise AdvertiseCollector::site_at(const clang::CallExpr* call, const char* rule) const {
   Advertise site;
-  site.where = unit_.source.where(call->getExprLoc());
-  site.function = enclosing_function_name(unit_.ast(), *call);
+  set_place(site, unit_, call);
   site.rule = rule;
   site.type = "sensor_msgs/Image";
   const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *call);

@@ -187,6 +187,13 @@ bool is_copy(const clang::Expr* value) {
          construct->getArg(0)->isLValue();
 }
 
+/// Image image = std::move(other): the elements are the other's, with the memory that they have there.
+bool is_move(const clang::Expr* value) {
+  const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(value->IgnoreImplicit());
+  return construct && construct->getConstructor()->isCopyOrMoveConstructor() && construct->getNumArgs() > 0 &&
+         construct->getArg(0)->isXValue();
+}
+
 }  // namespace
 
 std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::VarDecl* variable) {
@@ -204,7 +211,7 @@ std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::
   how.object = variable->getNameAsString();
   if (const clang::Expr* value = variable->getInit()) {
     const FlowSources sources = flow_.sources_of(value);
-    if (is_result(sources)) return {};
+    if (is_result(sources) || (is_move(value) && !is_fresh(sources))) return {};
     how.filled = !is_fresh(sources) || is_copy(value);
   }
   place_behind(how, statement_around(unit_, *variable));
@@ -252,6 +259,13 @@ bool is_used_behind(const Unit& unit, const clang::VarDecl* variable) {
   return mention.found;
 }
 
+/// Node() : image_(new Image) {}
+bool is_in_initializer_list(const Unit& unit, const clang::Expr* made) {
+  for (const clang::DynTypedNode& node : ancestors(unit.ast(), *made))
+    if (!node.get<clang::Expr>()) return node.get<clang::CXXConstructorDecl>() != nullptr;
+  return false;
+}
+
 /// The message that new or make_shared makes the object from: M(std::move(other)), or a call that returns one. Null: none.
 const clang::Expr* made_from(const clang::Expr* expr) {
   const auto* call = llvm::dyn_cast<clang::CallExpr>(expr);
@@ -291,6 +305,8 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
     if (how.at && !Hoisting(unit_).names_the_same(end.target, draft.function, how.at->begin))
       draft.site.refusal = not_nameable;
   }
+  if (is_in_initializer_list(unit_, expr))
+    draft.site.refusal = "a constructor's initializer list makes it, where no statement can stand";
   if (!is_always_made(unit_, expr)) draft.site.refusal = "it is made under a condition only";
   if (end.variable && is_used_behind(unit_, end.variable))
     draft.site.refusal = "a variable that is declared behind it in the same statement is made from it";

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "facts/calls.h"
+#include "facts/later_writes.h"
 #include "parse/names.h"
 
 namespace tzc::rewriter {
@@ -18,11 +19,13 @@ bool is_of_class(const clang::Expr* expr, const char* name) {
   return record && qualified_name_of(record) == name;
 }
 
-/// The value that a local variable began with, in place of its name.
+/// The value that a local variable keeps, in place of its name.
 const clang::Expr* initial_value(const clang::Expr* expr) {
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr->IgnoreParenImpCasts());
   const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
-  return variable && variable->isLocalVarDecl() && variable->getInit() ? variable->getInit() : expr;
+  const bool keeps_it =
+      variable && variable->isLocalVarDecl() && variable->getInit() && !may_change_later(variable);
+  return keeps_it ? variable->getInit() : expr;
 }
 
 /// ros::TransportHints().unreliable().reliable(): the first one that is called is tried first.

@@ -207,8 +207,11 @@ void CallEffects::into_new_object(const EntityId& id, const clang::CallExpr* cal
     return entities_.add_flow(id, made, call->getBeginLoc(), "copied into a new object");
   const clang::CXXRecordDecl* record = pointee_of(call->getType())->getAsCXXRecordDecl();
   const clang::CXXConstructorDecl* constructor = only_constructor(record, call->getNumArgs());
+  const bool is_package = record && unit_.source.in_package(record->getLocation());
   if (unit_.declares(constructor))
     into_package(id, {constructor, argument, call->getBeginLoc()});
+  else if (entities_[id].role == EntityRole::filter && !is_package)
+    return;  // make_shared<Synchronizer>(left_, right_, 10): a library takes filters of any type, as a constructor that is called does
   else
     entities_.add_obstacle(id, entities_.is_message(id) ? codes::TZC1001 : codes::TZC1010,
                            "nothing shows which constructor takes it", call->getBeginLoc());

@@ -3,6 +3,7 @@
 
 #include <clang/Lex/Lexer.h>
 
+#include "facts/ast_walk.h"
 #include "facts/calls.h"
 
 namespace tzc::rewriter {
@@ -71,6 +72,12 @@ Place span(const Place& from, unsigned begin, unsigned end) {
 }
 
 }  // namespace
+
+void set_place(SiteFact& site, const Unit& unit, const clang::Expr* call) {
+  site.where = unit.source.where(call->getExprLoc());
+  site.in_macros = unit.source.offsets_in_macros(call->getExprLoc());
+  site.function = enclosing_function_name(unit.ast(), *call);
+}
 
 std::optional<CallPlace> call_place(const Unit& unit, const clang::CXXMemberCallExpr* call) {
   const clang::MemberExpr* callee = callee_of(call);

@@ -15,6 +15,9 @@
 
 namespace tzc::rewriter {
 
+/// Says of a site where it is.
+void set_place(SiteFact& site, const Unit& unit, const clang::Expr* call);
+
 /// The words in front of the arguments.
 struct CallPlace {
   Place object;  ///< empty: `this` is implied

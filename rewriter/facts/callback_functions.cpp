@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "parse/ast_visitor.h"
+#include "facts/later_writes.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -32,59 +32,6 @@ bool begins_with_function(const clang::VarDecl* variable) {
   if (llvm::isa<clang::ParmVarDecl>(variable) || !variable->getInit()) return false;
   const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(variable->getInit()->IgnoreImplicit());
   return !made || made->getNumArgs() > 0;
-}
-
-/// A variable is assigned, swapped, or something else may write to it.
-class LaterWrites : public AstVisitor {
- public:
-  explicit LaterWrites(const clang::VarDecl* variable) : variable_(variable) {}
-  bool found = false;
-
-  bool VisitBinaryOperator(clang::BinaryOperator* op) override {
-    return note(op->isAssignmentOp() && is_named(op->getLHS()));
-  }
-  bool VisitCXXOperatorCallExpr(clang::CXXOperatorCallExpr* op) override {
-    return note(op->isAssignmentOp() && is_named(op->getArg(0)));
-  }
-  bool VisitUnaryOperator(clang::UnaryOperator* op) override {
-    return note(op->getOpcode() == clang::UO_AddrOf && is_named(op->getSubExpr()));
-  }
-  bool VisitCXXMemberCallExpr(clang::CXXMemberCallExpr* call) override {
-    const clang::CXXMethodDecl* method = call->getMethodDecl();
-    return note(method && !method->isConst() && is_named(call->getImplicitObjectArgument()));
-  }
-  bool VisitCallExpr(clang::CallExpr* call) override {
-    if (llvm::isa<clang::CXXOperatorCallExpr>(call)) return !found;  // see above
-    const clang::FunctionDecl* function = call->getDirectCallee();
-    for (unsigned i = 0; function && i < call->getNumArgs() && i < function->getNumParams(); ++i) {
-      const auto* reference = function->getParamDecl(i)->getType()->getAs<clang::LValueReferenceType>();
-      // One that is written as T&& passes it on.
-      if (reference && reference->isSpelledAsLValue() && !reference->getPointeeType().isConstQualified())
-        note(is_named(call->getArg(i)));
-    }
-    return !found;
-  }
-
- private:
-  bool is_named(const clang::Expr* expr) const {
-    const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(expr->IgnoreParenImpCasts());
-    return name && name->getDecl() == variable_;
-  }
-  bool note(bool writes) {
-    found |= writes;
-    return !found;
-  }
-  const clang::VarDecl* variable_;
-};
-
-/// Of one that lasts, anybody may change what it holds.
-bool may_change(const clang::VarDecl* variable) {
-  if (variable->getType().isConstQualified()) return false;
-  const auto* function = llvm::dyn_cast<clang::FunctionDecl>(variable->getDeclContext());
-  if (!function || !function->getBody() || variable->isStaticLocal()) return true;
-  LaterWrites writes(variable);
-  writes.TraverseStmt(function->getBody());
-  return writes.found;
 }
 
 class CallbackSearch {
@@ -113,8 +60,8 @@ class CallbackSearch {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(named);
     if (!variable || !seen_.insert(variable).second) return;
     of_object(variable->getType().getNonReferenceType()->getAsCXXRecordDecl());
-    has_unknown |=
-        may_hold_function(variable->getType()) && (!begins_with_function(variable) || may_change(variable));
+    has_unknown |= may_hold_function(variable->getType()) &&
+                   (!begins_with_function(variable) || may_change_later(variable));
     in(variable->getInit());
   }
   /// A function of the package may return any function, or a closure.

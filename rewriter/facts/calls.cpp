@@ -64,7 +64,8 @@ bool passes_through(const clang::FunctionDecl* function) {
       "std::move",      "std::forward",     "std::ref",      "std::cref",
       "boost::move",    "boost::forward",   "boost::ref",    "boost::cref",
       "std::addressof", "boost::addressof", "tzc::attached", "tzc::image_transport::attached"};
-  return function && names.count(qualified_name_of(function)) != 0;
+  // std::move(first, last, out) moves elements.
+  return function && function->getNumParams() == 1 && names.count(qualified_name_of(function)) != 0;
 }
 
 bool casts_pointer(const clang::FunctionDecl* function) {
@@ -76,6 +77,15 @@ bool makes_object(const clang::CallExpr* call) {
                                               "boost::make_unique"};
   const clang::FunctionDecl* function = call->getDirectCallee();
   return function && names.count(qualified_name_of(function)) != 0;
+}
+
+const clang::CXXRecordDecl* class_that_is_made(const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  const bool makes = function && function->getIdentifier() && function->getName().starts_with("make_");
+  const clang::TemplateArgumentList* arguments = makes ? function->getTemplateSpecializationArgs() : nullptr;
+  if (!arguments || arguments->size() == 0 || (*arguments)[0].getKind() != clang::TemplateArgument::Type)
+    return nullptr;
+  return (*arguments)[0].getAsType()->getAsCXXRecordDecl();
 }
 
 bool is_single_subscriber(const std::string& name) {

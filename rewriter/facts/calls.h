@@ -26,6 +26,8 @@ bool is_template_parameter(const clang::TemplateArgument& argument);
 
 /// make_shared, make_unique and their likes.
 bool makes_object(const clang::CallExpr* call);
+/// The class that the template argument of make_shared<T>(...), make_optional<T>(...) and their likes is; null: there is none.
+const clang::CXXRecordDecl* class_that_is_made(const clang::CallExpr* call);
 /// std::move and its likes: the result is the argument.
 bool passes_through(const clang::FunctionDecl* function);
 /// std::const_pointer_cast and its likes: the result leads to what the argument leads to.

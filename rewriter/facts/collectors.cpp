@@ -71,6 +71,12 @@ std::string why_not_another_type(const clang::Expr* expr, const RuleSet& rules) 
              : "";
 }
 
+/// make_shared<Image>(), publish<Image>(image)
+void retype(EntityTable& entities, const EntityId& id, llvm::ArrayRef<clang::TemplateArgumentLoc> written) {
+  for (const clang::TemplateArgumentLoc& argument : written)
+    if (argument.getTypeSourceInfo()) entities.retype(id, argument.getTypeSourceInfo()->getTypeLoc());
+}
+
 }  // namespace
 
 void Collectors::declaration(const clang::VarDecl* variable) {
@@ -146,14 +152,9 @@ void Collectors::made_object(const clang::CallExpr* call) {
   const EntityId id = entities_.declare_temporary(call);
   if (id.empty()) return;
   const auto* callee = llvm::dyn_cast<clang::DeclRefExpr>(call->getCallee()->IgnoreParenImpCasts());
-  if (callee && callee->hasExplicitTemplateArgs())
-    for (const clang::TemplateArgumentLoc& argument : callee->template_arguments())
-      if (argument.getTypeSourceInfo()) entities_.retype(id, argument.getTypeSourceInfo()->getTypeLoc());
+  if (callee) retype(entities_, id, callee->template_arguments());
   const FlowEnd end = flow_.follow(call, id);
-  const clang::QualType made = pointee_of(call->getType());
-  const clang::CXXRecordDecl* record = made->getAsCXXRecordDecl();
-  if (filters_.is_filter(record)) add_site(facts_.subscribes, filters_.of_made(call, record, id));
-  const auto message = message_of(made);
+  const auto message = message_of(pointee_of(call->getType()));
   if (message && message->has_data_part) add(allocations_.of_object(call, id, end));
 }
 
@@ -168,11 +169,14 @@ void Collectors::library_call(const clang::CallExpr* call) {
 void Collectors::call(const clang::CallExpr* call) {
   if (call->isTypeDependent() || !unit_.source.in_package(call->getBeginLoc())) return;
   add_site(facts_.subscribes, library_subscribe(unit_, call));
+  add_site(facts_.advertises, library_advertise_made(unit_, call));
   add(factory_call(unit_, entities_, call));
   for (const std::string& callback : callbacks_given_to_windows(call)) {
     facts_.effects[window_callbacks].push_back(call_of(callback));
     if (callback.empty()) facts_.locking.insert(window_callbacks);
   }
+  add_site(facts_.subscribes,
+           filters_.of_made(call, makes_object(call) ? entities_.declare_temporary(call) : EntityId()));
   if (makes_object(call)) {
     note_given_publishers(unit_, flow_, {pointee_of(call->getType()), {call->getArgs(), call->getNumArgs()}},
                           facts_);
@@ -209,6 +213,11 @@ void Collectors::publish(const clang::CXXMemberCallExpr* call) {
   std::optional<PublishCall> published = publish_call(unit_, flow_, call);
   if (!published) return;
   if (published->publisher) publishers_.push_back(std::move(*published->publisher));
+  for (const EntityId& chosen : published->publishers.entities)
+    entities_.add_flow(published->site.publisher, chosen, call->getExprLoc(), "one of several publishers");
+  const auto* callee = llvm::dyn_cast<clang::MemberExpr>(call->getCallee()->IgnoreParens());
+  if (callee && !published->site.messages.empty())
+    retype(entities_, published->site.messages[0], callee->template_arguments());
   add_site(facts_.publishes, std::optional(std::move(published->site)));
 }
 

@@ -37,6 +37,18 @@ const clang::ValueDecl* object_of(const clang::Expr* message) {
   return base && !llvm::isa<clang::CXXThisExpr>(base) ? begin_of(base) : nullptr;
 }
 
+/// frames[i], frames.at(i), frames.front(): the container; null: no element is named.
+const clang::Expr* container_of(const clang::Expr* expr) {
+  if (const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr)) return element->getBase();
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(expr))
+    return op->getOperator() == clang::OO_Subscript ? op->getArg(0) : nullptr;
+  const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(expr);
+  const clang::CXXMethodDecl* method = call ? call->getMethodDecl() : nullptr;
+  if (!method || !method->getIdentifier()) return nullptr;
+  const llvm::StringRef name = method->getName();
+  return name == "at" || name == "front" || name == "back" ? call->getImplicitObjectArgument() : nullptr;
+}
+
 bool is_made(const clang::Expr* value) {
   if (!value) return true;
   value = value->IgnoreUnlessSpelledInSource();
@@ -69,6 +81,12 @@ bool leads_to_what_lasts(const clang::VarDecl* variable) {
 const clang::VarDecl* object_that_ends(const clang::Expr* message) {
   const auto* variable = llvm::dyn_cast_or_null<clang::VarDecl>(object_of(message));
   return variable && variable->hasLocalStorage() && !leads_to_what_lasts(variable) ? variable : nullptr;
+}
+
+const clang::VarDecl* object_of_element_that_ends(const clang::Expr* message) {
+  const clang::Expr* whole = message->IgnoreParenImpCasts();
+  while (const clang::Expr* container = container_of(whole)) whole = container->IgnoreParenImpCasts();
+  return whole != message->IgnoreParenImpCasts() ? object_that_ends(whole) : nullptr;
 }
 
 bool is_made_empty(const clang::VarDecl* object) {

@@ -10,6 +10,9 @@ namespace tzc::rewriter {
 /// pointer or a reference to a member, a global or an element leads to lasts.
 const clang::VarDecl* object_that_ends(const clang::Expr* message);
 
+/// Likewise of a message that is an element of a member: `pair` in "pair.clouds[i]".
+const clang::VarDecl* object_of_element_that_ends(const clang::Expr* message);
+
 /// Whether the variable is made new where it is declared, without content: Frame frame; auto frame = make_shared<Frame>();
 bool is_made_empty(const clang::VarDecl* object);
 

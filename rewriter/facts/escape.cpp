@@ -172,6 +172,8 @@ void EscapeAnalysis::start(const FunctionView& view, const clang::Stmt* stmt) {
     const bool read_only = construct->getConstructor()->getParent()->getName().contains("Const");
     if (!sources.empty()) climb(view, {construct, Reference::view, read_only, sources});
   }
+  if (const clang::Expr* cloud = cloud_of_emplaced_iterator(stmt))
+    escape(context_.sources_of(cloud), "is kept in a container", stmt->getBeginLoc(), false);
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt); call && makes_object(call)) {
     const clang::QualType made = pointee_of(call->getType());
     if (made.isNull() || !is_cloud_iterator(made->getAsCXXRecordDecl()) || call->getNumArgs() == 0) return;

@@ -36,4 +36,37 @@ bool is_cloud_iterator(const clang::CXXRecordDecl* record) {
   return record && record->getName().starts_with("PointCloud2") && record->getName().ends_with("Iterator");
 }
 
+namespace {
+
+bool holds_cloud_iterators(const clang::CXXRecordDecl* container) {
+  const auto* made = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(container);
+  return made && llvm::any_of(made->getTemplateArgs().asArray(), [](const clang::TemplateArgument& held) {
+           const clang::CXXRecordDecl* record = held.getKind() == clang::TemplateArgument::Type
+                                                    ? held.getAsType()->getAsCXXRecordDecl()
+                                                    : nullptr;
+           return is_cloud_iterator(record) && !record->getName().contains("Const");
+         });
+}
+
+/// Also in a std::forward_as_tuple(...) among them.
+const clang::Expr* message_among(llvm::ArrayRef<const clang::Expr*> arguments) {
+  for (const clang::Expr* argument : arguments) {
+    if (message_of(argument->getType().getNonReferenceType())) return argument;
+    const auto* call = llvm::dyn_cast<clang::CallExpr>(argument->IgnoreImplicit());
+    if (const clang::Expr* inner = call ? message_among({call->getArgs(), call->getNumArgs()}) : nullptr)
+      return inner;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const clang::Expr* cloud_of_emplaced_iterator(const clang::Stmt* stmt) {
+  const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(stmt);
+  const clang::CXXMethodDecl* method = call ? call->getMethodDecl() : nullptr;
+  const bool makes = method && method->getIdentifier() && method->getName().contains("emplace");
+  if (!makes || !holds_cloud_iterators(method->getParent())) return nullptr;
+  return message_among({call->getArgs(), call->getNumArgs()});
+}
+
 }  // namespace tzc::rewriter

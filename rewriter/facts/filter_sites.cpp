@@ -3,6 +3,7 @@
 
 #include "facts/asked_transport.h"
 #include "facts/ast_walk.h"
+#include "facts/call_place.h"
 #include "facts/callback_functions.h"
 #include "facts/callback_parameter.h"
 #include "facts/calls.h"
@@ -46,8 +47,7 @@ llvm::ArrayRef<const clang::Expr*> emplaced_from(const clang::CXXMemberCallExpr*
 
 Subscribe FilterCollector::site_of(const Construction& construction, const EntityId& filter) const {
   Subscribe site;
-  site.where = unit_.source.where(construction.expr->getExprLoc());
-  site.function = enclosing_function_name(unit_.ast(), *construction.expr);
+  set_place(site, unit_, construction.expr);
   site.type = "sensor_msgs/Image";
   site.filter = filter;
   const std::string name = qualified_name_of(construction.record);
@@ -97,10 +97,9 @@ std::optional<Subscribe> FilterCollector::of_construction(const clang::CXXConstr
   return site_of({construct, constructor->getParent(), arguments_of(construct)}, filter);
 }
 
-std::optional<Subscribe> FilterCollector::of_made(const clang::CallExpr* call,
-                                                  const clang::CXXRecordDecl* record,
-                                                  const EntityId& filter) {
-  if (call->getNumArgs() < 2) return {};
+std::optional<Subscribe> FilterCollector::of_made(const clang::CallExpr* call, const EntityId& filter) {
+  const clang::CXXRecordDecl* record = class_that_is_made(call);
+  if (call->getNumArgs() < 2 || !is_filter(record)) return {};
   return site_of({call, record, arguments_of(call)}, filter);
 }
 

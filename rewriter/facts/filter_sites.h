@@ -23,8 +23,7 @@ class FilterCollector {
   /// Subscriber<M> filter(nh, "topic", 1)
   std::optional<Subscribe> of_construction(const clang::CXXConstructExpr* construct);
   /// make_shared<Subscriber<M>>(nh, "topic", 1)
-  std::optional<Subscribe> of_made(const clang::CallExpr* call, const clang::CXXRecordDecl* record,
-                                   const EntityId& filter);
+  std::optional<Subscribe> of_made(const clang::CallExpr* call, const EntityId& filter);
   /// subscribers.emplace_back(nh, "topic", 1)
   std::optional<Subscribe> of_emplaced(const clang::CXXMemberCallExpr* call);
   /// What the callbacks that registerCallback() is given do with their messages.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/given_messages.h"
 
+#include "facts/ast_walk.h"
 #include "facts/calls.h"
 #include "facts/message_holders.h"
 #include "facts/message_parts.h"
@@ -49,6 +50,33 @@ std::vector<const clang::Expr*> origins_of(const clang::Expr* expr) {
   return {};
 }
 
+/// cv_image.toImageMsg(), and what an earlier run made of it
+bool builds_message(const Unit& unit, const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function) return false;
+  const std::string name = qualified_name_of(function);
+  return llvm::any_of(unit.rules.methods, [&](const MethodCall* rule) {
+    return rule->role == MethodCall::Role::builds_message &&
+           (name == rule->to || name == std::string(rule->object) + "::" + rule->method);
+  });
+}
+
+/// new Image, make_shared<Image>(), cv_image.toImageMsg()
+bool is_new(const Unit& unit, const clang::Expr* expr) {
+  expr = expr->IgnoreUnlessSpelledInSource();
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(expr);
+  return llvm::isa<clang::CXXNewExpr>(expr) || (call && (makes_object(call) || builds_message(unit, call)));
+}
+
+/// *pointer; null: it is no such expression.
+const clang::Expr* pointer_followed(const clang::Expr* expr) {
+  const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr);
+  if (op && op->getOpcode() == clang::UO_Deref) return op->getSubExpr()->IgnoreParenImpCasts();
+  const auto* call = llvm::dyn_cast<clang::CXXOperatorCallExpr>(expr);
+  const bool follows = call && call->getOperator() == clang::OO_Star && call->getNumArgs() == 1;
+  return follows ? call->getArg(0)->IgnoreParenImpCasts() : nullptr;
+}
+
 class GivenMessages {
  public:
   GivenMessages(const Unit& unit, const FunctionView& view, EscapeFacts& facts)
@@ -63,6 +91,8 @@ class GivenMessages {
 
  private:
   void give(const clang::Expr* message, const std::string& holder, const std::string& how);
+  bool is_fresh_local(const clang::Expr* message) const;
+  bool may_be_published_before(const clang::VarDecl* variable, const clang::Expr* at) const;
   bool hand_on(const clang::Expr* from, const std::string& holder, const std::string& how = "");
   void container_call(const clang::CXXMemberCallExpr* call);
   void make_in(const std::string& container, const std::string& how, const clang::Expr* at);
@@ -84,10 +114,40 @@ class GivenMessages {
 
 void GivenMessages::give(const clang::Expr* message, const std::string& holder, const std::string& how) {
   if (holder.empty() || !is_stock_or_twin(message->getType())) return;
+  if (message->isLValue() && is_fresh_local(message))
+    return facts_.given.messages.push_back({{}, holder, how, unit_.location(message->getBeginLoc()), true});
   const MessagePart given = parts_.part_of(message);
   const MessagePart part = given.substr(0, given.find('['));  // an element stands for its container
   if (!outlives_functions(part) || !is_root(part) || part == holder) return;
   facts_.given.messages.push_back({part, holder, how, unit_.location(message->getBeginLoc())});
+}
+
+/// A message that this function makes and that it has not published yet: a copy of it has elements of its own.
+bool GivenMessages::is_fresh_local(const clang::Expr* message) const {
+  message = message->IgnoreParenImpCasts();
+  const clang::Expr* const pointer = pointer_followed(message);
+  if (pointer && is_new(unit_, pointer)) return true;
+  const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(pointer ? pointer : message);
+  const auto* variable = name ? llvm::dyn_cast<clang::VarDecl>(name->getDecl()) : nullptr;
+  if (!variable || !variable->hasLocalStorage() || llvm::isa<clang::ParmVarDecl>(variable) ||
+      variable->getType()->isReferenceType() || !view_.declaration(variable))
+    return false;
+  if (pointer && !(variable->getInit() && is_new(unit_, variable->getInit()))) return false;
+  return !may_be_published_before(variable, message);
+}
+
+/// By a call of the package, too.
+bool GivenMessages::may_be_published_before(const clang::VarDecl* variable, const clang::Expr* at) const {
+  return llvm::any_of(view_.uses(variable), [&](const clang::DeclRefExpr* use) {
+    if (view_.span(use).enter >= view_.span(at).enter) return false;
+    const clang::Stmt* around = view_.parent(use);
+    while (is_wrapping(around) ||
+           llvm::isa_and_nonnull<clang::CastExpr, clang::UnaryOperator, clang::CXXOperatorCallExpr,
+                                 clang::CXXConstructExpr>(around))
+      around = view_.parent(around);
+    const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(around);
+    return call && (!published_by(call).empty() || unit_.declares(call->getDirectCallee()));
+  });
 }
 
 /// What is made from a message, or from what leads to one; `how` it is given away that is moved, where nothing else says so.
@@ -165,7 +225,8 @@ void GivenMessages::container_call(const clang::CXXMemberCallExpr* call) {
                     name = method ? method->getNameAsString() : "a pointer to member";
   bool has_source = false;
   for (const clang::Expr* argument : call->arguments()) {
-    give(argument, holder, "stored by '" + name + "'");
+    if (!is_in_message(object) || !is_fresh_local(argument))
+      give(argument, holder, "stored by '" + name + "'");
     has_source |= hand_on(argument, holder);
   }
   if (!holds_messages(object->getType()) || is_in_message(object)) return;
@@ -182,8 +243,9 @@ void GivenMessages::assignment(const clang::CXXOperatorCallExpr* call) {
     make_in(holders_.of(call->getArg(0)), "[]", call);
   if (call->getOperator() != clang::OO_Equal || call->getNumArgs() != 2) return;
   const clang::Expr* from = call->getArg(1);
-  if (from->isLValue() && is_stock_or_twin(from->getType())) return;
   const std::string holder = holders_.of(call->getArg(0));
+  if (from->isLValue() && is_stock_or_twin(from->getType()))
+    return is_container ? give(from, holder, "assigned to '" + unit_.text(call->getArg(0)) + "'") : void();
   if (!from->isLValue()) give(from, holder, "moved to '" + unit_.text(call->getArg(0)) + "'");
   if (!hand_on(from, holder) && is_container) make_in(holder, "=", call);
 }

@@ -9,6 +9,17 @@
 namespace tzc::rewriter {
 namespace {
 
+/// if (pointer), if (optional): an iterator has no such answer.
+bool can_be_asked(clang::QualType type) {
+  const clang::CXXRecordDecl* record = type.getNonReferenceType().getCanonicalType()->getAsCXXRecordDecl();
+  if (!record || !record->hasDefinition()) return false;
+  return llvm::any_of(
+      record->getDefinition()->getVisibleConversionFunctions(), [](const clang::NamedDecl* named) {
+        const auto* conversion = llvm::dyn_cast<clang::CXXConversionDecl>(named->getUnderlyingDecl());
+        return conversion && conversion->getConversionType()->isScalarType();
+      });
+}
+
 /// The local variable that an expression names; of a structured binding, what is taken apart.
 const clang::VarDecl* local_of(const clang::Expr* expr) {
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr->IgnoreParenImpCasts());
@@ -211,19 +222,20 @@ bool Hoisting::means_the_same(const PublisherMention& publisher, const NameParts
 
 std::optional<EarlyName> Hoisting::as_written_at(const PublisherMention& publisher, unsigned at) const {
   NameParts parts = parts_of(unit_, publisher.object);
-  if (!means_the_same(publisher, parts, at)) return {};
-  const bool can_be_asked =
-      publisher.pointer && parts.steps.empty() && !publisher.object->getType()->isPointerType();
+  const std::string text = unit_.text(publisher.object);  // none: a macro's body names it
+  if (text.empty() || !means_the_same(publisher, parts, at)) return {};
+  const bool may_guard =
+      publisher.pointer && parts.steps.empty() && can_be_asked(publisher.object->getType());
   if (publisher.pointer) {
-    parts.steps.insert(unit_.text(publisher.object) + "->");
+    parts.steps.insert(text + "->");
     add_followed(parts, publisher.object);
   }
   const bool valid = takes_steps(publisher, parts, at);
-  if (!valid && !can_be_asked) return {};
+  if (!valid && !may_guard) return {};
   Waits waits = waits_between(publisher, parts, at);
   if (valid && !may_change_elsewhere(parts)) waits = {};
   if (waits.locks) return {};
-  return EarlyName{unit_.text(publisher.object), !valid, std::move(waits.callees)};
+  return EarlyName{text, !valid, std::move(waits.callees)};
 }
 
 bool Hoisting::may_change_elsewhere(const NameParts& parts) const {

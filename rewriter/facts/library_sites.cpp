@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/library_sites.h"
 
-#include "facts/ast_walk.h"
 #include "facts/attached_advertise.h"
+#include "facts/call_place.h"
 #include "facts/calls.h"
 #include "facts/library_advertise.h"
 #include "facts/message_type.h"
@@ -47,8 +47,7 @@ std::string library_class(const clang::CXXRecordDecl* record) {
 
 /// What all three kinds of sites have.
 void describe(SiteFact& site, const Unit& unit, const clang::Expr* expr, const MessageType& message) {
-  site.where = unit.source.where(expr->getExprLoc());
-  site.function = enclosing_function_name(unit.ast(), *expr);
+  set_place(site, unit, expr);
   set_message(site, message);
 }
 
@@ -71,6 +70,11 @@ std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXCon
   return is_realtime_publisher(record) ? advertise(unit, construct, record) : std::nullopt;
 }
 
+std::optional<Advertise> library_advertise_made(const Unit& unit, const clang::CallExpr* call) {
+  const clang::CXXRecordDecl* record = class_that_is_made(call);
+  return is_realtime_publisher(record) ? advertise(unit, call, record) : std::nullopt;
+}
+
 std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXMemberCallExpr* call) {
   const clang::CXXMethodDecl* method = call->getMethodDecl();
   const bool advertises = is_realtime_publisher(method->getParent()) && method->getNameAsString() == "init";
@@ -84,8 +88,7 @@ std::optional<Advertise> library_transport(const Unit& unit, const clang::CallEx
   const LibraryTransport* rule = record ? unit.rules.find_transport(qualified_name_of(record)) : nullptr;
   if (!rule || unit.declares(function)) return {};
   Advertise site;
-  site.where = unit.source.where(call->getExprLoc());
-  site.function = enclosing_function_name(unit.ast(), *call);
+  set_place(site, unit, call);
   site.type = rule->message;
   site.library_class = library_class(record);
   site.obstacles.push_back(

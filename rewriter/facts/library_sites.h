@@ -16,6 +16,8 @@ namespace tzc::rewriter {
 
 /// realtime_tools::RealtimePublisher<M>(nh, "topic", 1)
 std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXConstructExpr* construct);
+/// std::make_shared<realtime_tools::RealtimePublisher<M>>(nh, "topic", 1)
+std::optional<Advertise> library_advertise_made(const Unit& unit, const clang::CallExpr* call);
 /// publisher.init(nh, "topic", 1)
 std::optional<Advertise> library_advertise(const Unit& unit, const clang::CXXMemberCallExpr* call);
 /// laser_proc::LaserTransport::advertiseLaser(nh, 20): its topics can be attached.

@@ -91,19 +91,27 @@ std::string object_text(const Unit& unit, const clang::Expr* argument) {
   return pointee_of(argument->getType()).isNull() ? text : "*" + text;
 }
 
-void describe_object(Publish& site, const Unit& unit, const clang::Expr* argument) {
-  site.object = object_text(unit, argument);
-  const clang::VarDecl* object =
-      pointee_of(argument->getType()).isNull() ? object_that_ends(argument) : nullptr;
-  if (object) site.part_of = LocalObject{object->getNameAsString(), !is_made_empty(object)};
+/// No allocation is written for the elements of an object.
+std::optional<LocalObject> object_around(const clang::Expr* argument) {
+  if (!pointee_of(argument->getType()).isNull()) return {};
+  if (const clang::VarDecl* object = object_that_ends(argument))
+    return LocalObject{object->getNameAsString(), !is_made_empty(object)};
+  const clang::VarDecl* object = object_of_element_that_ends(argument);
+  return object ? std::optional(LocalObject{object->getNameAsString(), true}) : std::nullopt;
 }
 
-std::optional<PublisherMention> describe_publisher(Publish& site, const Unit& unit, ValueFlow& flow,
+void describe_object(Publish& site, const Unit& unit, const clang::Expr* argument) {
+  site.object = object_text(unit, argument);
+  site.part_of = object_around(argument);
+}
+
+std::optional<PublisherMention> describe_publisher(PublishCall& result, const Unit& unit, ValueFlow& flow,
                                                    const clang::CXXMemberCallExpr* call) {
+  Publish& site = result.site;
   const Receiver receiver = receiver_of(call);
   if (!receiver.expr) return {};
-  const FlowSources sources = flow.sources_of(receiver.expr);
-  if (!sources.entities.empty()) site.publisher = sources.entities[0];
+  result.publishers = flow.sources_of(receiver.expr);
+  if (!result.publishers.entities.empty()) site.publisher = result.publishers.entities[0];
   site.publisher_text = unit.text(receiver.expr) + (receiver.pointer ? "->" : ".");
   return PublisherMention{receiver.expr,
                           receiver.pointer,
@@ -151,19 +159,18 @@ std::optional<PublishCall> publish_call(const Unit& unit, ValueFlow& flow,
   if (call->getNumArgs() == 0 || call->isTypeDependent()) return {};
   PublishCall result;
   Publish& site = result.site;
-  site.where = unit.source.where(call->getExprLoc());
-  site.function = enclosing_function_name(unit.ast(), *call);
+  set_place(site, unit, call);
   site.statement = statement_of(unit, call);
   const clang::Expr* argument = written(call->getArg(0));
   if (argument->isTypeDependent()) return {};
   describe_message(site, unit, flow, argument);
   describe_object(site, unit, argument);
-  result.publisher = describe_publisher(site, unit, flow, call);
+  result.publisher = describe_publisher(result, unit, flow, call);
   describe_attaching(site, unit, call);
   if (is_single_subscriber(qualified_name_of(call->getRecordDecl())))
     site.obstacles.push_back(
         {codes::TZC1014, "the message is sent to one subscriber only", location_of(site.where)});
-  else if (site.publisher.empty())
+  else if (site.publisher.empty() || (result.publishers.entities.size() > 1 && result.publishers.foreign))
     site.obstacles.push_back(
         {codes::TZC1017, "the publisher is not one of the package", location_of(site.where)});
   return result;
@@ -172,8 +179,7 @@ std::optional<PublishCall> publish_call(const Unit& unit, ValueFlow& flow,
 Publish attached_publish(const Unit& unit, ValueFlow& flow, const clang::CallExpr* call) {
   Publish site;
   site.attaching.is_done = true;
-  site.where = unit.source.where(call->getExprLoc());
-  site.function = enclosing_function_name(unit.ast(), *call);
+  set_place(site, unit, call);
   const clang::Expr* argument = written(call->getArg(1));
   describe_message(site, unit, flow, argument);
   describe_object(site, unit, argument);

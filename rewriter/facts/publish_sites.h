@@ -13,6 +13,7 @@ namespace tzc::rewriter {
 struct PublishCall {
   Publish site;
   std::optional<PublisherMention> publisher;
+  FlowSources publishers;  ///< (is_left ? left_ : right_).publish(message): several
 };
 
 /// publisher.publish(message). None: the call is a template's pattern.

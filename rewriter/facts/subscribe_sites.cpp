@@ -3,7 +3,6 @@
 
 #include "facts/argument_order.h"
 #include "facts/asked_transport.h"
-#include "facts/ast_walk.h"
 #include "facts/call_place.h"
 #include "facts/callback_functions.h"
 #include "facts/callback_parameter.h"
@@ -32,8 +31,7 @@ void SubscribeCollector::add_callbacks(Subscribe& site, const clang::CallExpr* c
 
 Subscribe SubscribeCollector::site_at(const clang::CallExpr* call, const MethodCall& rule) const {
   Subscribe site;
-  site.where = unit_.source.where(call->getExprLoc());
-  site.function = enclosing_function_name(unit_.ast(), *call);
+  set_place(site, unit_, call);
   site.rule = rule.rule;
   site.asked_transport = asked_transport({call->getArgs(), call->getNumArgs()});
   if (rule.role == MethodCall::Role::subscribe_transport) site.type = "sensor_msgs/Image";

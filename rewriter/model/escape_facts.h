@@ -71,6 +71,8 @@ struct GivenMessage {
   std::string holder;   ///< the root of what has the content: a variable, a container, a function's result
   std::string how;      ///< "stored by 'push_back'"
   Location where;
+  bool is_copy =
+      false;  ///< of a local message, which nothing has published: a copy's elements lie outside shared memory
 };
 
 /// Where the content of messages goes that outlive functions, for the levels.

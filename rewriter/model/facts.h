@@ -150,15 +150,17 @@ struct Factory {
 /// Common base of the calls that advertise, publish and subscribe.
 struct SiteFact {
   Place where;
-  std::string function;              ///< qualified name of the function around it
-  std::string type;                  ///< "sensor_msgs/Image"
-  bool has_data_part = true;         ///< or is gathered
-  bool is_gathered = false;          ///< a large message of which shared memory can hold no array in place
-  bool has_varied_elements = false;  ///< an array whose elements have strings or arrays of their own
+  std::vector<unsigned>
+      in_macros;              ///< byte offsets of the call in the macros that make it, from the innermost
+  std::string function;       ///< qualified name of the function around it
+  std::string type;           ///< "sensor_msgs/Image"
+  bool has_data_part = true;  ///< or is gathered
+  bool is_gathered = false;   ///< a large message of which shared memory can hold no array in place
+  bool has_varied_elements = false;         ///< an array whose elements have strings or arrays of their own
   std::optional<std::uint64_t> most_bytes;  ///< that its arrays hold, by its type; none: any number
   std::vector<Obstacle> obstacles;
 
-  SiteId id() const { return {where.file, where.begin, type}; }
+  SiteId id() const { return {where.file, where.begin, type, in_macros}; }
 };
 
 /// How a call attaches shared memory to its topic.

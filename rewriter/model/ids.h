@@ -4,6 +4,7 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace tzc::rewriter {
 
@@ -32,9 +33,10 @@ struct SiteId {
   std::string file;
   unsigned begin = 0;  ///< byte offset of the call
   std::string type;
+  std::vector<unsigned> in_macros{};  ///< of the calls that one macro makes, this one
 
   friend bool operator<(const SiteId& a, const SiteId& b) {
-    return std::tie(a.file, a.begin, a.type) < std::tie(b.file, b.begin, b.type);
+    return std::tie(a.file, a.begin, a.type, a.in_macros) < std::tie(b.file, b.begin, b.type, b.in_macros);
   }
 };
 

@@ -32,12 +32,13 @@ struct Site {
   std::string code;    ///< TZCnnnn; empty: ported without remark
   std::string reason;  ///< one sentence: what was seen; without a code: what the level rests on
   std::vector<FlowStep> flow_path;
-  std::string rule;                 ///< the rule that ported it
-  bool suppressed = false;          ///< by a tzc-ignore comment; set by the tool, not by the engine
-  std::string suppression_reason;   ///< what that comment says
-  std::string memory_note;          ///< how the memory size was chosen
-  bool in_exported_header = false;  ///< what refused it; --exported-headers=change may take that away
-  bool pending = false;             ///< the port has edits for it; false as well where it is ported already
+  std::string rule;                   ///< the rule that ported it
+  bool suppressed = false;            ///< by a tzc-ignore comment; set by the tool, not by the engine
+  std::string suppression_reason;     ///< what that comment says
+  std::string memory_note;            ///< how the memory size was chosen
+  bool in_exported_header = false;    ///< what refused it; --exported-headers=change may take that away
+  bool pending = false;               ///< the port has edits for it; false as well where it is ported already
+  std::vector<unsigned> in_macros{};  ///< as a SiteId's; not kept with the results of earlier runs
 };
 
 /// Whether the user wants this site ported (--only, --except). Called with id, kind, where, message_type and

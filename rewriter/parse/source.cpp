@@ -71,6 +71,13 @@ Place Source::where(clang::SourceLocation location) const {
   return make(manager_.getFileLoc(location), 0);
 }
 
+std::vector<unsigned> Source::offsets_in_macros(clang::SourceLocation location) const {
+  std::vector<unsigned> offsets;
+  for (; location.isMacroID(); location = manager_.getImmediateMacroCallerLoc(location))
+    offsets.push_back(manager_.getFileOffset(manager_.getSpellingLoc(location)));
+  return offsets;
+}
+
 std::string Source::text(clang::SourceRange tokens) const {
   const clang::CharSourceRange range = clang::Lexer::makeFileCharRange(
       clang::CharSourceRange::getTokenRange(tokens), manager_, ast_.getLangOpts());

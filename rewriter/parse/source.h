@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "model/folder_set.h"
 #include "model/location.h"
@@ -24,6 +25,9 @@ class Source {
   std::optional<Place> before(clang::SourceLocation location) const;
   /// Where to point a reader to, macros expanded.
   Place where(clang::SourceLocation location) const;
+  /// Of a call that a macro makes: where in the macro, from the innermost to the one that is named in the file. What else one macro makes stands
+  /// elsewhere in it, and at the same place of the file.
+  std::vector<unsigned> offsets_in_macros(clang::SourceLocation location) const;
   bool in_package(clang::SourceLocation location) const;
   std::string text(clang::SourceRange tokens) const;
   std::string text(const Place& place) const;

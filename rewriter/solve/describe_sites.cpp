@@ -295,7 +295,7 @@ Site SiteDescriber::describe(const SiteId& id, const Subscribe& fact) const {
 }
 
 void sort_by_place(std::vector<Site>& sites) {
-  std::sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) {
+  std::stable_sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) {
     return std::tie(a.where.file, a.where.line, a.where.column, a.kind, a.message_type) <
            std::tie(b.where.file, b.where.line, b.where.column, b.kind, b.message_type);
   });
@@ -305,12 +305,15 @@ void sort_by_place(std::vector<Site>& sites) {
 void number_sites(std::vector<Site>& sites) {
   struct Seen {
     int count = 0;
-    std::set<std::pair<unsigned, unsigned>> places;
+    std::map<std::pair<unsigned, unsigned>, std::set<std::string>> types;  ///< by line and column
   };
   std::map<std::pair<std::string, std::string>, Seen> known;
   for (Site& site : sites) {
     Seen& seen = known[{site.where.file, site.id}];
-    const bool another_type = !seen.places.insert({site.where.line, site.where.column}).second;
+    std::set<std::string>& types = seen.types[{site.where.line, site.where.column}];
+    // A macro may make several calls of one type there.
+    const bool another_type = !types.empty() && types.count(site.message_type) == 0;
+    types.insert(site.message_type);
     if (!another_type) ++seen.count;
     site.id += "#" + std::to_string(seen.count) + (another_type ? "<" + site.message_type + ">" : "");
   }

@@ -11,6 +11,7 @@ Site site_of(const SiteFact& fact, SiteKind kind, const FolderSet& packages) {
   site.kind = kind;
   site.where = location_of(fact.where);
   site.message_type = fact.type;
+  site.in_macros = fact.in_macros;
   site.id = std::string(kinds[static_cast<int>(kind)]) + ":" + packages.relative(fact.where.file) + ":" +
             fact.function;
   return site;

@@ -35,8 +35,10 @@ UnboundMessages::UnboundMessages(const Facts& facts) : facts_(facts) {
 
 void UnboundMessages::add(const GivenMessage& given) {
   const std::string line = "line " + std::to_string(given.where.line);
-  const std::string why = given.message.empty()
-                              ? line + " puts new messages into the container (" + given.how +
+  const std::string why =
+      given.is_copy ? "it is a copy (" + given.how + " in " + line +
+                          "), whose elements lie outside shared memory until it is published"
+      : given.message.empty() ? line + " puts new messages into the container (" + given.how +
                                     "), whose elements lie outside shared memory until they are published"
                               : "its elements come from a message that is never published itself (" +
                                     given.how + " in " + line + "), and lie outside shared memory";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 #include <tuple>
+#include <vector>
 
 #include "report/code_pages.h"
 #include "report/output.h"
@@ -26,11 +27,11 @@ bool level_fits(const Site& site) {
 
 Expected<void> check_report(const Report& report) {
   std::set<std::string> ids;
-  std::set<std::tuple<SiteKind, std::string, unsigned, unsigned, std::string>> places;
+  std::set<std::tuple<SiteKind, std::string, unsigned, unsigned, std::string, std::vector<unsigned>>> places;
   for (const Site& site : report.sites) {
     if (site.id.empty() || !ids.insert(site.id).second) return broken(report, site, "its id is not its own");
-    if (!places.insert({site.kind, site.where.file, site.where.line, site.where.column, site.message_type})
-             .second)
+    const Location& at = site.where;
+    if (!places.insert({site.kind, at.file, at.line, at.column, site.message_type, site.in_macros}).second)
       return broken(report, site, "one site stands in it twice");
     if (!level_fits(site)) return broken(report, site, "its level does not fit its kind");
     if (site.level == Level::plain && site.code.empty())

@@ -68,7 +68,7 @@ int main() {
 // advertise src/node.cpp:24 sensor_msgs/Image one_copy 'messages'
 // publish src/node.cpp:29 sensor_msgs/Image one_copy 'messages' TZC1022 line 27 may use its elements for writing after this publish, which copies them
 // advertise src/node.cpp:39 sensor_msgs/Image one_copy 'moved'
-// publish src/node.cpp:46 sensor_msgs/Image one_copy 'moved' TZC1020 it starts as a copy of another message
+// publish src/node.cpp:46 sensor_msgs/Image one_copy 'moved' TZC1022 line 42 may use its elements for writing after this publish, which copies them
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
@@ -86,6 +86,10 @@ int main() {
 // +  tzc::Publisher pub_;
 // +  tzc::sensor_msgs::Image front_, back_;
 // -  explicit Moved(ros::NodeHandle& nh) : pub_(nh.advertise<sensor_msgs::Image>("moved", 1)) {}
-// +  explicit Moved(ros::NodeHandle& nh) : pub_(tzc::advertise<sensor_msgs::Image>(nh, "moved", 1)) {}
+// +  explicit Moved(ros::NodeHandle& nh) : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh, "moved", 1)) {}
+// -    sensor_msgs::Image last = std::move(front_);
+// +    tzc::sensor_msgs::Image last = std::move(front_);
 // -  ros::Publisher pub_;
+// -  sensor_msgs::Image front_, back_;
 // +  tzc::Publisher pub_;
+// +  tzc::sensor_msgs::Image front_, back_;
