@@ -7,6 +7,7 @@
 
 #include "buildfiles/insertion.h"
 #include "edits/dual.h"
+#include "edits/links.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -224,6 +225,18 @@ Edits add_component(const CmakeProject& project) {
   return edits;
 }
 
+Edits add_generator(const CmakeProject& project) {
+  Edits edits;
+  each_command(project, "generate_messages", [&](const CmakeListFile& file, const CmakeCommand& command) {
+    const std::size_t keyword = find_argument(command, "LANGS");
+    const std::set<std::string> values = file.values.expand(command);
+    if (keyword == std::string::npos || values.count("gencpp") == 0 || values.count("gentzc") != 0) return;
+    edits.push_back(add_argument(file.path, file.content, command,
+                                 section_end(command, keyword, {"DEPENDENCIES"}), "gentzc"));
+  });
+  return edits;
+}
+
 Edits add_include(const CmakeProject& project, const std::string& target) {
   const CmakeCommandRef made = find_target(project, target);
   if (!made || made_by_catkin_simple(project, target)) return {};
@@ -351,14 +364,14 @@ bool is_elsewhere(const std::string& folder, const std::set<std::string>& packag
          (!match[2].matched || packages.count(lower_case(match[2])) != 0);
 }
 
-/// A variable without a known value may be any folder of the package.
-std::string exported_folder(std::string folder, const std::string& package_dir) {
+/// With what its links lead to. A variable without a known value may be any folder of the package.
+std::set<std::string> exported_folder(std::string folder, const std::string& package_dir) {
   for (const std::string name : {"${PROJECT_SOURCE_DIR}", "${CMAKE_CURRENT_SOURCE_DIR}",
                                  "${CMAKE_SOURCE_DIR}", "${CMAKE_CURRENT_LIST_DIR}"})
     if (folder.rfind(name, 0) == 0) folder.replace(0, name.size(), package_dir);
   if (folder.find("${") != std::string::npos) folder = ".";
   const std::string path = (std::filesystem::path(package_dir) / folder).lexically_normal();
-  return path.back() == '/' ? path.substr(0, path.size() - 1) : path;
+  return with_links(path.back() == '/' ? path.substr(0, path.size() - 1) : path, package_dir);
 }
 
 }  // namespace
@@ -376,10 +389,10 @@ std::set<std::string> exported_folders(const CmakeProject& project, const std::s
   const std::set<std::string> packages = found_packages(project);
   each_command(project, "catkin_package", [&](const CmakeListFile& file, const CmakeCommand& command) {
     for (const std::string& folder : section(file, command, "INCLUDE_DIRS"))
-      if (!is_elsewhere(folder, packages)) folders.insert(exported_folder(folder, package_dir));
+      if (!is_elsewhere(folder, packages)) folders.merge(exported_folder(folder, package_dir));
   });
   if (!calls(project, "catkin_package"))
-    folders.insert(exported_folder("include", package_dir));  // cs_export() of catkin_simple, or a macro
+    folders.merge(exported_folder("include", package_dir));  // cs_export() of catkin_simple, or a macro
   return folders;
 }
 

@@ -18,6 +18,9 @@ CatkinUse catkin_use(const CmakeProject& project);
 /// `tzc` among the components of each find_package(catkin ...).
 Edits add_component(const CmakeProject& project);
 
+/// `gentzc` in each generate_messages(LANGS ...) that names the generators of the package's messages, gencpp among them.
+Edits add_generator(const CmakeProject& project);
+
 /// The edits that make the target compile and link against TZC; none for what it has already. The target must
 /// be found_target().
 Edits add_include(const CmakeProject& project, const std::string& target);
@@ -39,7 +42,8 @@ Edits add_catkin_depends(const CmakeProject& project);
 
 /// Libraries that catkin_package(LIBRARIES) names for other packages to link.
 std::set<std::string> exported_libraries(const CmakeProject& project);
-/// Folders that catkin_package(INCLUDE_DIRS) exports, absolute; include/ where nothing says so.
+/// Folders that catkin_package(INCLUDE_DIRS) exports; include/ where nothing says so. Canonical, with the folders and files that links
+/// in them lead to.
 std::set<std::string> exported_folders(const CmakeProject& project, const std::string& package_dir);
 
 }  // namespace tzc::rewriter

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 namespace tzc::rewriter {
 namespace {
@@ -141,6 +142,11 @@ class Parser {
 };
 
 }  // namespace
+
+bool has_cmake_name(const std::string& file) {
+  const std::filesystem::path path(file);
+  return path.filename().string().rfind("CMakeLists", 0) == 0 || path.extension() == ".cmake";
+}
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });

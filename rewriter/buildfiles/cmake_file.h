@@ -27,6 +27,10 @@ struct CmakeCommand {
   std::vector<CmakeArgument> arguments;
 };
 
+/// Whether a file is called as CMake's files are: CMakeLists.txt, CMakeLists_ros1.txt, nodes.cmake. A file that include() brings in may have
+/// any name.
+bool has_cmake_name(const std::string& file);
+
 /// As CMake compares names of commands.
 std::string lower_case(std::string text);
 

@@ -64,8 +64,10 @@ class Loader {
     if (Expected<void> added = add(path, parents); !added) return added;
     parents.push_back(index);
     learn(index, folder, values, parents);
-    const std::vector<CmakeCommand> commands = project_.files[index].commands;  // further files move it
-    return read_children(commands, folder, values, parents);
+    const std::size_t end = project_.files.size();  // behind it stands what it includes
+    for (std::size_t i = index; i < end; ++i)
+      if (Expected<void> done = read_children(i, folder, values, parents); !done) return done;
+    return {};
   }
 
   /// As the last file of the project; its values are yet to come.
@@ -87,8 +89,12 @@ class Loader {
     for (const CmakeCommand& command : commands) {
       values.learn(command);
       if (command.name != "include" || command.arguments.empty()) continue;
-      for (const std::string& file : values.expand(command.arguments[0].text))
+      for (const std::string& file : values.expand(command.arguments[0].text)) {
         include((folder / with_folders(file, folder, own_folder)).lexically_normal(), folder, values, within);
+        for (const std::string& path : values.expand("${CMAKE_MODULE_PATH}"))  // include(nodes)
+          include((folder / with_folders(path, folder, own_folder) / (file + ".cmake")).lexically_normal(),
+                  folder, values, within);
+      }
     }
     project_.files[index].values = values;
   }
@@ -115,12 +121,16 @@ class Loader {
     return file;
   }
 
-  Expected<void> read_children(const std::vector<CmakeCommand>& commands, const fs::path& folder,
-                               const CmakeValues& values, const std::vector<std::size_t>& parents) {
+  /// Of a CMakeLists.txt, or of a file that one in `folder` includes.
+  Expected<void> read_children(std::size_t index, const fs::path& folder, const CmakeValues& values,
+                               const std::vector<std::size_t>& parents) {
+    const std::vector<CmakeCommand> commands = project_.files[index].commands;  // further files move it
+    const std::string own_folder = fs::path(project_.files[index].path).parent_path();
     for (const CmakeCommand& command : commands) {
       if (command.name != "add_subdirectory" || command.arguments.empty()) continue;
       for (const std::string& name : values.expand(command.arguments[0].text)) {
-        const std::string child = (folder / name / "CMakeLists.txt").lexically_normal();
+        const fs::path subfolder = folder / with_folders(name, folder, own_folder);
+        const std::string child = (subfolder / "CMakeLists.txt").lexically_normal();
         if (!is_there(child) || !seen_.insert(canonical_path(child)).second) continue;
         if (Expected<void> done = read(child, values, parents); !done) return done;
       }
@@ -169,6 +179,14 @@ bool asks_for(const CmakeListFile& file, const CmakeCommand& condition, const st
   const std::vector<CmakeArgument>& asked = condition.arguments;
   return condition.name == "if" && asked.size() == 2 && asked[0].text == "TARGET" &&
          file.values.may_be(asked[1].text, target);
+}
+
+/// Whether an include() brings the file into a CMakeLists.txt.
+bool is_included(const CmakeProject& project, std::size_t file) {
+  const std::vector<std::size_t>& parents = project.files[file].parents;
+  if (parents.empty()) return false;
+  const std::vector<std::size_t>& included = project.files[parents.back()].included;
+  return std::find(included.begin(), included.end(), file) != included.end();
 }
 
 /// The branches and loops that a command stands in, outermost first, each by the offset of the command that begins it; not a condition that asks
@@ -254,6 +272,9 @@ std::set<std::size_t> files_of_target(const CmakeProject& project, const std::st
     found.insert(i);
     found.insert(file.parents.begin(), file.parents.end());
   }
+  // include(cmake/flags.cmake) in one of them. What others include sets nothing for the target.
+  for (std::size_t i = 0; i < project.files.size(); ++i)
+    if (is_included(project, i) && found.count(project.files[i].parents.back()) != 0) found.insert(i);
   return found;
 }
 

@@ -57,8 +57,8 @@ bool runs_with_target(const CmakeCommandRef& command, const CmakeCommandRef& mak
 /// Whether a command runs whatever its file decides.
 bool always_runs(const CmakeCommandRef& command);
 
-/// The files whose settings reach a target, as indices: those in which a command's first argument may be its name, and those above
-/// them.
+/// The files whose settings reach a target, as indices: those in which a command's first argument may be its name, those above
+/// them, and what these include.
 std::set<std::size_t> files_of_target(const CmakeProject& project, const std::string& target);
 
 }  // namespace tzc::rewriter

@@ -31,16 +31,16 @@ const XmlElement* last_of(const XmlDocument& document, const Names& names) {
   return nullptr;
 }
 
-/// The dependency elements that are missing.
+/// The dependency elements that are missing. catkin refuses a <depend> beside any other dependency on the same package.
 Names wanted(const XmlDocument& document) {
   auto missing = [&](const std::string& name) { return !has(document, name, "tzc"); };
+  const bool is_first = format_of(document) == 1;
+  if (!is_first && !missing("depend")) return {};
+  if (!is_first && missing("build_depend") && missing("build_export_depend") && missing("exec_depend"))
+    return {"depend"};
   Names names;
-  if (format_of(document) == 1) {
-    for (const char* name : {"build_depend", "run_depend"})
-      if (missing(name)) names.push_back(name);
-  } else if (missing("depend") && (missing("build_depend") || missing("exec_depend"))) {
-    names.push_back("depend");
-  }
+  for (const char* name : {"build_depend", is_first ? "run_depend" : "exec_depend"})
+    if (missing(name)) names.push_back(name);
   return names;
 }
 
@@ -79,6 +79,8 @@ Edit add_behind(std::string_view content, const std::string& path, const XmlElem
 
 Names neighbours(const std::string& name) {
   if (name == "build_depend") return {"build_depend", "buildtool_depend"};
+  if (name == "exec_depend")
+    return {"exec_depend", "build_export_depend", "build_depend", "buildtool_depend"};
   if (name == "run_depend") return {"run_depend", "build_depend", "buildtool_depend"};
   return {"depend", "exec_depend", "build_export_depend", "build_depend", "buildtool_depend"};
 }

@@ -19,8 +19,8 @@ struct PackageXml {
 
 Expected<PackageXml> read_package_xml(const std::string& package_dir);
 
-/// Adds <depend>tzc</depend> (format 1: build_depend and run_depend) after the last element of its kind. No
-/// edit when the dependency exists.
+/// Adds <depend>tzc</depend> (format 1: build_depend and run_depend; where one of these, or of their like, is there, the
+/// missing ones of build_depend and exec_depend) after the last element of its kind. No edit when the dependency exists.
 Expected<Edits> depend_on_tzc(std::string_view content, const std::string& path);
 
 }  // namespace tzc::rewriter

@@ -125,6 +125,7 @@ class Planner {
       if (!edits) return edits.error();
       append(plan_.edits, *edits);
     }
+    if (uses_own_messages()) append(plan_.edits, add_generator(project));
     for (const std::string& target : targets_) plan_target(project, target);
     if (exports_edited_header(project) || exports_edited_library(project))
       append(plan_.edits, add_catkin_depends(project));
@@ -153,7 +154,7 @@ class Planner {
   bool exports_edited_header(const CmakeProject& project) const {
     for (const std::string& folder : exported_folders(project, needs_.package_dir))
       for (const std::string& file : needs_.edited_files)
-        if (is_below(file, folder)) return true;
+        if (file == folder || is_below(file, folder)) return true;
     return false;
   }
 
@@ -174,7 +175,8 @@ class Planner {
 
 bool makes_own_twins(const std::string& package_dir) {
   const Expected<CmakeProject> project = load_cmake_project(package_dir);
-  return project && catkin_use(*project) == CatkinUse::components && add_component(*project).empty();
+  return project && catkin_use(*project) == CatkinUse::components && add_component(*project).empty() &&
+         add_generator(*project).empty();
 }
 
 Expected<BuildPlan> plan_build_files(const BuildNeeds& needs) {

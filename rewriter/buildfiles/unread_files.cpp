@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "buildfiles/unread_files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <regex>
 #include <sstream>
@@ -38,6 +39,33 @@ Note note_on_source(const std::string& file, const std::string& package_dir) {
                     : "no target of this configuration compiles this file"};
 }
 
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// By the compiler, or by the language that it is told: a C compiler stands in front of C.
+bool compiles_cpp(const CompileCommand& command) {
+  const std::vector<std::string>& words = command.arguments;
+  const auto first_flag = std::find_if(words.begin(), words.end(),
+                                       [](const std::string& word) { return word.rfind('-', 0) == 0; });
+  const bool told = std::find(first_flag, words.end(), "c++") != words.end();
+  return told || std::any_of(words.begin(), first_flag,
+                             [](const std::string& word) { return ends_with(word, "++"); });
+}
+
+/// set_source_files_properties(node.impl PROPERTIES LANGUAGE CXX). Headers and CUDA sources have notes of their own.
+bool has_strange_name(const CompileCommand& command) {
+  const std::string& file = command.canonical;
+  return !is_cpp_source(file) && !is_cpp_header(file) && !is_cuda_source(file) && compiles_cpp(command);
+}
+
+Note note_on_strange_name(const std::string& file, const std::string& lines) {
+  return {codes::TZC3001, Location{file, 1, 1},
+          "a target compiles this file as C++, and it was not looked at because its name is none of a C++ "
+          "source; possible sites in lines " +
+              lines};
+}
+
 /// A line of a comment, as documentation has them.
 bool is_comment(const std::string& line) {
   static const std::regex comment("^\\s*(//|/\\*|\\* )");
@@ -65,9 +93,12 @@ std::vector<Note> unread_compiled(const std::string& package_dir, const std::str
   const auto is_own = [&](const std::string& file) {
     return is_below(file, package_dir) && !generated.hold(file);
   };
-  std::set<std::string> target_dirs, others;
-  for (const CompileCommand& command : *commands)
-    if (is_own(command.canonical) && !command.target_dir.empty()) target_dirs.insert(command.target_dir);
+  std::set<std::string> target_dirs, others, strange;
+  for (const CompileCommand& command : *commands) {
+    if (!is_own(command.canonical)) continue;
+    if (!command.target_dir.empty()) target_dirs.insert(command.target_dir);
+    if (has_strange_name(command) && read.count(command.canonical) == 0) strange.insert(command.canonical);
+  }
   for (const CompileCommand& command : *commands)
     if (target_dirs.count(command.target_dir) != 0 && !is_own(command.canonical) &&
         is_cpp_source(command.canonical) && unity_sources(command.file).empty() &&
@@ -81,6 +112,9 @@ std::vector<Note> unread_compiled(const std::string& package_dir, const std::str
                            ", which is generated or lies outside of the package, and was not looked at; "
                            "possible sites in lines " +
                            lines});
+  for (const std::string& file : strange)
+    if (const std::string lines = lines_with_sites(file); !lines.empty())
+      notes.push_back(note_on_strange_name(file, lines));
   return notes;
 }
 

@@ -14,8 +14,8 @@ namespace tzc::rewriter {
 std::vector<Note> unread_sources(const std::string& package_dir, const FolderSet& generated,
                                  const std::set<std::string>& read);
 
-/// What the package's targets compile besides, and was not read: files that are generated, or lie outside of the package, and
-/// look as if they held sites.
+/// What the package's targets compile besides, and was not read: files that are generated, or lie outside of the package, or have
+/// another name than C++ sources have. Of these, those that look as if they held sites.
 std::vector<Note> unread_compiled(const std::string& package_dir, const std::string& build_dir,
                                   const FolderSet& generated, const std::set<std::string>& read);
 

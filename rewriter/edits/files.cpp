@@ -4,10 +4,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -28,11 +30,16 @@ bool write_all(int descriptor, std::string_view content) {
   return true;
 }
 
-bool is_analysed(const fs::path& path) {
+bool has_usual_name(const fs::path& path) {
   static const std::set<std::string> extensions = {".c", ".msg", ".srv", ".action", ".cmake"};
   const std::string name = path.filename().string();
   return extensions.count(path.extension().string()) || name == "CMakeLists.txt" || name == "package.xml" ||
          is_cpp_source(path) || is_cpp_header(path);
+}
+
+template <class IsOut>
+void leave_out(Snapshot& files, IsOut is_out) {
+  for (auto at = files.begin(); at != files.end();) at = is_out(at->first) ? files.erase(at) : std::next(at);
 }
 
 bool is_hidden(const fs::path& path) {
@@ -42,7 +49,7 @@ bool is_hidden(const fs::path& path) {
 }  // namespace
 
 bool is_cpp_source(const std::string& path) {
-  static const std::set<std::string> extensions = {".cpp", ".cc", ".cxx", ".c++", ".C", ".cp"};
+  static const std::set<std::string> extensions = {".cpp", ".CPP", ".cc", ".cxx", ".c++", ".C", ".cp"};
   return extensions.count(fs::path(path).extension()) != 0;
 }
 
@@ -86,6 +93,17 @@ void sync_folder(const std::string& path) {
   ::close(descriptor);
 }
 
+bool is_text_file(const std::string& path) {
+  constexpr std::uintmax_t largest = 4 << 20;
+  std::error_code failed;
+  const std::uintmax_t size = fs::file_size(path, failed);
+  if (failed || size > largest) return false;
+  char begin[512];
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(begin, sizeof begin);
+  return std::find(begin, begin + stream.gcount(), '\0') == begin + stream.gcount();
+}
+
 std::uint64_t content_hash(std::string_view content) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
@@ -102,7 +120,8 @@ Snapshot snapshot(const std::string& package_dir) {
       at.disable_recursion_pending();
       continue;
     }
-    if (!at->is_regular_file(ignored) || !is_analysed(at->path())) continue;
+    if (!at->is_regular_file(ignored)) continue;
+    if (!has_usual_name(at->path()) && !is_text_file(at->path())) continue;
     const Expected<std::string> content = read_file(at->path());
     if (!content) continue;
     files[at->path()] = content_hash(*content);
@@ -113,8 +132,14 @@ Snapshot snapshot(const std::string& package_dir) {
   return files;
 }
 
+Snapshot of_read_files(Snapshot all, const std::set<std::string>& read) {
+  leave_out(all, [&](const std::string& file) { return !has_usual_name(file) && read.count(file) == 0; });
+  return all;
+}
+
 Expected<void> check_unchanged(const std::string& package_dir, const Snapshot& since) {
-  const Snapshot now = snapshot(package_dir);
+  Snapshot now = snapshot(package_dir);
+  leave_out(now, [&](const std::string& file) { return !has_usual_name(file) && since.count(file) == 0; });
   auto differs_in = [](const Snapshot& all, const Snapshot& other) -> const std::string* {
     for (const auto& [path, hash] : all) {
       const auto found = other.find(path);

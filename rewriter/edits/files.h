@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,11 +37,17 @@ bool is_cpp_header(const std::string& path);
 /// FNV-1a over the content. Detects change, not malice.
 std::uint64_t content_hash(std::string_view content);
 
-/// Path -> hash of every source and build file below a package: what the analysis is about to read.
+/// Whether a file is text of moderate size: sources, headers and build files may have any name.
+bool is_text_file(const std::string& path);
+
+/// Path -> hash of every file below a package that the analysis may read.
 using Snapshot = std::map<std::string, std::uint64_t>;
 Snapshot snapshot(const std::string& package_dir);
 
-/// An error that names the first file that changed, appeared or vanished since.
+/// Without the files that the analysis did not read, unless they are called as sources and build files are: a log may change.
+Snapshot of_read_files(Snapshot all, const std::set<std::string>& read);
+
+/// An error that names the first file that changed or vanished since, or the first source or build file that appeared.
 Expected<void> check_unchanged(const std::string& package_dir, const Snapshot& since);
 
 /// The deepest folder that is or holds each of them; at least one.

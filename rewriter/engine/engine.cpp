@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <fstream>
+#include <limits>
+#include <map>
 #include <mutex>
 #include <numeric>
 #include <sstream>
@@ -50,7 +52,8 @@ class PortPlanner {
   std::vector<std::size_t> add_debug_builds();
   std::vector<std::size_t> units_of_more_headers_in_use(CollectOptions& options) const;
   std::optional<Error> lacks_units() const;
-  std::optional<Error> sort_out(const CompileUnit& unit, const UnitReading& reading);
+  std::optional<Error> sort_out(std::size_t index);
+  std::vector<Note> notes_on_left_out() const;
   std::vector<std::string> include_dirs() const;
   void step(const std::string& stage, unsigned done, std::size_t of, const std::string& what);
   UnseenCode unseen_code() const;
@@ -65,8 +68,8 @@ class PortPlanner {
   UnitReading reading_;                 ///< of all together
   std::set<std::string> debug_builds_;  ///< ids of units that nobody has compiled so
   std::vector<CompileUnit> parsed_;
-  std::vector<Note> left_out_;      ///< units that do not parse
-  std::set<std::string> exported_;  ///< headers, or folders of headers, that other packages may include
+  std::map<std::size_t, Note> left_out_;  ///< units that do not parse, by their index
+  std::set<std::string> exported_;        ///< headers, or folders of headers, that other packages may include
 };
 
 /// In the words of Clang or GCC.
@@ -122,7 +125,9 @@ std::vector<std::string> PortPlanner::include_dirs() const {
 
 /// A unit that does not parse is left out when the package's compiler rejects it, too: then it is not part of
 /// the build. Otherwise it is an error.
-std::optional<Error> PortPlanner::sort_out(const CompileUnit& unit, const UnitReading& reading) {
+std::optional<Error> PortPlanner::sort_out(std::size_t index) {
+  const CompileUnit& unit = units_[index];
+  const UnitReading& reading = readings_[index];
   if (debug_builds_.count(unit.id()) != 0) return {};  // there is no debug build that a port could break
   const Diagnostic& error = reading.errors.front();
   if (reading.crashed) return defect(error, unit);
@@ -133,12 +138,21 @@ std::optional<Error> PortPlanner::sort_out(const CompileUnit& unit, const UnitRe
   Note note{codes::TZC3003, Location{unit.file, 1, 1},
             "the package's own compiler refuses it, too, so it was not looked at: " + errors->front().text +
                 (sites.empty() ? "; it seems to hold no site" : "; possible sites in lines " + sites)};
-  // Two targets may compile one file.
-  const auto says_it = [&](const Note& known) {
-    return known.where->file == unit.file && known.text == note.text;
-  };
-  if (std::none_of(left_out_.begin(), left_out_.end(), says_it)) left_out_.push_back(std::move(note));
+  left_out_.insert_or_assign(index, std::move(note));
   return {};
+}
+
+/// In the order of the units, whichever was read first. Two targets may compile one file.
+std::vector<Note> PortPlanner::notes_on_left_out() const {
+  std::vector<Note> notes;
+  for (const auto& item : left_out_) {
+    const Note& note = item.second;
+    const auto says_it = [&](const Note& known) {
+      return known.where->file == note.where->file && known.text == note.text;
+    };
+    if (std::none_of(notes.begin(), notes.end(), says_it)) notes.push_back(note);
+  }
+  return notes;
 }
 
 std::optional<Error> PortPlanner::collect() {
@@ -209,16 +223,22 @@ std::optional<Error> PortPlanner::read(const std::vector<std::size_t>& units, co
                                        const std::string& stage) {
   std::optional<Error> failure;
   std::mutex mutex;
-  std::atomic<bool> failed{false};  // what remains need not be read: large packages take minutes
+  // What is behind a failure need not be read: large packages take minutes. What is before it is read, so that the first
+  // one is named whichever thread is the fastest.
+  std::atomic<std::size_t> failed{std::numeric_limits<std::size_t>::max()};
   unsigned done = 0;
   in_parallel(options_.jobs, units.size(), [&](std::size_t i) {
-    if (failed) return;
+    if (i > failed) return;
     const CompileUnit& unit = units_[units[i]];
     UnitReading& reading = readings_[units[i]];
     reading = read_unit(unit, options, options_.accesses);
     const std::lock_guard<std::mutex> lock(mutex);
-    if (!reading.errors.empty() && !failure) failure = sort_out(unit, reading);
-    failed = failure.has_value();
+    if (!reading.errors.empty() && i < failed) {
+      if (std::optional<Error> error = sort_out(units[i])) {
+        failure = std::move(error);
+        failed = i;
+      }
+    }
     step(stage, ++done, units.size(), unit.file);
   });
   return failure;
@@ -230,9 +250,10 @@ std::optional<Error> PortPlanner::lacks_units() const {
     const auto belongs = [&](const std::string& unit) { return owners_.at(unit) == package; };
     if (std::any_of(parsed_.begin(), parsed_.end(), [&](auto& unit) { return belongs(unit.file); })) continue;
     const auto first = std::find_if(left_out_.begin(), left_out_.end(),
-                                    [&](const Note& note) { return belongs(note.where->file); });
-    return Error{"no unit of the package compiles: " + first->text, first->where->file,
-                 misses_header(first->text)
+                                    [&](const auto& item) { return belongs(item.second.where->file); });
+    const Note& note = first->second;
+    return Error{"no unit of the package compiles: " + note.text, note.where->file,
+                 misses_header(note.text)
                      ? "Build the package first (generated headers must be there), then run again."
                      : "Repair the package until its own compiler accepts it, then run again."};
   }
@@ -251,7 +272,8 @@ PortPlans PortPlanner::finish(const Components& components, DemotionLoop::Result
   std::vector<Site> sites = describe_sites(reading_.facts, components, options_, result.solution);
   mark_pending(sites, reading_.facts, components, result.plan.edits);
   std::vector<Note> notes = notes_of(reading_, units_, options_);
-  notes.insert(notes.end(), left_out_.begin(), left_out_.end());
+  const std::vector<Note> left_out = notes_on_left_out();
+  notes.insert(notes.end(), left_out.begin(), left_out.end());
   PlanSplitter splitter(options_.packages, owners_, reading_.facts.units_of_file);
   splitter.add(std::move(sites));
   splitter.add(std::move(notes));

@@ -8,6 +8,7 @@
 #include "edits/files.h"
 #include "proof/cmake_reads.h"
 #include "proof/generated_headers.h"
+#include "proof/raised_units.h"
 #include "proof/unit_needs.h"
 
 namespace tzc::rewriter {
@@ -118,14 +119,16 @@ class Prover {
     const std::vector<CmakeTarget> targets = read_cmake_targets(configuration.build_dir());
     if (options_.accesses)
       note_cmake_reads(configuration.build_dir(), configuration.sources().to_user(), *options_.accesses);
+    const Expected<std::vector<CompileCommand>> originals = read_compile_commands(user_.build_dir);
     const Packages all = left_;
     for (const PortedPackage* package : all) {
-      if (package->units.empty()) continue;
       std::optional<Error> error;
-      if (!commands)
-        error = commands.error();
-      else
+      if (!commands && !package->units.empty()) error = commands.error();
+      if (commands && !package->units.empty())
         error = first_lack(*package, *commands, targets, configuration.sources());
+      if (!error && commands && originals)
+        error =
+            rejected_as_cxx14(*package, {*originals, *commands, configuration.sources().to_user()}, options_);
       if (error) fail(*package, *error);
     }
     if (options_.build && !left_.empty()) build(configuration);

@@ -5,10 +5,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <utility>
 
 #include "buildfiles/build_trees.h"
+#include "buildfiles/find_packages.h"
 #include "edits/files.h"
 #include "proof/process.h"
 
@@ -87,16 +89,26 @@ Configuration::Configuration(const UserBuild& user, const std::vector<std::strin
                              std::vector<std::string> prefixes)
     : user_(user), packages_(packages), prefixes_(std::move(prefixes)) {}
 
+/// CMake runs what each package of a workspace says, which may write into the folder of that package.
+std::vector<std::string> Configuration::configured_packages() const {
+  std::set<std::string> all(packages_.begin(), packages_.end());
+  if (user_.is_workspace())
+    if (const Expected<std::vector<std::string>> found = find_packages_at(user_.source))
+      all.insert(found->begin(), found->end());
+  return {all.begin(), all.end()};
+}
+
 Expected<void> Configuration::prepare() {
   if (sources_) return {};
   Expected<ScratchFolder> folder = ScratchFolder::make();
   if (!folder) return folder.error();
   folder_ = std::make_unique<ScratchFolder>(std::move(*folder));
-  std::vector<std::string> omitted = build_paths(user_.build_dir, packages_);
+  const std::vector<std::string> packages = configured_packages();
+  std::vector<std::string> omitted = build_paths(user_.build_dir, packages);
   for (const char* name : {"CATKIN_DEVEL_PREFIX", "CMAKE_INSTALL_PREFIX"})
     if (const std::string tree = user_.cache.value(name); is_below(tree, user_.source))
       omitted.push_back(tree);
-  sources_ = std::make_unique<ScratchWorkspace>(user_.root(), packages_, *folder_ / "src", omitted);
+  sources_ = std::make_unique<ScratchWorkspace>(user_.root(), packages, *folder_ / "src", omitted);
   return sources_->make();
 }
 

@@ -53,6 +53,7 @@ class Configuration {
 
  private:
   Expected<void> prepare();
+  std::vector<std::string> configured_packages() const;
   std::string source_dir() const;
   std::string initial_cache() const;
   std::string prefix_path() const;

@@ -67,13 +67,33 @@ std::vector<CompilerError> run_compiler(const Words& arguments, const std::strin
   return errors;
 }
 
-bool is_known(const CompilerError& error, const std::vector<CompilerError>& known) {
-  return std::any_of(known.begin(), known.end(), [&](const CompilerError& other) {
-    return other.text == error.text && other.where.file == error.where.file;
-  });
+void remove_known(std::vector<CompilerError>& errors, const std::vector<CompilerError>& known) {
+  const auto is_known = [&](const CompilerError& error) {
+    return std::any_of(known.begin(), known.end(), [&](const CompilerError& other) {
+      return other.text == error.text && other.where.file == error.where.file;
+    });
+  };
+  errors.erase(std::remove_if(errors.begin(), errors.end(), is_known), errors.end());
+}
+
+/// Where it lies, with these words.
+std::vector<CompilerError> errors_in_place(const CompileCommand& command, const Words& arguments) {
+  std::vector<CompilerError> errors =
+      run_compiler(diagnostics_only(arguments), command.directory, command.canonical);
+  for (CompilerError& error : errors)
+    error.where.file = canonical_path((fs::path(command.directory) / error.where.file).string());
+  return errors;
 }
 
 }  // namespace
+
+std::vector<CompilerError> errors_of_cxx14(const CompileCommand& command) {
+  Words raised = command.arguments;
+  std::transform(raised.begin(), raised.end(), raised.begin(), raised_standard);
+  std::vector<CompilerError> errors = errors_in_place(command, raised);
+  if (!errors.empty()) remove_known(errors, errors_in_place(command, command.arguments));
+  return errors;
+}
 
 Expected<void> OwnCompiler::read_commands() {
   if (!commands_.empty()) return {};
@@ -211,20 +231,13 @@ std::vector<CompilerError> OwnCompiler::ported_errors(const Task& task) const {
     for (Location& note : error.notes) to_user(note);
   }
   if (errors.empty()) return errors;
-  const std::vector<CompilerError> before = original_errors(*task.command);
-  errors.erase(std::remove_if(errors.begin(), errors.end(),
-                              [&](const CompilerError& error) { return is_known(error, before); }),
-               errors.end());
+  remove_known(errors, original_errors(*task.command));
   return errors;
 }
 
 std::vector<CompilerError> OwnCompiler::original_errors(const CompileCommand& command) const {
   if (setup_.accesses) setup_.accesses->give_up();  // errors are rare and worth a second look
-  std::vector<CompilerError> errors =
-      run_compiler(diagnostics_only(command.arguments), command.directory, command.canonical);
-  for (CompilerError& error : errors)
-    error.where.file = canonical_path((fs::path(command.directory) / error.where.file).string());
-  return errors;
+  return errors_in_place(command, command.arguments);
 }
 
 Expected<std::vector<CompilerError>> OwnCompiler::check(const FileContents& contents,

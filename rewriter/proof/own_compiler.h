@@ -28,6 +28,9 @@ struct OwnCompilerSetup {
   std::function<void(unsigned done, unsigned total, const std::string& unit)> progress = {};
 };
 
+/// The errors that a command's unit has as C++14 and has not with the command's own, older standard.
+std::vector<CompilerError> errors_of_cxx14(const CompileCommand& command);
+
 /// The compiler of compile_commands.json on a scratch copy of the packages: -fsyntax-only, with every flag that
 /// the build gives it. The first check makes the copy.
 class OwnCompiler {

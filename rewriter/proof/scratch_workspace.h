@@ -11,14 +11,15 @@
 #include "proof/paths.h"
 
 //  the user's                      the scratch folder
-//    ws/src/CMakeLists.txt    <──    src/CMakeLists.txt     links, but for the packages that are tried
-//    ws/src/other             <──    src/other
+//    ws/src/CMakeLists.txt    <──    src/CMakeLists.txt     links, but for the packages that are tried,
+//    ws/src/notes             <──    src/notes              and those that CMake configures with them:
+//    ws/src/other                    src/other              copied
 //    ws/src/demo                     src/demo               copied, with the text that would be written
 
 namespace tzc::rewriter {
 
 /// A workspace's sources with other text in some of its packages, in a folder of its own. Nothing of the
-/// user's is written: what is not copied is a symbolic link.
+/// user's is written: what is not copied is a symbolic link, files of more than a megabyte among them.
 class ScratchWorkspace {
  public:
   /// `root`: the folder that holds the packages, or a package itself. `packages`: canonical folders.

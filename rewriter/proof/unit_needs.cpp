@@ -36,14 +36,14 @@ bool compiler_defaults_to_cxx14(const CompileCommand& command) {
   return at != std::string::npos && std::atol(output.c_str() + at + 12) >= 201402L;
 }
 
+}  // namespace
+
 std::string standard_of(const CompileCommand& command) {
   std::string flag;
   for (const std::string& word : command.arguments)
-    if (word.rfind("-std=", 0) == 0) flag = word;
+    if (is_standard_flag(word)) flag = word;
   return flag;
 }
-
-}  // namespace
 
 std::vector<std::string> include_folders(const CompileCommand& command) {
   std::vector<std::string> folders = default_folders;

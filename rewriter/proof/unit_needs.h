@@ -16,6 +16,9 @@ struct Lack {
   std::string what, hint;  ///< as an Error has them
 };
 
+/// The flag that names the standard of a command, "-std=c++98"; empty: it is the compiler's default.
+std::string standard_of(const CompileCommand& command);
+
 /// C++14 or later; none: it has it.
 std::optional<Lack> lacks_standard(const CompileCommand& command);
 

@@ -11,7 +11,9 @@
 #include <sstream>
 
 #include "buildfiles/build_trees.h"
+#include "buildfiles/cmake_file.h"
 #include "buildfiles/compile_database.h"
+#include "buildfiles/find_packages.h"
 #include "buildfiles/package_xml.h"
 #include "edits/files.h"
 #include "proof/compiler_reads.h"
@@ -239,8 +241,7 @@ class Collector {
       std::error_code ignored;
       if (found_.omitted.count(at->path()) != 0 || at->path().filename() == ".git")
         at.disable_recursion_pending();
-      const bool is_cmake = at->path().filename() == "CMakeLists.txt" || at->path().extension() == ".cmake";
-      if (!is_cmake || at->is_symlink(ignored) || !at->is_regular_file(ignored)) continue;
+      if (!has_cmake_name(at->path()) || at->is_symlink(ignored) || !at->is_regular_file(ignored)) continue;
       const Expected<std::string> text = read_file(at->path());
       if (text && reaches_beyond(*text)) found_.complete = false;
     }

@@ -5,10 +5,10 @@
 #include <map>
 #include <set>
 
+#include "buildfiles/find_packages.h"
 #include "buildfiles/package_xml.h"
 #include "edits/files.h"
 #include "edits/source_text.h"
-#include "tool/places.h"
 #include "tool/text_files.h"
 
 namespace tzc::rewriter {

@@ -8,11 +8,11 @@
 #include <set>
 #include <sstream>
 
+#include "buildfiles/find_packages.h"
 #include "buildfiles/package_xml.h"
 #include "edits/files.h"
 #include "model/codes.h"
 #include "tool/package_headers.h"
-#include "tool/places.h"
 #include "tool/text_files.h"
 
 namespace tzc::rewriter {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "buildfiles/cmake_project.h"
 #include "buildfiles/package_xml.h"
 #include "edits/files.h"
 #include "model/folder_set.h"
@@ -40,6 +41,19 @@ std::string package_of(const std::string& file) {
   return "";
 }
 
+/// By their names, and those that include() brings in, which may have any.
+std::set<std::string> cmake_files_of(const std::string& package) {
+  std::set<std::string> found;
+  TextFiles files([&](const std::string& file) { found.insert(file); }, {},
+                  [](const std::string& name) {
+                    return has_cmake_name(name) || name.find(".cmake") != std::string::npos;
+                  });
+  files.walk(package);
+  if (const Expected<CmakeProject> project = load_cmake_project(package))
+    for (const CmakeListFile& file : project->files) found.insert(file.path);
+  return found;
+}
+
 }  // namespace
 
 void IncludeFolders::add(const std::string& cmake_file, const std::string& project, Words& words) {
@@ -68,16 +82,10 @@ const IncludeFolders::Words& IncludeFolders::words_of(const std::string& package
   if (!known.second || package.empty()) return words;
   const Expected<PackageXml> manifest = read_package_xml(package);
   const std::string project = manifest ? manifest->name : fs::path(package).filename().string();
-  TextFiles files(
-      [&](const std::string& file) {
-        words.is_known = true;
-        add(file, project, words);
-      },
-      {},
-      [](const std::string& name) {
-        return name == "CMakeLists.txt" || name.find(".cmake") != std::string::npos;
-      });
-  files.walk(package);
+  for (const std::string& file : cmake_files_of(package)) {
+    words.is_known = true;
+    add(file, project, words);
+  }
   return words;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "buildfiles/find_packages.h"
 #include "buildfiles/package_xml.h"
 #include "edits/files.h"
 #include "proof/compiler_reads.h"

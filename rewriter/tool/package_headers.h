@@ -10,7 +10,7 @@
 
 namespace tzc::rewriter {
 
-/// The files of packages, and which of them an include directive may mean. They are searched as text, so that a branch of the
+/// The files of packages, and which of them an include directive may mean, by symbolic links, too. They are searched as text, so that a branch of the
 /// preprocessor that is not compiled counts, too, and a name that may stand for two files counts for both. A file of another
 /// package means those that may be found from a folder that it may have among its include folders.
 class PackageHeaders {
@@ -21,12 +21,16 @@ class PackageHeaders {
   std::set<std::string> included_by(const std::string& file);
 
  private:
+  void add_files();
+  void add_links();
   std::set<std::string> meant_by(const std::string& name, bool quoted, const std::string& file);
   bool is_found(const std::string& header, const std::string& name, const std::string& file);
 
   FolderSet packages_;
   IncludeFolders folders_;
-  std::map<std::string, std::set<std::string>> by_name_;  ///< last part of the path -> paths
+  std::map<std::string, std::string> links_;  ///< in the packages, to files and folders of them
+  /// Last part of the path -> paths, each with the file itself, which another path may lead to.
+  std::map<std::string, std::map<std::string, std::string>> by_name_;
 };
 
 }  // namespace tzc::rewriter

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "buildfiles/build_trees.h"
+#include "buildfiles/cmake_project.h"
 #include "buildfiles/compile_database.h"
 #include "buildfiles/package_xml.h"
 #include "buildfiles/plan.h"
@@ -87,6 +88,7 @@ class Porter {
 
   Expected<void> run() {
     port_.joined = plan_.joined;
+    port_.before = of_read_files(std::move(port_.before), read_files());
     for (const auto step : {&Porter::plan_build, &Porter::apply, &Porter::report})
       if (Expected<void> done = (this->*step)(); !done) return done.error();
     return {};
@@ -114,6 +116,15 @@ class Porter {
       if (sources.empty()) port_.units.insert(unit);
     }
     return {};
+  }
+
+  /// Whatever they are called: sources may include a file of any name, so may CMakeLists.txt, and package.xml may be a link.
+  std::set<std::string> read_files() const {
+    std::set<std::string> files = {canonical_path(port_.package_dir + "/package.xml")};
+    for (const auto& item : plan_.units_of_file) files.insert(item.first);
+    if (const Expected<CmakeProject> project = load_cmake_project(port_.package_dir))
+      for (const CmakeListFile& file : project->files) files.insert(file.path);
+    return files;
   }
 
   /// Other message packages of the workspace whose twins the ported code needs and that do not make them.
@@ -152,7 +163,11 @@ class Porter {
     const Expected<std::string> before = read_file(file);
     if (!before) return before.error();
     const auto analysed = port_.before.find(file);
-    if (analysed == port_.before.end() || analysed->second != content_hash(*before))
+    if (analysed == port_.before.end())
+      return Error{
+          "is new, hidden or no text of up to 4 MB, and such files are not changed; nothing was written",
+          file, "leave its sites out with --except, or give the file another place or name"};
+    if (analysed->second != content_hash(*before))
       return Error{"changed while the package was being analysed; nothing was written", file,
                    "run tzc-rewrite again"};
     const auto verified = plan_.contents.find(file);

@@ -12,10 +12,6 @@ namespace tzc::rewriter {
 /// path, else this folder in $HOME; empty: neither is set.
 std::string user_folder(const char* variable, const char* in_home);
 
-/// The packages of a command-line argument: the folder itself, or all below it that have a package.xml
-/// (without CATKIN_IGNORE and hidden folders), and behind symbolic links in it. Canonical, sorted.
-Expected<std::vector<std::string>> find_packages_at(const std::string& argument);
-
 /// The folder that holds the packages of the package's workspace: the highest one above it beside which catkin's tools have left
 /// their marks, else the next one that is called src, else the package's parent.
 std::string source_space(const std::string& package_dir);

@@ -15,12 +15,12 @@
 #include <optional>
 #include <system_error>
 
+#include "buildfiles/find_packages.h"
 #include "tool/bag.h"
 #include "tool/baseline.h"
 #include "tool/filter.h"
 #include "tool/git.h"
 #include "tool/header_users.h"
-#include "tool/places.h"
 #include "tool/port_cache.h"
 #include "tool/port_writer.h"
 #include "tool/printing.h"
@@ -251,7 +251,7 @@ class Run {
     const bool edits = !port.contents.empty();
     if (!baseline_) return edits || has_refusal(port);
     return std::any_of(report.sites.begin(), report.sites.end(), [&](const Site& site) {
-      const bool open = is_refusal(site) || (edits && site.level != Level::not_needed && !site.suppressed);
+      const bool open = is_refusal(site) || (edits && site.pending && !site.suppressed);
       return open && !baseline_->accepts(report, site);
     });
   }

@@ -8,6 +8,7 @@
 #include "edits/files.h"
 #include "model/codes.h"
 #include "report/code_pages.h"
+#include "tool/statement_lines.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -15,6 +16,8 @@ namespace {
 struct Suppression {
   Location where;
   unsigned covers = 0;  ///< the line to which it applies
+  unsigned first = 0;   ///< where its statement begins: a port may have broken that into lines
+  unsigned last = 0;    ///< where its statement ends
   std::set<std::string> codes;
   std::string reason;
   bool used = false;
@@ -43,6 +46,18 @@ unsigned covered_line(const std::vector<std::string>& lines, std::size_t at) {
   return static_cast<unsigned>(at) + 1;
 }
 
+/// `match`: its codes and its reason. A comment behind code stands at the statement's end, one above it at the beginning.
+Suppression covering(unsigned line, bool is_above, const StatementLines& statements,
+                     const std::smatch& match) {
+  Suppression suppression;
+  suppression.covers = line;
+  suppression.first = is_above ? line : statements.first(line);
+  suppression.last = is_above ? statements.last(line) : line;
+  suppression.codes = split_codes(match[1]);
+  suppression.reason = trimmed(match[2]);
+  return suppression;
+}
+
 std::vector<Suppression> find_all(const std::string& file) {
   static const std::regex comment(R"(//.*\btzc-ignore\[([^\]]*)\](?:\s*:(.*))?)");
   static const std::regex without_codes(R"(//\s*tzc-ignore\b)");
@@ -52,11 +67,12 @@ std::vector<Suppression> find_all(const std::string& file) {
   std::vector<std::string> lines;
   std::istringstream stream(*content);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  const StatementLines statements(*content);
   std::smatch match;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     Suppression suppression;
     if (std::regex_search(lines[i], match, comment))
-      suppression = {{}, covered_line(lines, i), split_codes(match[1]), trimmed(match[2])};
+      suppression = covering(covered_line(lines, i), is_comment_line(lines[i]), statements, match);
     else if (!std::regex_search(lines[i], match, without_codes))
       continue;
     suppression.where = {file, static_cast<unsigned>(i) + 1, static_cast<unsigned>(match.position(0)) + 1};
@@ -74,24 +90,24 @@ class Suppressor {
   }
 
   void run() {
-    for (Site& site : report_.sites) {
-      if (site.code.empty()) continue;
-      for (Suppression& suppression : all_)
-        if (fits(suppression, site)) mark(site, suppression);
+    for (Suppression& suppression : all_) {
+      mark_sites(suppression, suppression.covers, suppression.covers);
+      if (!suppression.used) mark_sites(suppression, suppression.first, suppression.last);
     }
     for (const Suppression& suppression : all_)
       if (!suppression.used) note(codes::TZC3006, suppression, "the comment suppresses nothing; remove it");
   }
 
  private:
-  static bool fits(const Suppression& suppression, const Site& site) {
-    return suppression.where.file == site.where.file && suppression.covers == site.where.line &&
-           suppression.codes.count(site.code);
-  }
-
-  static void mark(Site& site, Suppression& suppression) {
-    site.suppressed = suppression.used = true;
-    site.suppression_reason = suppression.reason;
+  /// Those that begin in one of these lines.
+  void mark_sites(Suppression& suppression, unsigned first, unsigned last) {
+    for (Site& site : report_.sites) {
+      if (site.code.empty() || site.where.file != suppression.where.file || site.where.line < first ||
+          site.where.line > last || suppression.codes.count(site.code) == 0)
+        continue;
+      site.suppressed = suppression.used = true;
+      site.suppression_reason = suppression.reason;
+    }
   }
 
   void check(Suppression suppression) {

@@ -3,25 +3,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
+
+#include "edits/files.h"
 
 namespace tzc::rewriter {
 namespace fs = std::filesystem;
-namespace {
-
-/// Whatever it is called: headers may have any name, and templates of sources, too.
-bool is_text(const fs::path& file) {
-  constexpr std::uintmax_t largest = 4 << 20;
-  std::error_code failed;
-  const std::uintmax_t size = fs::file_size(file, failed);
-  if (failed || size > largest) return false;
-  char begin[512];
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(begin, sizeof begin);
-  return std::find(begin, begin + stream.gcount(), '\0') == begin + stream.gcount();
-}
-
-}  // namespace
 
 bool TextFiles::is_left_out(const std::string& folder) const {
   return std::find(without_.begin(), without_.end(), folder) != without_.end();
@@ -42,7 +28,7 @@ void TextFiles::walk(const std::string& folder) {
     std::error_code ignored;
     if (entry.is_directory(ignored))
       walk(entry.path());
-    else if ((!is_wanted_ || is_wanted_(name)) && is_text(entry.path()))
+    else if ((!is_wanted_ || is_wanted_(name)) && is_text_file(entry.path()))
       visit_(entry.path());
   }
 }

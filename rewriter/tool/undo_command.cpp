@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
+#include "buildfiles/find_packages.h"
 #include "proof/process.h"
-#include "tool/places.h"
 #include "tool/shell_word.h"
 
 namespace tzc::rewriter {

@@ -24,6 +24,11 @@ IncludeGraph::IncludeGraph(const FolderSet& packages) : packages_(packages), hea
   for (const std::string& package : packages) files.walk(package);
 }
 
+void IncludeGraph::add_compiled(const std::string& file) {
+  code_.insert(file);
+  add(file);
+}
+
 void IncludeGraph::add(const std::string& file) {
   if (is_code(file)) code_.insert(file);
   if (included_.count(file) != 0) return;

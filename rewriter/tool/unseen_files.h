@@ -17,16 +17,18 @@ class IncludeGraph {
  public:
   explicit IncludeGraph(const FolderSet& packages);
 
-  /// A file that lies elsewhere, as those that a build generates.
-  void add(const std::string& file);
+  /// A file that a build compiles, wherever it lies and whatever it is called.
+  void add_compiled(const std::string& file);
 
   const FolderSet& packages() const { return packages_; }
-  /// C++ sources, headers, and templates of such.
+  /// C++ sources, headers, templates of such, and what is compiled.
   const std::set<std::string>& code() const { return code_; }
   /// What a file includes, through others, too.
   std::set<std::string> reached_from(const std::string& file) const;
 
  private:
+  void add(const std::string& file);
+
   FolderSet packages_;
   PackageHeaders headers_;
   std::map<std::string, std::set<std::string>> included_;

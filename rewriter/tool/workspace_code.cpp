@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "buildfiles/find_packages.h"
 #include "buildfiles/package_xml.h"
 #include "edits/files.h"
 #include "tool/places.h"
@@ -93,7 +94,7 @@ WorkspaceCode::WorkspaceCode(const std::vector<SourcePackage>& packages, const P
     : compiled_(compiled_with(packages, inputs.accesses)),
       includes_(inputs.graphs.of(neighbours_of(packages))),
       commands_of_others_(commands_beside(packages, inputs.accesses)) {
-  for (const std::string& file : compiled_) includes_.add(file);
+  for (const std::string& file : compiled_) includes_.add_compiled(file);
 }
 
 HeaderChangeUsers WorkspaceCode::users_of(const FileContents& changed) const {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "buildfiles/cmake_edits.h"
 #include "buildfiles/plan.h"
 #include "edits/files.h"
 #include "model/codes.h"
@@ -95,6 +96,25 @@ TEST_F(LinkedFiles, a_folder_that_is_built_beside_the_package_stays) {
   const BuildPlan found = plan("core");
   EXPECT_THAT(edited(found), ElementsAre("demo/CMakeLists.txt", "demo/package.xml"));
   EXPECT_THAT(notes(found), ElementsAre(std::string(codes::TZC4002) + " core/CMakeLists.txt"));
+}
+
+TEST_F(LinkedFiles, an_exported_folder_is_what_its_links_lead_to_as_well) {
+  folder.write("demo/CMakeLists.txt", std::string(head) +
+                                          "catkin_package(INCLUDE_DIRS include)\n"
+                                          "add_executable(node node.cpp)\n");
+  for (const char* header : {"core/include/a.h", "src/b.h", "private/c.h", "private/d.h"})
+    folder.write(std::string("demo/") + header, "");
+  folder.write("elsewhere/e.h", "");
+  fs::create_directory_symlink("core/include", folder / "demo/include");
+  fs::create_directory_symlink("../../src", folder / "demo/core/include/demo");
+  fs::create_symlink("../../private/c.h", folder / "demo/core/include/c.h");
+  fs::create_directory_symlink("../../../elsewhere", folder / "demo/core/include/other");
+  const Expected<CmakeProject> project = load_cmake_project(folder / "demo");
+  ASSERT_TRUE(project);
+  std::vector<std::string> exported;
+  for (const std::string& path : exported_folders(*project, folder / "demo"))
+    exported.push_back(fs::relative(path, folder.path()));
+  EXPECT_THAT(exported, ElementsAre("demo/core/include", "demo/private/c.h", "demo/src"));
 }
 
 }  // namespace

@@ -101,6 +101,29 @@ TEST_F(PackageFiles, what_a_target_compiles_from_elsewhere_is_named) {
             begin + (folder / "build/demo/made.cpp") + end + begin + (folder / "shared/common.cpp") + end);
 }
 
+/// CMake compiles it as C++ if its LANGUAGE is CXX.
+TEST_F(PackageFiles, what_a_target_compiles_under_another_name_is_named) {
+  write({"demo/src/node.impl", "demo/src/read.impl", "demo/src/driver.c"});
+  folder.write("demo/src/plain.impl", "int number;\n");
+  std::string entries;
+  const auto add = [&](const std::string& compiler, const std::string& file) {
+    entries += (entries.empty() ? "" : ",") + std::string(R"({"directory":")") + (folder / "build") +
+               R"(","file":")" + (folder / file) + R"(","command":")" + compiler + " -c " + (folder / file) +
+               R"("})";
+  };
+  for (const char* name : {"node", "read", "plain"})
+    add("/usr/bin/c++ -O2", std::string("demo/src/") + name + ".impl");
+  add("cc", "demo/src/driver.c");
+  folder.write("build/compile_commands.json", "[" + entries + "]");
+  const std::vector<Note> notes = unread_compiled(folder / "demo", folder / "build", FolderSet(),
+                                                  {canonical_path(folder / "demo/src/read.impl")});
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].where->file, folder / "demo/src/node.impl");
+  EXPECT_EQ(notes[0].text,
+            "a target compiles this file as C++, and it was not looked at because its name is none of a C++ "
+            "source; possible sites in lines 2");
+}
+
 TEST_F(PackageFiles, a_copy_does_without_the_build) {
   write({"demo/CMakeCache.txt", "demo/CMakeFiles/x.cpp"});
   EXPECT_EQ(build_paths(folder / "build", {folder / "demo"}), std::vector<std::string>{folder / "build"});
@@ -109,9 +132,10 @@ TEST_F(PackageFiles, a_copy_does_without_the_build) {
 }
 
 TEST_F(PackageFiles, sources_that_no_target_compiles) {
-  write({"demo/src/b.cc", "demo/CMakeFiles/x.cpp", "demo/.hidden/x.cpp", "demo/src/notes.txt"});
-  EXPECT_EQ(unread({"src/a.cpp"}), std::string("src/b.cc") + by_no_target);
-  EXPECT_EQ(unread({"src/a.cpp", "src/b.cc"}), "");
+  write({"demo/src/b.cc", "demo/src/c.CPP", "demo/CMakeFiles/x.cpp", "demo/.hidden/x.cpp",
+         "demo/src/notes.txt"});
+  EXPECT_EQ(unread({"src/a.cpp"}), std::string("src/b.cc") + by_no_target + "src/c.CPP" + by_no_target);
+  EXPECT_EQ(unread({"src/a.cpp", "src/b.cc", "src/c.CPP"}), "");
 }
 
 TEST_F(PackageFiles, cuda_with_possible_sites) {

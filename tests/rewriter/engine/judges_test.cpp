@@ -36,6 +36,7 @@ class JudgesTest : public ::testing::Test {
     EngineOptions options = package->options({});
     options.judges = judges;
     options.strict = strict;
+    options.jobs = jobs;
     return plan_port(options);
   }
   std::string path(const std::string& file) const { return package->dir() + "/" + file; }
@@ -54,6 +55,7 @@ class JudgesTest : public ::testing::Test {
   std::optional<test::Package> package;
   Judges judges;
   bool strict = false;
+  unsigned jobs = 1;
 };
 
 TEST_F(JudgesTest, what_is_judged_is_what_is_written) {
@@ -221,6 +223,28 @@ TEST_F(JudgesTest, a_file_that_two_targets_compile_is_left_out_once) {
   const auto port = plan_again();
   ASSERT_TRUE(port) << to_string(port.error());
   EXPECT_EQ(port->report.notes.size(), 1u);
+}
+
+/// Whichever thread is the fastest: the first unit takes long to read.
+TEST_F(JudgesTest, units_that_do_not_parse_are_named_in_their_order) {
+  judges.original_errors = [](const std::string& unit) {
+    return std::vector<CompilerError>{{unit, {unit, 1, 1}, "'missing' was not declared", {}}};
+  };
+  std::string slow;
+  for (int i = 0; i < 20000; ++i) slow += "void f" + std::to_string(i) + "();\n";
+  const std::map<std::string, std::string> files = {{"src/a.cpp", slow + "int x = missing;\n"},
+                                                    {"src/b.cpp", "int x = missing;\n"},
+                                                    {"src/good.cpp", publisher("good")}};
+  jobs = 3;
+  const auto port = plan(files);
+  ASSERT_TRUE(port) << to_string(port.error());
+  ASSERT_EQ(port->report.notes.size(), 2u);
+  EXPECT_EQ(port->report.notes[0].where->file, path("src/a.cpp"));
+  EXPECT_EQ(port->report.notes[1].where->file, path("src/b.cpp"));
+  strict = true;
+  const auto refused = plan(files);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().where, HasSubstr("src/a.cpp"));
 }
 
 TEST_F(JudgesTest, a_unit_that_only_clang_refuses_is_an_error) {

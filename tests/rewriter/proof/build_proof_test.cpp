@@ -145,6 +145,29 @@ TEST_F(BuildProof, headers_that_are_there_and_headers_that_a_changed_header_incl
   EXPECT_EQ(prove(files, false, {"src/node.cpp", "src/other.cpp"}), "");
 }
 
+/// Narrowing is an error from C++11 on. The analysis does not ask the compiler about a unit that the port does not touch.
+TEST_F(BuildProof, a_raised_standard_that_rejects_what_the_port_does_not_touch) {
+  put("src/lib.cpp", "int numbers[] = {4000000000u};\n");
+  const std::string lib = "add_library(lib OBJECT src/lib.cpp)\n",
+                    old = "add_compile_options(-std=gnu++98)\n";
+  configure(old + lib + plain);
+  EXPECT_THAT(prove_cmake("add_compile_options(-std=gnu++14)\n" + lib + with_tzc),
+              AllOf(HasSubstr("src/lib.cpp"), HasSubstr("ask for C++14, as which"), HasSubstr("narrow")));
+  EXPECT_EQ(prove_cmake(lib +
+                        "target_compile_options(lib PRIVATE -std=gnu++98)\n"
+                        "set(CMAKE_CXX_STANDARD 14)\n" +
+                        with_tzc),
+            "");
+  put("src/lib.cpp", "int numbers[] = {4};\n");
+  EXPECT_EQ(prove_cmake("add_compile_options(-std=gnu++14)\n" + lib + with_tzc), "");
+}
+
+TEST_F(BuildProof, a_standard_may_be_named_with_two_dashes) {
+  configure(plain);
+  EXPECT_THAT(prove_cmake("add_compile_options(--std=c++11)\n" + with_tzc),
+              HasSubstr("it is compiled with --std=c++11, TZC's headers need C++14"));
+}
+
 TEST_F(BuildProof, nothing_of_the_users_trees_is_touched) {
   configure(
       "configure_file(package.xml ${CMAKE_BINARY_DIR}/copy.xml)\ninstall(FILES package.xml DESTINATION x)\n" +
@@ -176,24 +199,50 @@ TEST_F(BuildProof, nothing_of_an_in_source_build_is_touched) {
   EXPECT_EQ(files_in("demo"), package);
 }
 
-/// The same for a workspace whose source folder is its build folder: the packages that are not tried are links.
-TEST_F(BuildProof, nothing_of_a_workspace_that_is_built_in_source_is_touched) {
+/// A workspace of two packages, of which `one` is tried.
+class BuildProofOfWorkspace : public BuildProof {
+ protected:
+  void configure_with(const std::string& cmake_of_two) {
+    fs::remove(folder / "demo/package.xml");
+    put("one/package.xml", "<package/>");
+    put("one/CMakeLists.txt", plain);
+    put("one/src/node.cpp", "int main() {}\n");
+    put("two/package.xml", "<package/>");
+    put("two/CMakeLists.txt", cmake_of_two);
+    configure("add_subdirectory(one)\nadd_subdirectory(two)\n");
+  }
+
+  std::string prove_one(bool build) {
+    const std::string one = folder / "demo/one";
+    const auto failures =
+        unproved_packages(*UserBuild::find(folder / build_dir),
+                          {{"one", one, {{one + "/CMakeLists.txt", with_tzc}}, {one + "/src/node.cpp"}}},
+                          {{folder / "tzc"}, build, nullptr, 1, {}});
+    return failures.empty() ? "" : to_string(failures.begin()->second);
+  }
+};
+
+/// The source folder is the build folder.
+TEST_F(BuildProofOfWorkspace, nothing_that_is_built_in_source_is_touched) {
   build_dir = "demo";
-  put("package.xml", "");
-  fs::remove(folder / "demo/package.xml");
-  put("one/package.xml", "<package/>");
-  put("one/CMakeLists.txt", plain);
-  put("one/src/node.cpp", "int main() {}\n");
-  put("two/package.xml", "<package/>");
-  put("two/CMakeLists.txt", "configure_file(package.xml ${CMAKE_CURRENT_BINARY_DIR}/copy.xml)\n");
-  configure("add_subdirectory(one)\nadd_subdirectory(two)\n");
+  configure_with("configure_file(package.xml ${CMAKE_CURRENT_BINARY_DIR}/copy.xml)\n");
   const auto before = files_in("demo");
-  const std::string one = folder / "demo/one";
-  const auto failures =
-      unproved_packages(*UserBuild::find(folder / "demo"),
-                        {{"one", one, {{one + "/CMakeLists.txt", with_tzc}}, {one + "/src/node.cpp"}}},
-                        {{folder / "tzc"}, false, nullptr, 1, {}});
-  EXPECT_TRUE(failures.empty()) << to_string(failures.begin()->second);
+  EXPECT_EQ(prove_one(false), "");
+  EXPECT_EQ(files_in("demo"), before);
+}
+
+/// A header with a path, as many packages make one, and programs beside the sources: with the scratch folder's path they would be
+/// of no use when it is gone.
+TEST_F(BuildProofOfWorkspace, nothing_that_another_package_writes_beside_its_sources_is_touched) {
+  put("two/config.h.in", "#define DATA \"@CMAKE_CURRENT_SOURCE_DIR@\"\n");
+  put("two/main.cpp", "#include \"config.h\"\nconst char* data = DATA;\nint main() {}\n");
+  configure_with(
+      "configure_file(config.h.in ${CMAKE_CURRENT_SOURCE_DIR}/config.h)\n"
+      "file(WRITE ${CMAKE_CURRENT_SOURCE_DIR}/where ${CMAKE_CURRENT_SOURCE_DIR})\n"
+      "set(EXECUTABLE_OUTPUT_PATH ${CMAKE_CURRENT_SOURCE_DIR}/bin)\nadd_executable(two main.cpp)\n");
+  const auto before = files_in("demo");
+  ASSERT_EQ(before.count(folder / "demo/two/config.h"), 1u);
+  EXPECT_EQ(prove_one(true), "");
   EXPECT_EQ(files_in("demo"), before);
 }
 

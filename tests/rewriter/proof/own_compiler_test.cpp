@@ -196,8 +196,12 @@ TEST_F(OwnCompilerTest, a_unity_build) {
 
 TEST_F(OwnCompilerTest, an_old_standard_is_raised_as_in_the_build_files) {
   put("src/node.cpp", "int main() {}\n");
-  flags += " -std=c++11 -pedantic-errors";
-  EXPECT_EQ(check({{"src/node.cpp", "auto f = [](auto x) { return x; };\nint main() {}\n"}}), "");
+  const std::string none = flags;
+  for (const char* standard : {"-std=c++11", "--std=c++11"}) {
+    flags = none + " " + standard + " -pedantic-errors";
+    EXPECT_EQ(check({{"src/node.cpp", "auto f = [](auto x) { return x; };\nint main() {}\n"}}), "")
+        << standard;
+  }
 }
 
 TEST_F(OwnCompilerTest, a_second_check_has_no_text_of_the_first) {

@@ -176,6 +176,25 @@ TEST_F(Cli, a_file_changed_during_the_analysis_stops_the_run) {
   }
 }
 
+/// Code may be included from a file of any name, and so may commands of CMake.
+TEST_F(Cli, what_is_edited_may_have_any_name) {
+  ws.folder().write("ws/src/demo/src/node.impl", "ros::Publisher other;\n");
+  ws.folder().write("ws/src/demo/CMakeLists_ros1.txt", ws.file("CMakeLists.txt"));
+  ws.folder().write("ws/src/demo/CMakeLists.txt", "include(CMakeLists_ros1.txt)\n");
+  ws.folder().write("ws/src/demo/run.log", "");
+  ws.plan()["edits"].push_back(
+      {{"file", "src/node.impl"}, {"find", "ros::Publisher"}, {"replace", "tzc::Publisher"}});
+  ws.plan()["includes"]["src/node.impl"] = json::array({"demo/src/node.cpp"});
+  ws.plan()["touch"] = "src/node.impl";
+  EXPECT_THAT(ws.rewrite({"--apply"}).errors,
+              HasSubstr("src/node.impl: changed while the package was being analysed"));
+  ws.plan()["touch"] = "run.log";
+  const auto result = ws.rewrite({"--apply"});
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(ws.file("src/node.impl"), HasSubstr("tzc::Publisher other"));
+  EXPECT_THAT(ws.file("CMakeLists_ros1.txt"), HasSubstr("COMPONENTS roscpp tzc)"));
+}
+
 TEST_F(Cli, uncommitted_changes_are_not_written_over) {
   ws.plan()["sites"] = json::array();
   ws.rewrite({});

@@ -85,5 +85,18 @@ TEST_F(Cli, a_baseline_accepts_what_it_knows_and_nothing_else) {
   EXPECT_EQ(ws.rewrite({"--check", "--baseline", ws.folder() / "none.json"}).status, 2);
 }
 
+TEST_F(Cli, a_baseline_need_not_list_what_is_ported_already) {
+  const std::string baseline = ws.folder() / "baseline.json";
+  ws.rewrite({"--report", baseline});  // lists the site that can be ported
+  json other = ws.plan()["sites"][0];
+  other["id"] = "publish:src/node.cpp:main:1";
+  other["line"] = 3;
+  other["pending"] = false;
+  ws.plan()["sites"].push_back(other);
+  EXPECT_EQ(ws.rewrite({"--check", "--baseline", baseline}).status, 0);
+  ws.plan()["sites"][1]["pending"] = true;
+  EXPECT_EQ(ws.rewrite({"--check", "--baseline", baseline}).status, 1);
+}
+
 }  // namespace
 }  // namespace tzc::rewriter

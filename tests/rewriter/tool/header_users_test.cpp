@@ -8,6 +8,7 @@
 #include <map>
 
 #include "support/temp_dir.h"
+#include "tool/unseen_files.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -126,6 +127,16 @@ TEST_F(IncludeFolder, that_the_users_package_names_does) {
   }
 }
 
+TEST_F(IncludeFolder, that_an_included_cmake_file_of_any_name_names_does) {
+  for (const char* name : {"CMakeLists_ros1.txt", "folders.inc"}) {
+    const std::string file =
+        folder.write(std::string("ws/src/lib/") + name, "catkin_package(INCLUDE_DIRS include/lib/parts)\n");
+    lib_says(std::string("include(") + name + ")\n");
+    EXPECT_EQ(in_use(), "detail.h ") << name;
+    fs::remove(file);
+  }
+}
+
 TEST_F(IncludeFolder, of_its_own_package_serves_always) {
   folder.write("ws/src/lib/include/lib/api.h", "#include <detail.h>\n");
   folder.write("ws/src/node/main.cpp", "#include <lib/api.h>\n");
@@ -160,6 +171,28 @@ TEST_F(HeaderUsers, packages_behind_symbolic_links_are_searched_once) {
   fs::create_directory_symlink(folder / "elsewhere", folder / "ws/src/node");
   fs::create_directory_symlink(folder / "ws", folder / "ws/src/circle");
   EXPECT_EQ(in_use(), "api.h ");
+}
+
+TEST_F(HeaderUsers, a_header_may_be_found_through_links) {
+  folder.write("ws/src/lib/src/impl.h", "void impl();\n");
+  fs::create_directory_symlink("../src", folder / "ws/src/lib/include/inner");
+  fs::create_symlink("../../src/impl.h", folder / "ws/src/lib/include/lib/linked.h");
+  for (const char* name : {"<inner/impl.h>", "<lib/linked.h>", "\"../lib/include/inner/impl.h\""}) {
+    folder.write("ws/src/node/main.cpp", std::string("#include ") + name + "\n");
+    EXPECT_EQ(in_use(), "impl.h ") << name;
+  }
+}
+
+TEST_F(HeaderUsers, what_is_compiled_is_code_whatever_it_is_called) {
+  const std::string file = folder.write("ws/src/lib/src/other.impl", "#include <lib/api.h>\n"),
+                    unit = folder / "ws/src/lib/src/lib.cpp";
+  const FolderSet packages(folder / "ws/src/lib");
+  IncludeGraph graph(packages);
+  EXPECT_TRUE(unseen_files(graph, packages, {{unit, {unit}}}).empty());
+  graph.add_compiled(file);
+  const std::vector<UnseenFile> found = unseen_files(graph, packages, {{unit, {unit}}});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].file, file);
 }
 
 TEST_F(HeaderUsers, whatever_a_file_is_called) {
