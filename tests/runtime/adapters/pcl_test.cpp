@@ -200,6 +200,37 @@ TEST_F(Pcl, a_callback_may_take_pcl_point_cloud2) {
   EXPECT_EQ(librarys_message(cloud), message);
 }
 
+/// Without padding PCL copies all the data of a message, however many points there are.
+TEST_F(Pcl, data_behind_the_points_is_not_read) {
+  using Flat = ::pcl::PointCloud<::pcl::PointXY>;
+  Flat cloud(1000, 1);
+  cloud.points[0].y = 7;
+  ::sensor_msgs::PointCloud2 message;
+  ::pcl::toROSMsg(cloud, message);
+  message.width = 1;
+  message.row_step = message.point_step;
+  message::Encoded result;
+  ASSERT_TRUE(message::encode(message, publisher_.test_memory, result));
+  const auto received =
+      message::make_copy<Flat>(result.control.data(), result.control.size(), blocks(result));
+  ASSERT_TRUE(received);
+  ASSERT_EQ(received->points.size(), 1u);
+  EXPECT_EQ(received->points[0].y, 7);
+}
+
+TEST_F(Pcl, a_single_row_needs_no_step) {
+  const Cloud cloud = cloud_of(10, 1);
+  ::sensor_msgs::PointCloud2 message = librarys_message(cloud);
+  message.row_step = 0;
+  message::Encoded result;
+  ASSERT_TRUE(message::encode(message, publisher_.test_memory, result));
+  const auto received =
+      message::make_copy<Cloud>(result.control.data(), result.control.size(), blocks(result));
+  ASSERT_TRUE(received);
+  ASSERT_EQ(received->points.size(), 10u);
+  EXPECT_EQ(received->points[9].x, 9);
+}
+
 TEST_F(Pcl, hostile_clouds_are_refused_or_harmless) {
   ::pcl::console::setVerbosityLevel(::pcl::console::L_ALWAYS);  // PCL complains about unknown fields
   const auto result = encoded(cloud_of(4, 5));

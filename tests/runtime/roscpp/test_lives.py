@@ -36,6 +36,12 @@ class StartedAgain(Lives):
         self.assertEqual(self.events_of(self.node("again", "again", {})), {"second life": True, "third life": True})
 
 
+class Comparisons(Lives):
+    def test_a_publisher_is_another_one_than_a_stock_publisher(self):
+        """Both convert to what says whether they are valid, which is the same for all that are."""
+        self.assertEqual(self.events_of(self.node("compared", "compared", {})), {"publishers are mixed up": False})
+
+
 class Events(Lives):
     def test_a_writer_behind_an_event_gets_a_message_of_its_own(self):
         writer = self.node("event_writer", "writer", {})

@@ -36,8 +36,8 @@ class Subscriber : public ::message_filters::SubscriberBase, public ::message_fi
     options_.helper = boost::make_shared<Reader>([this](const EventType& event) { pass_on(event); });
     options_.callback_queue = callback_queue;
     options_.transport_hints = hints;
+    subscriber_ = ::tzc::subscribe<M>(node, options_);  // the caller's, so that its shutdown() ends it
     node_ = node;
-    subscriber_ = ::tzc::subscribe<M>(node_, options_);
   }
   /// Subscribes again with the options of the last call.
   void subscribe() override {

@@ -41,13 +41,15 @@ template <class Point>
   return description;
 }
 
-/// True when every field of every point of a received cloud lies inside its data, so that PCL can read it
-/// safely.
-inline bool is_consistent(const ::pcl::PCLPointCloud2& cloud) {
+/// Sets `used` to the bytes that the points of a received cloud take. False: a field of a point lies outside of them, so
+/// that PCL could not read it safely. The step of a single row means nothing, and some programs leave it out.
+inline bool find_points(const ::pcl::PCLPointCloud2& cloud, std::size_t available, std::size_t& used) {
   const std::uint64_t row = std::uint64_t{cloud.width} * cloud.point_step;
-  const std::uint64_t size = std::uint64_t{cloud.row_step} * cloud.height;
+  const bool is_one_row = cloud.height <= 1;
+  const std::uint64_t size = cloud.height * (is_one_row ? row : std::uint64_t{cloud.row_step});
+  used = static_cast<std::size_t>(size);
   if (cloud.point_step == 0) return cloud.width == 0 || cloud.height == 0;
-  if (row > cloud.row_step || size > cloud.data.size()) return false;
+  if ((!is_one_row && row > cloud.row_step) || size > available) return false;
   for (const auto& field : cloud.fields) {
     const std::uint64_t element = ::pcl::getFieldSize(field.datatype);
     if (field.offset + element * field.count > cloud.point_step) return false;
@@ -113,11 +115,13 @@ struct Codec< ::pcl::PointCloud<Point> > {
     stream.next(message.is_bigendian);
     stream.next(message.point_step);
     stream.next(message.row_step);
-    const detail::BorrowedData data(message.data, stream.next_array(1));
+    detail::DataArray array = stream.next_array(1);
     stream.next(message.is_dense);
     ::pcl_conversions::toPCL(header, message.header);
     ::pcl_conversions::toPCL(fields, message.fields);
-    if (!detail::is_consistent(message)) stream.throw_malformed();
+    // Of points that lie as in memory PCL copies all the data, whatever the shape: the rest of a larger array would not fit the cloud.
+    if (!detail::find_points(message, array.count, array.count)) stream.throw_malformed();
+    const detail::BorrowedData data(message.data, array);
     ::pcl::fromPCLPointCloud2(message, cloud);
   }
 };

@@ -91,6 +91,13 @@ class PublisherBase {
   bool operator<(const PublisherBase& rhs) const { return publisher_ < rhs.publisher_; }
   bool operator==(const PublisherBase& rhs) const { return publisher_ == rhs.publisher_; }
   bool operator!=(const PublisherBase& rhs) const { return publisher_ != rhs.publisher_; }
+  // With a stock publisher, which has no more conversions than this one, the language would compare whether both are valid.
+  friend bool operator<(const PublisherBase& one, const Stock& other) { return one.publisher_ < other; }
+  friend bool operator<(const Stock& one, const PublisherBase& other) { return one < other.publisher_; }
+  friend bool operator==(const PublisherBase& one, const Stock& other) { return one.publisher_ == other; }
+  friend bool operator==(const Stock& one, const PublisherBase& other) { return one == other.publisher_; }
+  friend bool operator!=(const PublisherBase& one, const Stock& other) { return one.publisher_ != other; }
+  friend bool operator!=(const Stock& one, const PublisherBase& other) { return one != other.publisher_; }
   /// @}
 
   /// The stock publisher, for interfaces that need one. What is published through it goes to every
