@@ -63,7 +63,7 @@ def lasting_sites(sites):
 
 
 # How each kind of site is written; a count by text that knows nothing of C++.
-WRITTEN = {"publish": r"\bpublish\(", "advertise": r"\badvertise(?:Camera)?(?:<|\()",
+WRITTEN = {"publish": r"\bpublish(?:<[^<>;]*>)?\(", "advertise": r"\badvertise(?:Camera)?(?:<|\()",
            "subscribe": r"\bsubscribe(?:<[^(]*>)?\(|new message_filters::Subscriber<"}
 
 

@@ -41,7 +41,7 @@ class Programs(unittest.TestCase):
         for index in range(2000):
             seen.update(package.make_program("1", index, adversarial=True).traits)
         ways = [("owner", owners.OWNERS), ("store", pointers.STORES + keepers.STORES), ("transfer", owners.TRANSFERS),
-                ("output", outputs.PLAIN + outputs.HIDDEN), ("time", [*times.ONCE, *times.ANEW, attacks.in_next_step]),
+                ("output", outputs.PLAIN + attacks.HIDDEN), ("time", [*times.ONCE, *times.ANEW, attacks.in_next_step]),
                 ("home", names.HOMES), ("name", names.STANDS_FOR), ("use", names.DOES), ("change", changes.CHANGES + changes.WHOLE),
                 ("later", later.WAYS), *attacks.REACHES.items()]
         self.assertEqual({f"{kind}: {way.__name__}" for kind, some in ways for way in some} - seen, set())

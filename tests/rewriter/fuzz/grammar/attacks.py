@@ -3,10 +3,12 @@
 publishing. What is written through an old pointer after a publish shows in the next message, which must be the same
 before and after the port; messages that subscribers keep must not change. Others attack what is inserted for the port, by messages that are not there in every step, that are
 named by expressions which do something, or that other threads fill or read."""
-from . import absent, changes, effects, keepers, later, messages, names, outputs, owners, pointers, readers, subscribers, times, waits
+from . import absent, changes, copied, effects, keepers, later, messages, names, outputs, owners, pointers, readers, subscribers, times
+from . import waits
 from .publishers import in_block
 from .uses import Use
 
+HIDDEN = outputs.HIDDEN + copied.WAYS
 PLAIN = [message for message in messages.ALL if not message.arrays[0][1].fields and "." not in message.arrays[0][0]]
 
 
@@ -66,10 +68,10 @@ def choose(program):
     if rng.random() < 0.5:
         stores = pointers.LOCAL + [keepers.by_function, keepers.closure_over_message]
         return (rng.choice(owners.FRESH if rng.random() < 0.7 else owners.OWNERS), rng.choice(stores), owners.unchanged,
-                rng.choice(outputs.PLAIN if rng.random() < 0.8 else outputs.HIDDEN), rng.choice(times.HARMLESS))
+                rng.choice(outputs.PLAIN if rng.random() < 0.8 else HIDDEN), rng.choice(times.HARMLESS))
     store = rng.choice(pointers.STORES if rng.random() < 0.6 else keepers.STORES)
     owner = rng.choice(owners.OWNERS)
-    output = rng.choice(outputs.PLAIN if rng.random() < 0.5 else outputs.HIDDEN)
+    output = rng.choice(outputs.PLAIN if rng.random() < 0.5 else HIDDEN)
     if rng.random() < 0.25 and store not in TO_ARRAY + keepers.WRITE_AT_END:
         return owner, store, rng.choice(owners.TRANSFERS), output, rng.choice(times.ONCE)
     return owner, store, owners.unchanged, output, rng.choice(times.ONCE + times.ANEW)
@@ -94,7 +96,7 @@ def attack(program):
 
 def in_next_step(program):
     """What was pointed into in one step is written in the next one, before the message is published again."""
-    owner, output = program.rng.choice(owners.LASTING), program.rng.choice(outputs.PLAIN + outputs.HIDDEN)
+    owner, output = program.rng.choice(owners.LASTING), program.rng.choice(outputs.PLAIN + HIDDEN)
     one = Attack(program, owner, pointers.in_variable, owners.unchanged, output)
     known = program.variable("bool", "known", " = false")
     use = [f"if ({known}) {{"] + ["  " + line for line in one.write(1)] + ["}"]
@@ -116,7 +118,7 @@ def reach(program):
     way = program.rng.choice(REACHES[kind])
     output = outputs.directly
     if program.rng.random() < 0.6:
-        output = program.rng.choice(outputs.PLAIN if program.rng.random() < 0.6 else outputs.HIDDEN)
+        output = program.rng.choice(outputs.PLAIN if program.rng.random() < 0.6 else HIDDEN)
     published = len(program.topics)
     use = Use(program, program.rng.choice(PLAIN), output)
     program.steps += somewhere(program, way(use))
