@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "facts/calls.h"
 #include "facts/later_writes.h"
 
 namespace tzc::rewriter {
@@ -49,14 +50,25 @@ class CallbackSearch {
     if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt))
       has_unknown |=
           llvm::isa<clang::FieldDecl>(member->getMemberDecl()) && may_hold_function(member->getType());
-    for (const clang::Stmt* child : stmt->children()) in(child);
+    for (const clang::Stmt* child : stmt->children())
+      if (!is_called_name(stmt, child)) in(child);
   }
   std::vector<const clang::FunctionDecl*> found;
   bool has_unknown = false;
 
  private:
+  /// boost::bind(...): it is called here, and not when a message comes.
+  static bool is_called_name(const clang::Stmt* stmt, const clang::Stmt* child) {
+    const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
+    return call && child == call->getCallee() &&
+           llvm::isa<clang::DeclRefExpr>(call->getCallee()->IgnoreParenImpCasts());
+  }
+  /// What another package may override, or has, may do anything.
   void of_name(const clang::ValueDecl* named) {
-    if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(named)) found.push_back(function);
+    if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(named)) {
+      found.push_back(function);
+      has_unknown |= !unit_.declares_all_of(function);
+    }
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(named);
     if (!variable || !seen_.insert(variable).second) return;
     of_object(variable->getType().getNonReferenceType()->getAsCXXRecordDecl());
@@ -64,11 +76,12 @@ class CallbackSearch {
                    (!begins_with_function(variable) || may_change_later(variable));
     in(variable->getInit());
   }
-  /// A function of the package may return any function, or a closure.
+  /// A function may return any function, one of the package also a closure.
   void of_call(const clang::CallExpr* call) {
     const clang::FunctionDecl* function = call->getDirectCallee();
-    if (!function || !unit_.declares(function)) return;
-    has_unknown |= may_hold_function(call->getType());
+    if (!function) return;
+    has_unknown |= may_hold_function(call->getType()) && !passes_through(function);
+    if (!unit_.declares(function)) return;
     of_object(call->getType().getNonReferenceType()->getAsCXXRecordDecl());
   }
 

@@ -153,13 +153,42 @@ void FilterCollector::note_callback(std::map<FilterCallback, FilterCallbackUse>&
   }
 }
 
+namespace {
+
+/// sync_->registerCallback(...), filter.registerCallback(...): of this object, or of this function. Otherwise it is somebody else's.
+bool is_own(const clang::Expr* object) {
+  for (;;) {
+    object = object->IgnoreParenImpCasts();
+    const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(object);
+    const auto* deref = llvm::dyn_cast<clang::UnaryOperator>(object);
+    if (op && op->getNumArgs() == 1)
+      object = op->getArg(0);
+    else if (deref)
+      object = deref->getSubExpr();
+    else
+      break;
+  }
+  if (llvm::isa<clang::CXXThisExpr>(object)) return true;
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(object))
+    return llvm::isa<clang::CXXThisExpr>(member->getBase()->IgnoreParenImpCasts());
+  const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(object);
+  const auto* variable = name ? llvm::dyn_cast<clang::VarDecl>(name->getDecl()) : nullptr;
+  return variable && !llvm::isa<clang::ParmVarDecl>(variable) && !variable->getType()->isReferenceType() &&
+         !variable->getType()->isPointerType();
+}
+
+}  // namespace
+
 void FilterCollector::add_callbacks(const clang::CXXMemberCallExpr* call,
                                     std::map<FilterCallback, FilterCallbackUse>& callbacks) const {
   const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *call);
   if (!function) return;
-  for (const clang::Expr* argument : call->arguments())
+  const std::string scope = is_own(call->getImplicitObjectArgument()) ? record_usr_of(function) : any_class;
+  for (const clang::Expr* argument : call->arguments()) {
     for (const clang::FunctionDecl* callback : callback_functions(unit_, argument))
-      note_callback(callbacks, callback, record_usr_of(function));
+      note_callback(callbacks, callback, scope);
+    if (calls_unknown_functions(unit_, argument)) callbacks[{scope, ""}].is_unknown = true;
+  }
 }
 
 }  // namespace tzc::rewriter

@@ -23,7 +23,7 @@ void describe(Subscribe& site, const CallbackParameter& parameter) {
 
 /// The parameters of the functions that the call is given.
 void SubscribeCollector::add_callbacks(Subscribe& site, const clang::CallExpr* call) {
-  site.writes = site.writes || calls_unknown_functions(unit_, call);
+  site.is_unknown = site.is_unknown || calls_unknown_functions(unit_, call);
   for (const clang::FunctionDecl* function : callback_functions(unit_, call))
     for (const clang::ParmVarDecl* parameter : function->parameters())
       if (const EntityId id = entities_.declare(parameter); !id.empty()) site.callbacks.push_back(id);

@@ -137,6 +137,7 @@ void Facts::add_overrides() {
 
 void Subscribe::add_callbacks(const Subscribe& other) {
   writes |= other.writes;
+  is_unknown |= other.is_unknown;
   converts |= other.converts;
   for (const EntityId& callback : other.callbacks)
     if (std::count(callbacks.begin(), callbacks.end(), callback) == 0) callbacks.push_back(callback);
@@ -199,6 +200,7 @@ void Facts::merge(Facts&& other) {
   for (auto& [callback, use] : other.filter_callbacks) {
     FilterCallbackUse& known = filter_callbacks[callback];
     known.writes |= use.writes;
+    known.is_unknown |= use.is_unknown;
     known.parameters.merge(use.parameters);
   }
 }

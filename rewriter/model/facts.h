@@ -224,10 +224,11 @@ struct Publish : SiteFact {
 
 struct Subscribe : SiteFact {
   std::optional<std::string> topic;
-  bool ported = false;              ///< it subscribes through TZC already
-  bool writes = false;              ///< a callback may write to the message
-  bool converts = false;            ///< the callbacks take a type that is made from the message
-  std::string asked_transport;      ///< that shares no memory, in words; empty: it asks for none
+  bool ported = false;          ///< it subscribes through TZC already
+  bool writes = false;          ///< a callback takes the message as its own
+  bool is_unknown = false;      ///< a callback is not known, and may do with the message what its type allows
+  bool converts = false;        ///< the callbacks take a type that is made from the message
+  std::string asked_transport;  ///< that shares no memory, in words; empty: it asks for none
   std::vector<EntityId> callbacks;  ///< the parameters that receive the message
   EntityId filter;                  ///< the filter object that must be ported with it
   std::string scope;                ///< USR of the class around it
@@ -247,10 +248,13 @@ struct DataUse {
   bool appends = false;  ///< to what the array has already, once in its life
 };
 
+/// Where a callback is registered with what another class may hold.
+constexpr char any_class[] = "any";
+
 /// Which message the callbacks of a filter take, and in which class they are registered.
 struct FilterCallback {
-  std::string scope;  ///< USR of the class
-  std::string type;
+  std::string scope;  ///< USR of the class, or any_class
+  std::string type;   ///< empty: any, of a callback that is not known
 
   friend bool operator<(const FilterCallback& a, const FilterCallback& b) {
     return std::tie(a.scope, a.type) < std::tie(b.scope, b.type);
@@ -260,6 +264,7 @@ struct FilterCallback {
 /// What such callbacks do with it.
 struct FilterCallbackUse {
   bool writes = false;            ///< one of them takes it as its own
+  bool is_unknown = false;        ///< one of them is not known
   std::set<EntityId> parameters;  ///< that receive it
 };
 

@@ -268,6 +268,10 @@ Site SiteDescriber::describe(const Advertise& fact) const {
 /// Why a subscription's callbacks do not read the very bytes that were published; none: they do.
 std::optional<std::string> SiteDescriber::why_copied(const Subscribe& fact) const {
   if (received_.takes_own(fact)) return "the callback may write to the message, so it gets a copy of its own";
+  if (received_.shares_with_one_that_takes_own(fact))
+    return "another callback of the topic takes the message as its own, so all of them get copies";
+  if (received_.is_unknown(fact))
+    return "the callback is not known here, and pages that it writes to are copied";
   if (const auto write = received_.to_elements(fact))
     return write->reason + ": pages that it writes to are copied";
   return {};

@@ -18,15 +18,17 @@ ReceivedWrites::ReceivedWrites(const Facts& facts) : facts_(facts) {
     filtered_.insert(item.second.parameters.begin(), item.second.parameters.end());
 }
 
-/// Those of the class that subscribes, its bases and what derives from it; any, where the filter is handed on.
+/// Those of the class that subscribes, its bases and what derives from it; any, where the filter is handed on. What is registered with somebody
+/// else's filter or synchronizer may be registered with this one.
 std::vector<const FilterCallbackUse*> ReceivedWrites::registered(const Subscribe& site) const {
   if (site.filter.empty()) return {};
   const std::set<std::string> around = facts_.with_bases(site.scope);
   std::vector<const FilterCallbackUse*> own, all;
   for (const auto& [callback, use] : facts_.filter_callbacks) {
-    if (callback.type != site.type) continue;
+    if (callback.type != site.type && !callback.type.empty()) continue;
     all.push_back(&use);
-    if (around.count(callback.scope) != 0 || facts_.with_bases(callback.scope).count(site.scope) != 0)
+    if (callback.scope == any_class || around.count(callback.scope) != 0 ||
+        facts_.with_bases(callback.scope).count(site.scope) != 0)
       own.push_back(&use);
   }
   return own.empty() || next_.count(site.filter) != 0 ? all : own;
@@ -36,6 +38,12 @@ bool ReceivedWrites::takes_own(const Subscribe& site) const {
   const std::vector<const FilterCallbackUse*> uses = registered(site);
   return site.writes ||
          std::any_of(uses.begin(), uses.end(), [](const FilterCallbackUse* use) { return use->writes; });
+}
+
+bool ReceivedWrites::is_unknown(const Subscribe& site) const {
+  const std::vector<const FilterCallbackUse*> uses = registered(site);
+  return site.is_unknown ||
+         std::any_of(uses.begin(), uses.end(), [](const FilterCallbackUse* use) { return use->is_unknown; });
 }
 
 std::set<EntityId> ReceivedWrites::received(const Subscribe& site) const {
@@ -73,33 +81,61 @@ std::optional<Obstacle> ReceivedWrites::to_message(const Subscribe& site) const 
 
 /// Of messages that are known by where they come from, the others tell. What comes from elsewhere may be any message of the type
 /// that this process holds: a received one that was kept in a library's object, bound, or handed to a thread.
+/// All callbacks of a topic get one message, and any name may be remapped to the topic.
+std::optional<Obstacle> ReceivedWrites::to_message_of_another(const Subscribe& site) const {
+  for (const auto& item : facts_.subscribes) {
+    const Subscribe& other = item.second;
+    if (other.type != site.type || other.id().begin == site.id().begin) continue;
+    if (std::optional<Obstacle> write = to_message(other)) {
+      write->reason += ", by a callback of another subscription to its type, which may have the same topic";
+      return write;
+    }
+  }
+  return {};
+}
+
+bool ReceivedWrites::shares_with_one_that_takes_own(const Subscribe& site) const {
+  return std::any_of(facts_.subscribes.begin(), facts_.subscribes.end(), [&](const auto& item) {
+    const Subscribe& other = item.second;
+    return other.type == site.type && site.topic && other.topic == site.topic && takes_own(other);
+  });
+}
+
 std::optional<Obstacle> ReceivedWrites::untraced_cast(const Subscribe& site) const {
   for (const ConstCast& cast : facts_.const_casts) {
     std::set<EntityId> seen;
-    const bool is_known = !cast.messages.empty() && std::all_of(cast.messages.begin(), cast.messages.end(),
-                                                                [&](const EntityId& message) {
-                                                                  return is_traced(message, site, seen);
-                                                                });
+    const bool is_known =
+        !cast.messages.empty() &&
+        std::all_of(cast.messages.begin(), cast.messages.end(),
+                    [&](const EntityId& message) { return is_traced(message, !site.filter.empty(), seen); });
     if (cast.type == site.type && !is_known) return cast.obstacle;
   }
   return {};
 }
 
-/// Whether all that the entity may name is known: callbacks' messages, and objects of the package.
-bool ReceivedWrites::is_traced(const EntityId& message, const Subscribe& site,
-                               std::set<EntityId>& seen) const {
+/// Whether all that the entity may name is known: callbacks' messages, those of filters where they are wanted, and objects of the package.
+bool ReceivedWrites::is_traced(const EntityId& message, bool with_filters, std::set<EntityId>& seen) const {
   if (!seen.insert(message).second || callbacks_.count(message) != 0 || facts_.objects.count(message) != 0)
     return true;
-  if (!site.filter.empty() && filtered_.count(message) != 0) return true;
+  if (with_filters && filtered_.count(message) != 0) return true;
   const auto function = facts_.parameters.find(message);
   if (function != facts_.parameters.end() && facts_.addressed.count(function->second) != 0) return false;
   const auto [begin, end] = from_.equal_range(message);
-  return begin != end &&
-         std::all_of(begin, end, [&](const auto& flow) { return is_traced(flow.second, site, seen); });
+  return begin != end && std::all_of(begin, end, [&](const auto& flow) {
+           return is_traced(flow.second, with_filters, seen);
+         });
 }
 
+/// Through a message that was bound, or handed to a thread, too: nothing shows where that comes from.
 std::optional<Obstacle> ReceivedWrites::to_elements(const Subscribe& site) const {
-  return write(site, false);
+  if (const std::optional<Obstacle> known = write(site, false)) return known;
+  for (const DataWrite& write : facts_.data_writes) {
+    std::set<EntityId> seen;
+    const auto message = facts_.entities.find(write.message);
+    const bool is_of_type = message != facts_.entities.end() && message->second.type == site.type;
+    if (!write.to_array && is_of_type && !is_traced(write.message, true, seen)) return write.obstacle;
+  }
+  return {};
 }
 
 }  // namespace tzc::rewriter

@@ -10,6 +10,7 @@
 #include "solve/kept_publishers.h"
 #include "solve/light_messages.h"
 #include "solve/received_writes.h"
+#include "solve/shared_texts.h"
 #include "solve/site_index.h"
 #include "solve/site_of_fact.h"
 #include "solve/soundness.h"
@@ -40,6 +41,7 @@ class Solver {
         solution_.decisions[component.id] = decide_message(component);
     leave_idle_publishers();
     decide_all(ComponentKind::subscription, &Solver::decide_subscription);
+    refuse_together(components_, solution_);
     decide_all(ComponentKind::publish_call, &Solver::decide_publish_call);
     decide_all(ComponentKind::advertise_call, &Solver::decide_advertise_call);
     return std::move(solution_);
@@ -294,6 +296,7 @@ Decision Solver::decide_subscription(const Component& component) const {
   }
   // A message that may be resized has to be the callback's own.
   if (const auto write = received_.to_message(site)) return refused(*write);
+  if (const auto write = received_.to_message_of_another(site)) return refused(*write);
   return {Outcome::ported, {}, {}};
 }
 

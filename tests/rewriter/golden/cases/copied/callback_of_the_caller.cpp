@@ -17,8 +17,8 @@ class Listener {
   ros::Subscriber sub_;
 };
 //--- expected
-// subscribe src/node.cpp:6 sensor_msgs/Image copied 'image' TZC2001 the callback may write to the message, so it gets a copy of its own
-// subscribe src/node.cpp:12 sensor_msgs/Image copied 'image' TZC2001 the callback may write to the message, so it gets a copy of its own
+// subscribe src/node.cpp:6 sensor_msgs/Image copied 'image' TZC2001 the callback is not known here, and pages that it writes to are copied
+// subscribe src/node.cpp:12 sensor_msgs/Image copied 'image' TZC2001 the callback is not known here, and pages that it writes to are copied
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -49,9 +49,9 @@ class Node {
 // advertise src/node.cpp:16 sensor_msgs/Image zero_copy 'big'
 // advertise src/node.cpp:18 sensor_msgs/PointCloud2 one_copy
 // advertise src/node.cpp:20 sensor_msgs/Image zero_copy 'raw'
-// subscribe src/node.cpp:21 sensor_msgs/Image shared 'in'
+// subscribe src/node.cpp:21 sensor_msgs/Image copied 'in' TZC2001 another callback of the topic takes the message as its own, so all of them get copies
 // subscribe src/node.cpp:22 sensor_msgs/Image copied 'in' TZC2001 the callback may write to the message, so it gets a copy of its own
-// subscribe src/node.cpp:23 sensor_msgs/Image shared 'in'
+// subscribe src/node.cpp:23 sensor_msgs/Image copied 'in' TZC2001 another callback of the topic takes the message as its own, so all of them get copies
 // subscribe src/node.cpp:24 sensor_msgs/Image shared 'raw'
 // publish src/node.cpp:29 sensor_msgs/Image one_copy 'image' TZC1004 it comes in through the callback 'on_image'
 // publish src/node.cpp:33 sensor_msgs/Image zero_copy 'image'

@@ -35,9 +35,9 @@ class Node {
   ros::Subscriber set_later_, of_map_, returned_;
 };
 //--- expected
-// subscribe src/node.cpp:25 sensor_msgs/Image copied 'one' TZC2001 the callback may write to the message, so it gets a copy of its own
-// subscribe src/node.cpp:28 sensor_msgs/Image copied 'two' TZC2001 the callback may write to the message, so it gets a copy of its own
-// subscribe src/node.cpp:29 sensor_msgs/Image copied 'three' TZC2001 the callback may write to the message, so it gets a copy of its own
+// subscribe src/node.cpp:25 sensor_msgs/Image copied 'one' TZC2001 the callback is not known here, and pages that it writes to are copied
+// subscribe src/node.cpp:28 sensor_msgs/Image copied 'two' TZC2001 the callback is not known here, and pages that it writes to are copied
+// subscribe src/node.cpp:29 sensor_msgs/Image copied 'three' TZC2001 the callback is not known here, and pages that it writes to are copied
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
