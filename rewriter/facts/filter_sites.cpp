@@ -143,11 +143,12 @@ EntityId FilterCollector::constructed(const clang::CXXConstructExpr* construct) 
 }
 
 void FilterCollector::note_callback(std::map<FilterCallback, FilterCallbackUse>& callbacks,
-                                    const clang::FunctionDecl* function, const std::string& scope) const {
+                                    const clang::FunctionDecl* function, FilterCallback where) const {
   for (const clang::ParmVarDecl* parameter : function->parameters()) {
     const CallbackParameter one = callback_parameter_of(parameter->getType());
     if (!one.message) continue;
-    FilterCallbackUse& use = callbacks[{scope, one.message->name}];
+    where.type = one.message->name;
+    FilterCallbackUse& use = callbacks[where];
     use.writes |= one.writes;
     if (const EntityId id = entities_.declare(parameter); !id.empty()) use.parameters.insert(id);
   }
@@ -183,11 +184,16 @@ void FilterCollector::add_callbacks(const clang::CXXMemberCallExpr* call,
                                     std::map<FilterCallback, FilterCallbackUse>& callbacks) const {
   const clang::FunctionDecl* function = enclosing_function(unit_.ast(), *call);
   if (!function) return;
-  const std::string scope = is_own(call->getImplicitObjectArgument()) ? record_usr_of(function) : any_class;
+  const clang::Expr* receiver = call->getImplicitObjectArgument();
+  FilterCallback where{is_own(receiver) ? record_usr_of(function) : any_class, "", {}};
+  const FlowSources filters = flow_.sources_of(receiver);
+  if (filters.entities.size() == 1 && !filters.foreign &&
+      entities_[filters.entities[0]].role == EntityRole::filter)
+    where.filter = filters.entities[0];
   for (const clang::Expr* argument : call->arguments()) {
     for (const clang::FunctionDecl* callback : callback_functions(unit_, argument))
-      note_callback(callbacks, callback, scope);
-    if (calls_unknown_functions(unit_, argument)) callbacks[{scope, ""}].is_unknown = true;
+      note_callback(callbacks, callback, where);
+    if (calls_unknown_functions(unit_, argument)) callbacks[where].is_unknown = true;
   }
 }
 

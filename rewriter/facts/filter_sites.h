@@ -38,7 +38,7 @@ class FilterCollector {
   };
   Subscribe site_of(const Construction& construction, const EntityId& filter) const;
   void note_callback(std::map<FilterCallback, FilterCallbackUse>& callbacks,
-                     const clang::FunctionDecl* function, const std::string& scope) const;
+                     const clang::FunctionDecl* function, FilterCallback where) const;
   std::string scope_of(const clang::Expr* expr) const;
   EntityId constructed(const clang::CXXConstructExpr* construct);
 

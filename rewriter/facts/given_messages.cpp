@@ -92,6 +92,7 @@ class GivenMessages {
  private:
   void give(const clang::Expr* message, const std::string& holder, const std::string& how);
   bool is_fresh_local(const clang::Expr* message) const;
+  bool is_copy_of_fresh_local(const clang::Expr* published) const;
   bool may_be_published_before(const clang::VarDecl* variable, const clang::Expr* at) const;
   bool hand_on(const clang::Expr* from, const std::string& holder, const std::string& how = "");
   void container_call(const clang::CXXMemberCallExpr* call);
@@ -134,6 +135,23 @@ bool GivenMessages::is_fresh_local(const clang::Expr* message) const {
     return false;
   if (pointer && !(variable->getInit() && is_new(unit_, variable->getInit()))) return false;
   return !may_be_published_before(variable, message);
+}
+
+/// publish(Image(image)), [image] { publish(image); }
+bool GivenMessages::is_copy_of_fresh_local(const clang::Expr* published) const {
+  published = published->IgnoreParens()->IgnoreImplicit();
+  if (const auto* cast = llvm::dyn_cast<clang::CXXFunctionalCastExpr>(published))
+    published = cast->getSubExpr()->IgnoreImplicit();
+  if (!is_stock_or_twin(published->getType())) return false;
+  if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(published))
+    return made->getConstructor()->isCopyConstructor() && made->getArg(0)->isLValue() &&
+           is_fresh_local(made->getArg(0));
+  const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(published);
+  const clang::LambdaExpr* lambda = name ? view_.lambda_around(name) : nullptr;
+  return lambda && llvm::any_of(lambda->captures(), [&](const clang::LambdaCapture& capture) {
+           return capture.capturesVariable() && capture.getCapturedVar() == name->getDecl() &&
+                  capture.getCaptureKind() == clang::LCK_ByCopy && is_fresh_local(name);
+         });
 }
 
 /// By a call of the package, too.
@@ -184,9 +202,15 @@ void GivenMessages::result(const clang::ReturnStmt* statement) {
 
 void GivenMessages::publish(const clang::CallExpr* call) {
   const Place place = unit_.source.where(call->getExprLoc());
-  for (const clang::Expr* argument : published_by(call))
-    if (std::string holder = holders_.of(argument); !holder.empty())
-      facts_.given.published_from[{place.file, place.begin}].insert(std::move(holder));
+  for (const clang::Expr* argument : published_by(call)) {
+    std::set<std::string>& holders = facts_.given.published_from[{place.file, place.begin}];
+    if (std::string holder = holders_.of(argument); !holder.empty()) holders.insert(std::move(holder));
+    if (!is_copy_of_fresh_local(argument)) continue;
+    const std::string copy = "copy at " + place.file + ":" + std::to_string(place.begin);
+    holders.insert(copy);
+    facts_.given.messages.push_back(
+        {{}, copy, "made to be published", unit_.location(argument->getBeginLoc()), true});
+  }
 }
 
 void GivenMessages::call(const clang::CallExpr* call) {

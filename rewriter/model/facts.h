@@ -255,9 +255,10 @@ constexpr char any_class[] = "any";
 struct FilterCallback {
   std::string scope;  ///< USR of the class, or any_class
   std::string type;   ///< empty: any, of a callback that is not known
+  EntityId filter{};  ///< with which it is registered; empty: with something behind filters, or not known
 
   friend bool operator<(const FilterCallback& a, const FilterCallback& b) {
-    return std::tie(a.scope, a.type) < std::tie(b.scope, b.type);
+    return std::tie(a.scope, a.type, a.filter) < std::tie(b.scope, b.type, b.filter);
   }
 };
 

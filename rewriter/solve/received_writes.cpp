@@ -27,6 +27,7 @@ std::vector<const FilterCallbackUse*> ReceivedWrites::registered(const Subscribe
   for (const auto& [callback, use] : facts_.filter_callbacks) {
     if (callback.type != site.type && !callback.type.empty()) continue;
     all.push_back(&use);
+    if (!callback.filter.empty() && callback.filter != site.filter) continue;  // another filter's own
     if (callback.scope == any_class || around.count(callback.scope) != 0 ||
         facts_.with_bases(callback.scope).count(site.scope) != 0)
       own.push_back(&use);
