@@ -86,7 +86,7 @@ std::optional<Obstacle> ReceivedWrites::to_message(const Subscribe& site) const 
 std::optional<Obstacle> ReceivedWrites::to_message_of_another(const Subscribe& site) const {
   for (const auto& item : facts_.subscribes) {
     const Subscribe& other = item.second;
-    if (other.type != site.type || other.id().begin == site.id().begin) continue;
+    if (&other == &site || other.type != site.type) continue;
     if (std::optional<Obstacle> write = to_message(other)) {
       write->reason += ", by a callback of another subscription to its type, which may have the same topic";
       return write;

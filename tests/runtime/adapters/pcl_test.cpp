@@ -52,6 +52,12 @@ class Pcl : public ::testing::Test {
     EXPECT_TRUE(message::encode(cloud, publisher_.test_memory, result));
     return result;
   }
+  template <class As>
+  auto received_as(const ::sensor_msgs::PointCloud2& message) {
+    message::Encoded result;
+    EXPECT_TRUE(message::encode(message, publisher_.test_memory, result));
+    return message::make_copy<As>(result.control.data(), result.control.size(), blocks(result));
+  }
   static std::vector<ConstBlock> blocks(const message::Encoded& encoded) {
     std::vector<ConstBlock> all;
     for (const BufferPtr& buffer : encoded.buffers) all.push_back(ConstBlock{buffer->data(), buffer->size()});
@@ -209,10 +215,7 @@ TEST_F(Pcl, data_behind_the_points_is_not_read) {
   ::pcl::toROSMsg(cloud, message);
   message.width = 1;
   message.row_step = message.point_step;
-  message::Encoded result;
-  ASSERT_TRUE(message::encode(message, publisher_.test_memory, result));
-  const auto received =
-      message::make_copy<Flat>(result.control.data(), result.control.size(), blocks(result));
+  const auto received = received_as<Flat>(message);
   ASSERT_TRUE(received);
   ASSERT_EQ(received->points.size(), 1u);
   EXPECT_EQ(received->points[0].y, 7);
@@ -222,10 +225,7 @@ TEST_F(Pcl, a_single_row_needs_no_step) {
   const Cloud cloud = cloud_of(10, 1);
   ::sensor_msgs::PointCloud2 message = librarys_message(cloud);
   message.row_step = 0;
-  message::Encoded result;
-  ASSERT_TRUE(message::encode(message, publisher_.test_memory, result));
-  const auto received =
-      message::make_copy<Cloud>(result.control.data(), result.control.size(), blocks(result));
+  const auto received = received_as<Cloud>(message);
   ASSERT_TRUE(received);
   ASSERT_EQ(received->points.size(), 10u);
   EXPECT_EQ(received->points[9].x, 9);
