@@ -120,7 +120,8 @@ def test_plain_project(build_folder, prefix):
     run(['cmake', '--build', build_folder], env=variables)
     check(os.path.exists(f'{build_folder}/tzc_messages/tzc/own_msgs/Own.h'), 'a plain CMake project generates headers')
     again = subprocess.run(['cmake', '-DWITH_ANOTHER_FILE=ON', build_folder], env=variables, capture_output=True, text=True)
-    check(again.returncode != 0 and 'msg/Other.msg' in again.stderr and 'Name all FILES' in again.stderr,
+    told = ' '.join(again.stderr.split())  # CMake breaks lines where the length of the folder's name makes it
+    check(again.returncode != 0 and 'msg/Other.msg' in told and 'Name all FILES' in told,
           'a second call for other files of the package is refused')
 
 
