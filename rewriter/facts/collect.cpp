@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "facts/ast_walk.h"
-#include "facts/callbacks.h"
 #include "facts/collectors.h"
-#include "facts/message_type.h"
-#include "facts/size_questions.h"
-#include "facts/thread_starts.h"
+#include "facts/escape/thread_starts.h"
+#include "facts/flow/callbacks.h"
+#include "facts/flow/size_questions.h"
+#include "facts/syntax/ast_walk.h"
+#include "facts/syntax/message_type.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {

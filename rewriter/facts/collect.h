@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "facts/unit.h"
+#include "facts/syntax/unit.h"
 #include "model/facts.h"
 
 // declarations, expressions ──dispatch──> one collector per kind of site, which returns its facts

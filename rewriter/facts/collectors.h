@@ -7,17 +7,17 @@
 #include <utility>
 #include <vector>
 
-#include "facts/advertise_sites.h"
-#include "facts/allocation_sites.h"
-#include "facts/entity_table.h"
-#include "facts/filter_sites.h"
-#include "facts/hidden_calls.h"
-#include "facts/hoisting.h"
-#include "facts/publish_events.h"
-#include "facts/subscribe_sites.h"
-#include "facts/threads.h"
-#include "facts/unit.h"
-#include "facts/value_flow.h"
+#include "facts/escape/hidden_calls.h"
+#include "facts/escape/publish_events.h"
+#include "facts/escape/threads.h"
+#include "facts/flow/entity_table.h"
+#include "facts/flow/value_flow.h"
+#include "facts/sites/advertise_sites.h"
+#include "facts/sites/allocation_sites.h"
+#include "facts/sites/filter_sites.h"
+#include "facts/sites/hoisting.h"
+#include "facts/sites/subscribe_sites.h"
+#include "facts/syntax/unit.h"
 #include "model/facts.h"
 
 namespace tzc::rewriter {

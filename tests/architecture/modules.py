@@ -34,7 +34,14 @@ USES = {
     "rewriter/rules": [],
     "rewriter/solve": ["rewriter/model"],
     "rewriter/parse": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles"],
-    "rewriter/facts": ["rewriter/model", "rewriter/rules", "rewriter/parse"],
+    "rewriter/facts/syntax": ["rewriter/model", "rewriter/rules", "rewriter/parse"],
+    "rewriter/facts/flow": ["rewriter/model", "rewriter/rules", "rewriter/parse", "rewriter/facts/syntax"],
+    "rewriter/facts/sites": ["rewriter/model", "rewriter/rules", "rewriter/parse", "rewriter/facts/syntax", "rewriter/facts/flow"],
+    "rewriter/facts/escape": ["rewriter/model", "rewriter/rules", "rewriter/parse", "rewriter/facts/syntax", "rewriter/facts/flow"],
+    "rewriter/facts/content": ["rewriter/model", "rewriter/rules", "rewriter/parse", "rewriter/facts/syntax", "rewriter/facts/flow",
+                               "rewriter/facts/escape"],
+    "rewriter/facts": ["rewriter/model", "rewriter/rules", "rewriter/parse", "rewriter/facts/syntax", "rewriter/facts/flow",
+                       "rewriter/facts/sites", "rewriter/facts/escape", "rewriter/facts/content"],
     "rewriter/verify": ["rewriter/model", "rewriter/edits", "rewriter/parse", "rewriter/rules", "rewriter/solve"],
     "rewriter/engine": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles", "rewriter/report",
                         "rewriter/parse", "rewriter/facts", "rewriter/solve", "rewriter/verify"],
@@ -75,8 +82,9 @@ FOREIGN = {
     "ROS's messages": (SERIALIZATION, ["runtime/message", "runtime/roscpp", "runtime/adapters", "runtime/preload",
                                        "bench/roscpp", "compare/recorder", "monitor/diagnostics"]),
     "Boost": (r"boost/", ["runtime/message", "runtime/roscpp", "runtime/adapters", "bench/roscpp"]),
-    "Clang": (r"(clang|clang-c|llvm)/", ["rewriter/parse", "rewriter/facts", "rewriter/verify", "rewriter/engine",
-                                       "rewriter/format"]),
+    "Clang": (r"(clang|clang-c|llvm)/", ["rewriter/parse", "rewriter/facts/syntax", "rewriter/facts/flow",
+                                       "rewriter/facts/sites", "rewriter/facts/escape", "rewriter/facts/content",
+                                       "rewriter/facts", "rewriter/verify", "rewriter/engine", "rewriter/format"]),
 }
 
 # Modules that must not reach Clang through any chain of includes.
@@ -86,7 +94,7 @@ CLANG_FREE = [module for module in USES if module not in FOREIGN["Clang"][1]]
 def module_of(path):
     """The module of a source file, by its folder; None when the folder belongs to no module."""
     folders = path.split("/")[:-1]
-    for module in ("/".join(folders[:2]), "/".join(folders)):
-        if module in USES:
-            return module
+    for length in range(len(folders), 0, -1):  # a module may lie in another one's folder
+        if "/".join(folders[:length]) in USES:
+            return "/".join(folders[:length])
     return None

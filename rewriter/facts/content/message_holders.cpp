@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/content/message_holders.h"
+
+#include "facts/syntax/ast_walk.h"
+#include "facts/syntax/calls.h"
+#include "facts/syntax/message_type.h"
+#include "model/content_flow.h"
+
+namespace tzc::rewriter {
+namespace {
+
+constexpr unsigned max_depth = 12;
+
+}  // namespace
+
+/// What an expression leads on to without making another object; null: it is a name, a call, or something else.
+const clang::Expr* operand_of(const clang::Expr* expr) {
+  if (const clang::Expr* operand = converted(expr)) return operand;
+  if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr)) return op->getSubExpr();
+  if (const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr)) return element->getBase();
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(expr)) return op->getArg(0);
+  const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expr);
+  return made && made->getNumArgs() > 0 ? made->getArg(0) : nullptr;
+}
+
+MessageHolders::MessageHolders(const Unit& unit, const FunctionView& view)
+    : unit_(unit), view_(view), parts_(unit, view), function_(usr_of(pattern_of(view.function()))) {}
+
+/// A variable of a function has its name in that function only.
+std::string MessageHolders::unique(const clang::ValueDecl* decl) const {
+  return root_in(function_, parts_.root_of(decl));
+}
+
+/// The range of a loop over it, or what a reference, a pointer or an iterator was made from; null: neither.
+const clang::Expr* MessageHolders::leads_to(const clang::VarDecl* variable) const {
+  for (const clang::Stmt* stmt : view_.statements())
+    if (const auto* loop = llvm::dyn_cast<clang::CXXForRangeStmt>(stmt))
+      if (loop->getLoopVariable() == variable) return loop->getRangeInit();
+  const bool is_message = !variable->getType()->isReferenceType() && is_stock_or_twin(variable->getType());
+  return is_message || !variable->isLocalVarDecl() || variable->isStaticLocal() ? nullptr
+                                                                                : variable->getInit();
+}
+
+std::string MessageHolders::of_name(const clang::VarDecl* variable, unsigned depth) const {
+  const clang::Expr* const from = leads_to(variable);
+  const std::string holder = from ? of(from, depth) : std::string();
+  return holder.empty() ? unique(variable) : holder;
+}
+
+std::string MessageHolders::of_call(const clang::CallExpr* call, unsigned depth) const {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function) return {};
+  if (passes_through(function)) return of(call->getArg(0), depth);
+  const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
+  if (!unit_.declares(function))
+    return method ? of(method->getImplicitObjectArgument(), depth) : std::string();
+  const MessagePart part = parts_.part_of(call);
+  return outlives_functions(part) ? part.substr(0, part.find_first_of("/["))
+                                  : result_root(usr_of(pattern_of(function)));
+}
+
+std::string MessageHolders::of(const clang::Expr* expr, unsigned depth) const {
+  if (depth > max_depth) return {};
+  expr = expr->IgnoreParens();
+  if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(expr)) {
+    const auto* variable = llvm::dyn_cast<clang::VarDecl>(name->getDecl());
+    return variable ? of_name(variable, depth + 1) : std::string();
+  }
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr))
+    return unit_.source.in_package(member->getMemberDecl()->getLocation()) ? unique(member->getMemberDecl())
+                                                                           : of(member->getBase(), depth + 1);
+  if (const clang::Expr* operand = operand_of(expr)) return of(operand, depth + 1);
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(expr);
+  return call ? of_call(call, depth + 1) : std::string();
+}
+
+}  // namespace tzc::rewriter

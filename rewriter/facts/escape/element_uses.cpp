@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/escape/element_uses.h"
+
+#include <set>
+
+#include "facts/escape/filled_message.h"
+#include "facts/escape/held_locks.h"
+#include "facts/escape/threads.h"
+#include "facts/syntax/calls.h"
+#include "facts/syntax/message_parts.h"
+#include "facts/syntax/message_type.h"
+
+namespace tzc::rewriter {
+namespace {
+
+using Kind = ElementUse::Kind;
+
+/// Functions of the standard library that write where this argument points to.
+bool writes_to(const std::string& function, unsigned argument) {
+  static const std::set<std::string> to_first = {
+      "memset",           "memcpy",       "memmove",     "std::memset",    "std::memcpy",   "std::memmove",
+      "std::fill",        "std::fill_n",  "std::iota",   "std::sort",      "std::generate", "std::generate_n",
+      "std::stable_sort", "std::reverse", "std::rotate", "std::shuffle",   "std::replace",  "std::replace_if",
+      "std::partition",   "std::unique",  "std::remove", "std::remove_if", "std::swap"};
+  static const std::set<std::string> to_third = {"std::copy",         "std::copy_n",        "std::copy_if",
+                                                 "std::move",         "std::copy_backward", "std::transform",
+                                                 "std::replace_copy", "std::reverse_copy"};
+  return (argument == 0 && to_first.count(function) != 0) || (argument >= 2 && to_third.count(function) != 0);
+}
+
+class UseReader {
+ public:
+  explicit UseReader(const FunctionView& view) : view_(view) {}
+
+  /// PointCloud2Iterator<float> x(cloud, "x"); *x = 1;
+  Kind of_iterator(const clang::CXXConstructExpr* made) const {
+    const auto* declaration = llvm::dyn_cast_or_null<clang::DeclStmt>(view_.parent(made));
+    if (!declaration) return Kind::walk;
+    for (const clang::Decl* decl : declaration->decls())
+      if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl))
+        for (const clang::DeclRefExpr* use : view_.uses(variable)) {
+          const clang::Stmt* element = use;
+          const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(around_of(element));
+          if (op && (op->getOperator() == clang::OO_Star || op->getOperator() == clang::OO_Subscript) &&
+              is_written(view_.parent(op), op))
+            return Kind::write;
+        }
+    return Kind::walk;
+  }
+
+  /// None: the elements do not matter.
+  std::optional<Kind> of_array(const clang::MemberExpr* array) const {
+    const clang::Stmt* mention = array;
+    const clang::Stmt* around = around_of(mention);
+    if (const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(around)) return of_method(member);
+    if (const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(around)) {
+      if (op->getOperator() == clang::OO_Subscript) return of_element(op);
+      if (op->isAssignmentOp()) return op->getArg(0) == mention ? Kind::rebuild : Kind::walk;
+    }
+    if (const clang::VarDecl* variable = variable_of_loop(around)) return of_loop(variable);
+    return of_argument(around, mention).value_or(Kind::walk);
+  }
+
+ private:
+  /// The node around parentheses and implicit casts; `inner` becomes what lies directly in it.
+  const clang::Stmt* around_of(const clang::Stmt*& inner) const {
+    const clang::Stmt* around = view_.parent(inner);
+    while (llvm::isa_and_nonnull<clang::ParenExpr, clang::ImplicitCastExpr>(around)) {
+      inner = around;
+      around = view_.parent(around);
+    }
+    return around;
+  }
+
+  std::optional<Kind> of_method(const clang::MemberExpr* member) const {
+    static const std::set<std::string> about_sizes = {"size", "empty", "capacity", "max_size",
+                                                      "get_allocator"};
+    static const std::set<std::string> pointers = {"begin", "end",     "rbegin", "rend", "cbegin",
+                                                   "cend",  "crbegin", "crend",  "data"};
+    static const std::set<std::string> one = {"at", "front", "back"};
+    const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member->getMemberDecl());
+    const auto* call = llvm::dyn_cast_or_null<clang::CXXMemberCallExpr>(view_.parent(member));
+    if (!method || !call) return Kind::walk;
+    const std::string name = method->getNameAsString();
+    if (about_sizes.count(name)) return {};
+    if (one.count(name)) return of_element(call);
+    if (!pointers.count(name)) return method->isConst() ? Kind::walk : Kind::rebuild;
+    const clang::Stmt* pointer = call;
+    const clang::Stmt* around = around_of(pointer);
+    return of_argument(around, pointer).value_or(Kind::walk);
+  }
+
+  /// data[i] = 1, data[i] += 1, ++data[i]; a pointer to it lives on.
+  Kind of_element(const clang::Expr* element) const {
+    const clang::Stmt* inner = element;
+    const clang::Stmt* around = view_.parent(inner);
+    while (llvm::isa_and_nonnull<clang::ParenExpr>(around)) inner = around, around = view_.parent(around);
+    return is_written(around, inner) ? Kind::write : is_address(around) ? Kind::walk : Kind::look;
+  }
+  static bool is_written(const clang::Stmt* around, const clang::Stmt* inner) {
+    const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(around);
+    const auto* step = llvm::dyn_cast_or_null<clang::UnaryOperator>(around);
+    return (op && op->isAssignmentOp() && op->getLHS() == inner) || (step && step->isIncrementDecrementOp());
+  }
+  static bool is_address(const clang::Stmt* around) {
+    const auto* op = llvm::dyn_cast_or_null<clang::UnaryOperator>(around);
+    return (op && op->getOpcode() == clang::UO_AddrOf) ||
+           llvm::isa_and_nonnull<clang::DeclStmt, clang::CallExpr, clang::CXXConstructExpr>(around);
+  }
+
+  static std::optional<Kind> of_argument(const clang::Stmt* around, const clang::Stmt* argument) {
+    const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(around);
+    const clang::FunctionDecl* function = call ? call->getDirectCallee() : nullptr;
+    if (!function) return {};
+    for (unsigned i = 0; i < call->getNumArgs(); ++i)
+      if (call->getArg(i) == argument && writes_to(qualified_name_of(function), i)) return Kind::write;
+    return {};
+  }
+
+  /// The variable of a loop over a range whose range the declaration names; null: it is another one.
+  const clang::VarDecl* variable_of_loop(const clang::Stmt* around) const {
+    const auto* declaration = llvm::dyn_cast_or_null<clang::DeclStmt>(around);
+    const auto* loop =
+        declaration ? llvm::dyn_cast_or_null<clang::CXXForRangeStmt>(view_.parent(declaration)) : nullptr;
+    return loop && loop->getRangeStmt() == declaration ? loop->getLoopVariable() : nullptr;
+  }
+  Kind of_loop(const clang::VarDecl* variable) const {
+    for (const clang::DeclRefExpr* use : view_.uses(variable))
+      if (variable->getType()->isReferenceType() && is_written(view_.parent(use), use)) return Kind::write;
+    return Kind::walk;
+  }
+
+  const FunctionView& view_;
+};
+
+}  // namespace
+
+std::vector<ElementUse> element_uses(const EscapeContext& context, const FunctionView& view) {
+  std::vector<ElementUse> uses;
+  const UseReader reader(view);
+  const ThreadCode code(context, view);
+  const HeldLocks locks(code, view);
+  const bool is_constructor = llvm::isa<clang::CXXConstructorDecl>(view.function());
+  const auto add = [&](const clang::Expr* message, const clang::Expr* at, std::optional<Kind> kind,
+                       bool read_only) {
+    if (!kind) return;
+    ElementUse use;
+    use.kind = *kind;
+    use.read_only = read_only;
+    use.code = code.around(at);
+    if (is_constructor && !is_closure(use.code)) return;  // no other thread has the object
+    use.locks = locks.at(at);
+    use.captured = is_closure(use.code) && names_captured(message);
+    use.where = context.unit.location(at->getExprLoc());
+    for (const EntityId& id : context.sources_of(message)) {
+      use.message = id;
+      uses.push_back(use);
+    }
+  };
+  for (const clang::Stmt* stmt : view.statements()) {
+    const auto* array = llvm::dyn_cast<clang::MemberExpr>(stmt);
+    const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt);
+    if (array && is_data_array(array->getType()))
+      add(array->getBase(), array, reader.of_array(array), is_only_read(view, array));
+    else if (made && is_cloud_iterator(made->getConstructor()->getParent()) && made->getNumArgs() > 1)
+      add(made->getArg(0), made, reader.of_iterator(made),
+          made->getConstructor()->getParent()->getName().contains("Const"));
+    else if (const clang::Expr* message = filled_message(context.unit, stmt))
+      add(message, message, Kind::write, false);
+  }
+  return uses;
+}
+
+}  // namespace tzc::rewriter

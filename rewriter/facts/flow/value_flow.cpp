@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/flow/value_flow.h"
+
+#include <clang/AST/StmtCXX.h>
+
+#include <array>
+
+#include "facts/syntax/calls.h"
+#include "model/codes.h"
+
+namespace tzc::rewriter {
+namespace {
+
+bool is_writable(clang::QualType type) {
+  return !type.isNull() && !type.isConstQualified() && message_of(type);
+}
+
+/// An object, or what a pointer points to.
+bool is_writable_message(const clang::Expr* expr) {
+  const clang::QualType pointee = pointee_of(expr->getType());
+  return is_writable(pointee.isNull() ? expr->getType() : pointee);
+}
+
+/// &x -> x
+const clang::Expr* address_taken(const clang::Expr* expr) {
+  expr = expr->IgnoreParenImpCasts();
+  const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr);
+  return op && op->getOpcode() == clang::UO_AddrOf ? op->getSubExpr()->IgnoreParenImpCasts() : expr;
+}
+
+const clang::FunctionDecl* called_by(const clang::Expr* value) {
+  const clang::CallExpr* call = value ? call_behind(value) : nullptr;
+  return call ? call->getDirectCallee() : nullptr;
+}
+
+/// begin(), and the iterator's operator*. Null: the loop calls none, or it is not known yet.
+std::array<const clang::FunctionDecl*, 2> functions_of(const clang::CXXForRangeStmt* loop) {
+  const clang::DeclStmt* begin = loop->getBeginStmt();
+  const auto* first =
+      begin && begin->isSingleDecl() ? llvm::cast<clang::VarDecl>(begin->getSingleDecl()) : nullptr;
+  return {called_by(first ? first->getInit() : nullptr), called_by(loop->getLoopVariable()->getInit())};
+}
+
+}  // namespace
+
+void ValueFlow::check_source_of(const clang::VarDecl* variable) {
+  const EntityId id = entities_.declare(variable);
+  if (id.empty() || !variable->getInit() || variable->isCXXForRangeDecl() || variable->isImplicit()) return;
+  if (llvm::isa<clang::ParmVarDecl>(variable) || variable->getInit()->isTypeDependent()) return;
+  if (!sources_of(variable->getInit()).foreign) return;
+  entities_.add_obstacle(id, entities_.is_message(id) ? codes::TZC1013 : codes::TZC1017,
+                         "it starts as '" + unit_.text(variable->getInit()) + "', which " +
+                             builder_of(variable->getInit()) + " builds",
+                         variable->getLocation());
+}
+
+void ValueFlow::check_const_cast(const clang::ExplicitCastExpr* cast) {
+  const clang::Expr* from = cast->getSubExpr();
+  note_writable(cast);
+  if (!removes_const(cast) || !carried_by(from->getType(), unit_.rules)) return;
+  if (serves_plain_field(unit_, cast)) return;
+  for (const EntityId& id : sources_of(from).entities)
+    entities_.add_obstacle(id, codes::TZC2002, "const is cast away from it", cast->getBeginLoc());
+}
+
+/// A message that code can write to from here on, or an array of one, where it was const, or of no type, before.
+void ValueFlow::note_writable(const clang::ExplicitCastExpr* cast) {
+  const clang::Expr* from = cast->getSubExprAsWritten();
+  if (removes_const(cast)) {
+    const auto* array = llvm::dyn_cast<clang::MemberExpr>(address_taken(from));
+    const clang::Expr* message = array && is_data_array(array->getType()) ? array->getBase() : from;
+    if (message == from && serves_plain_field(unit_, cast)) return;
+    const clang::Expr* of_type = carried_by(message->getType(), unit_.rules) ? message : cast;
+    return add_writable(of_type->getType(), sources_of(message).entities, cast->getBeginLoc());
+  }
+  note_as_bytes(cast);
+  if (is_writable_message(cast) && !carried_by(from->getType(), unit_.rules))
+    add_writable(cast->getType(), {}, cast->getBeginLoc());
+}
+
+void ValueFlow::check_call(const clang::CallExpr* call) {
+  for (const clang::Expr* argument : call->arguments()) note_as_bytes(argument);
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function || call->getNumArgs() != 1 || !is_writable_message(call)) return;
+  const clang::Expr* from = call->getArg(0);
+  if (casts_pointer(function) && !is_writable_message(from) && !serves_plain_field(unit_, call))
+    add_writable(call->getType(), sources_of(from).entities, call->getBeginLoc());
+}
+
+/// memcpy(&image, &other, sizeof(image)): a pointer to a message is written to as bytes.
+void ValueFlow::note_as_bytes(const clang::Expr* converted) {
+  const clang::QualType pointer = pointee_of(converted->IgnoreParenCasts()->getType());
+  const clang::QualType now = pointee_of(converted->getType());
+  const bool is_bytes = !now.isNull() && !now.isConstQualified() && !now->isAnyPointerType();
+  if (is_bytes && !pointer.isNull() && !pointer.isConstQualified() && pointer->isPointerType() &&
+      is_writable(pointer->getPointeeType()))
+    add_writable(pointer, {}, converted->getBeginLoc());
+}
+
+/// Of a union, which may have been given a pointer to a const one.
+void ValueFlow::check_union(const clang::MemberExpr* member) {
+  const auto* field = llvm::dyn_cast<clang::FieldDecl>(member->getMemberDecl());
+  if (field && field->getParent()->isUnion() && is_writable(pointee_of(field->getType())))
+    add_writable(field->getType(), {}, member->getMemberLoc());
+}
+
+void ValueFlow::add_writable(clang::QualType type, std::vector<EntityId> messages,
+                             clang::SourceLocation where) {
+  const std::optional<Carried> carried = carried_by(type, unit_.rules);
+  if (carried && carried->message)
+    const_casts_.push_back(
+        {carried->message->name,
+         std::move(messages),
+         {codes::TZC2002, "const is cast away from a message that may be this one", unit_.location(where)}});
+}
+
+void ValueFlow::loop_over(const clang::CXXForRangeStmt* loop) {
+  const EntityId variable = loop->getLoopVariable() ? entities_.declare(loop->getLoopVariable()) : EntityId();
+  if (variable.empty() || !loop->getRangeInit()) return;
+  for (const EntityId& id : sources_of(loop->getRangeInit()).entities)
+    entities_.add_flow(id, variable, loop->getForLoc(), "looped over");
+  for (const clang::FunctionDecl* function : functions_of(loop))
+    if (unit_.declares(function))
+      entities_.add_flow(entities_.declare_result(function), variable, loop->getForLoc(), "looped over");
+}
+
+}  // namespace tzc::rewriter

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Whether every path of a function through a place also follows a pointer or an index.
+
+#include <clang/AST/ExprCXX.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "facts/syntax/unit.h"
+
+namespace tzc::rewriter {
+
+/// The parts of the expression that names a publisher.
+struct NameParts {
+  std::vector<const clang::VarDecl*> locals;
+  std::vector<const clang::ValueDecl*> all;
+  std::vector<const clang::ValueDecl*> followed;  ///< those that decide where a step leads
+  std::set<std::string> steps;                    ///< what it follows: "node_->", "pubs_[i]", "*pub"; "i % n"
+  bool has_effects = false;
+};
+
+/// Follows a pointer or an index, or divides: what may be invalid at another time.
+bool is_step(const clang::Stmt* stmt);
+std::string step_text(const Unit& unit, const clang::Stmt* step);
+
+/// Where code may wait for other threads.
+struct Waits {
+  bool locks = false;
+  std::set<std::string>
+      callees;  ///< functions of the package that are called, by USR; "": one that is not seen
+};
+
+/// What the body of a function does on every path through an offset. `parts` and `body` must outlive it.
+class MustExecute {
+ public:
+  MustExecute(const Unit& unit, const NameParts& parts, const clang::Stmt* body)
+      : unit_(unit), parts_(parts), body_(body) {}
+
+  /// Whether every path through the offset takes the step: behind it, or before it with no change since.
+  bool takes(const std::string& step, unsigned at) const;
+  /// Whether code that is seen may give the name another meaning between two offsets.
+  bool changes_between(unsigned from, unsigned to) const;
+  /// Where another thread may be waited for, or let go on, between two offsets.
+  Waits waits_between(unsigned from, unsigned to) const;
+
+ private:
+  const Unit& unit_;
+  const NameParts& parts_;
+  const clang::Stmt* body_;
+};
+
+}  // namespace tzc::rewriter

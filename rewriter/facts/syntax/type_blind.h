@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clang/AST/Decl.h>
+
+#include "facts/syntax/unit.h"
+
+namespace tzc::rewriter {
+
+/// Whether the instance of a template does the same whatever the type of the argument: its pattern asks for no
+/// trait, size or name of a type, keeps no static of its own, and names no template of the package with the type. True for functions that are no instances and
+/// for parameters whose type does not depend on the template's arguments.
+bool is_type_blind(const Unit& unit, const clang::FunctionDecl* function, unsigned argument);
+
+}  // namespace tzc::rewriter
