@@ -14,6 +14,13 @@ void detach(segment::Segment& segment, const std::shared_ptr<segment::AckFile>& 
   ack_file->for_each_sent([&segment](std::uint32_t slot) { segment.note_release(slot); });
 }
 
+Error memory_of_the_parent() {
+  Error error;
+  error.what = "share memory of the process that this one was forked from";
+  error.hint = "its blocks may be used again at any time: copy the arrays into memory of this process";
+  return error;
+}
+
 }  // namespace
 
 // Retires first: the record itself may have blocks in a segment that only it needs.
@@ -28,6 +35,7 @@ Status AnnouncedSegments::announce(const Record& record, const std::weak_ptr<seg
   for (const BufferPtr& buffer : record.buffers()) {
     segment::Segment& segment = segment::Segment::of(*buffer);
     if (find(segment.id()) != nullptr) continue;
+    if (buffer->inherited()) return memory_of_the_parent();
     const Status added = add(segment, revoker);
     if (!added) return added;
     Outgoing announcement;

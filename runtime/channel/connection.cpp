@@ -125,6 +125,11 @@ void ConnectionImpl::revoke_buffered() {
   if (state_ != ConnectionState::gone) heed_revocation(window_.revoke_buffered());
 }
 
+void ConnectionImpl::add_waiting(const segment::BlockName& block, std::vector<const void*>& records) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  sender_.add_waiting(block, records);
+}
+
 void ConnectionImpl::close() {
   if (posix::forked_since(epoch_)) return;
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -215,6 +220,7 @@ void ConnectionImpl::hung_up() {
 }
 
 Error ConnectionImpl::last_failure() const {
+  if (posix::forked_since(epoch_)) return Error();
   const std::lock_guard<std::mutex> lock(mutex_);
   return failure_;
 }
@@ -249,6 +255,7 @@ std::vector<HeldBlock> ConnectionImpl::held_blocks() const {
 ConnectionInspection ConnectionImpl::inspect() const {
   ConnectionInspection seen;
   seen.held = held_blocks();
+  if (posix::forked_since(epoch_)) return seen;
   const std::lock_guard<std::mutex> lock(mutex_);
   seen.shared_bytes = window_.shared_bytes();
   seen.dropped_for_queue = window_.drops().queue;
@@ -263,11 +270,13 @@ ConnectionInspection inspect(const Connection& connection) {
 }
 
 std::vector<RecordPtr> ConnectionImpl::take_undelivered() {
+  if (posix::forked_since(epoch_)) return {};
   const std::lock_guard<std::mutex> lock(mutex_);
   return window_.take_undelivered();
 }
 
 ConnectionStats ConnectionImpl::stats() const {
+  if (posix::forked_since(epoch_)) return ConnectionStats();
   const std::lock_guard<std::mutex> lock(mutex_);
   ConnectionStats stats;
   stats.sent = sent_;

@@ -13,9 +13,7 @@ constexpr std::size_t usual_body_bytes = 1024;   // larger ones don't stay alloc
 constexpr std::size_t most_idle_entries = 1024;  // nor the ring of a subscriber that was stopped for long
 
 bool refers_to(const InFlightRecords::Entry& entry, const segment::BlockName& block) {
-  return std::any_of(entry.marks.begin(), entry.marks.end(), [&block](const segment::BlockName& claim) {
-    return claim.segment == block.segment && claim.slot == block.slot && claim.generation == block.generation;
-  });
+  return std::find(entry.marks.begin(), entry.marks.end(), block) != entry.marks.end();
 }
 
 }  // namespace

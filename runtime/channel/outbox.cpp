@@ -20,6 +20,12 @@ iovec part(const void* data, std::size_t size) {
   return iovec{const_cast<void*>(data), size};
 }
 
+bool refers_to(const Record& record, const segment::BlockName& block) {
+  return std::any_of(record.buffers().begin(), record.buffers().end(), [&block](const BufferPtr& buffer) {
+    return segment::Segment::name_of(*buffer) == block;
+  });
+}
+
 SendResult counted(SendResult result, std::size_t bytes, Traffic& traffic) {
   if (result != SendResult::sent) return result;
   traffic.bytes += bytes;
@@ -102,6 +108,12 @@ SendResult Outbox::write(int socket, Outgoing& item, Traffic& traffic) {
 void Outbox::push(Outgoing item) {
   if (item.kind == PacketKind::record) ++records_;
   items_.push_back(std::move(item));
+}
+
+void Outbox::add_records(const segment::BlockName& block, std::vector<const void*>& records) const {
+  for (const Outgoing& item : items_) {
+    if (item.record && refers_to(*item.record, block)) records.push_back(item.record.get());
+  }
 }
 
 SendResult Outbox::flush(int socket, Traffic& traffic) {

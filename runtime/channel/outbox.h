@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <list>
 #include <memory>
+#include <vector>
 
 #include "channel/record.h"
 #include "channel/wire.h"
 #include "posix/hot.h"
 #include "posix/packet.h"
 #include "segment/ack_file.h"
+#include "segment/block.h"
 #include "segment/segment_ptr.h"
 
 namespace tzc {
@@ -46,6 +48,8 @@ class Outbox {
   std::size_t size() const { return items_.size(); }
   std::size_t records() const { return records_; }
   void push(Outgoing item);
+  /// Adds the records that refer to the block.
+  void add_records(const segment::BlockName& block, std::vector<const void*>& records) const;
   /// Writes from the front until the socket is full or all is written.
   posix::SendResult flush(int socket, Traffic& traffic);
   /// Drops the records up to this one; the receiver skips a half-written one.

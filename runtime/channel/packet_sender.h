@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "channel/outbox.h"
 #include "channel/ring.h"
@@ -10,6 +11,7 @@
 #include "channel/service.h"
 #include "posix/hot.h"
 #include "posix/packet.h"
+#include "segment/block.h"
 
 namespace tzc {
 namespace channel {
@@ -47,6 +49,9 @@ class PacketSender {
 
   std::uint64_t bytes() const { return traffic_.bytes; }
   std::size_t waiting_records() const { return outbox_.records(); }
+  void add_waiting(const segment::BlockName& block, std::vector<const void*>& records) const {
+    outbox_.add_records(block, records);
+  }
 
  private:
   TZC_HOT bool write_into_ring(const Record& record, std::uint32_t sequence);

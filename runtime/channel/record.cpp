@@ -53,7 +53,7 @@ std::uint8_t* append(std::uint8_t* at, const void* data, std::size_t size) {
 
 TZC_HOT bool all_valid(BufferSpan buffers) {
   for (const BufferPtr& buffer : buffers) {
-    if (!buffer) return false;
+    if (!buffer || buffer->inherited()) return false;
   }
   return buffers.size() < max_refs;
 }

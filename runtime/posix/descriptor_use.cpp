@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "posix/descriptor_use.h"
 
-#include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 
+#include <cerrno>
 #include <climits>
 
 #include "posix/file_descriptor.h"
@@ -22,8 +23,9 @@ bool leaves_enough(int newest) noexcept {
 }
 
 bool has_spare_descriptors() noexcept {
-  const FileDescriptor lowest_free(::open("/dev/null", O_RDONLY | O_CLOEXEC));
-  return lowest_free && leaves_enough(lowest_free.get());
+  const FileDescriptor lowest_free(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0));
+  if (lowest_free) return leaves_enough(lowest_free.get());
+  return errno != EMFILE && errno != ENFILE;
 }
 
 std::string descriptors_in_use() {

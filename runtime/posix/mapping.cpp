@@ -51,9 +51,9 @@ Expected<Mapping> Mapping::map(int fd, std::size_t size, Access access, std::uin
   return mapping;
 }
 
-void Mapping::make_private(int fd, std::uint64_t offset) const noexcept {
-  ::mmap(data_, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE, fd,
-         static_cast<off_t>(offset));
+bool Mapping::make_private(int fd, std::uint64_t offset) const noexcept {
+  return ::mmap(data_, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE, fd,
+                static_cast<off_t>(offset)) != MAP_FAILED;
 }
 
 void Mapping::populate(std::size_t offset, std::size_t bytes) const noexcept {

@@ -33,8 +33,9 @@ class Mapping {
   static Expected<Mapping> map(int fd, std::size_t size, Access access, std::uint64_t offset = 0);
 
   /// In a forked child: its writes stay its own from now on, and it sees what the parent writes until then, as
-  /// everywhere else. `fd` and `offset` are those of map(). Async-signal-safe.
-  void make_private(int fd, std::uint64_t offset = 0) const noexcept;
+  /// everywhere else. `fd` and `offset` are those of map(). Not once more in a child of that child, who would lose what was
+  /// written. False: the system refuses it. Async-signal-safe.
+  bool make_private(int fd, std::uint64_t offset = 0) const noexcept;
 
   std::uint8_t* data() const noexcept { return data_; }
   std::size_t size() const noexcept { return size_; }

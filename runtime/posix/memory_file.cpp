@@ -10,6 +10,7 @@
 
 #include "posix/descriptor_use.h"
 #include "posix/error.h"
+#include "posix/mapping.h"
 #include "posix/memory_limit.h"
 #include "posix/size_signal.h"
 
@@ -20,16 +21,12 @@ namespace {
 
 constexpr std::size_t left_for_the_process = std::size_t{4} << 20;  // it has to go on after the refusal
 
-// An interrupted call gives back what it had reserved: a process with a timer would never come to the end of a large one.
-constexpr std::size_t step = std::size_t{4} << 20;
+constexpr std::size_t largest_step = std::size_t{4} << 20;
 
-// posix_fallocate returns the error code.
-int reserve_step(const MemoryFile& file, std::size_t offset, std::size_t bytes) {
-  for (;;) {
-    const int failure =
-        ::posix_fallocate(file.descriptor.get(), static_cast<off_t>(offset), static_cast<off_t>(bytes));
-    if (failure != EINTR) return failure;
-  }
+// A page is reserved sooner than any timer interrupts it again.
+std::size_t smaller_step(std::size_t bytes) {
+  const std::size_t page = page_size();
+  return std::max(bytes / 2 / page * page, page);
 }
 
 Error over_the_limit(std::size_t bytes, std::size_t headroom) {
@@ -64,11 +61,18 @@ Status check_headroom(std::size_t bytes) {
   return Success{};
 }
 
+// An interrupted call gives back what it had reserved: a process with a timer would never come to the end of a large one, nor,
+// on a slow machine, of one that takes longer than the timer's period.
 Status reserve_in_steps(const MemoryFile& file, std::size_t offset, std::size_t bytes) {
   const SizeSignalBlocked blocked;
-  for (std::size_t done = 0; done < bytes; done += step) {
-    const int failure = reserve_step(file, offset + done, std::min(step, bytes - done));
-    if (failure == 0) continue;
+  std::size_t step = largest_step;
+  for (std::size_t done = 0; done < bytes;) {
+    const std::size_t part = std::min(step, bytes - done);
+    const int failure =  // posix_fallocate returns it
+        ::posix_fallocate(file.descriptor.get(), static_cast<off_t>(offset + done), static_cast<off_t>(part));
+    if (failure == 0) done += part;
+    if (failure == EINTR) step = smaller_step(part);
+    if (failure == 0 || failure == EINTR) continue;
     errno = failure;
     return system_error("reserve " + std::to_string(bytes) + " bytes of shared memory");
   }

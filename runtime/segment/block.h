@@ -14,6 +14,9 @@ struct BlockName {
   std::uint32_t slot;
   std::uint32_t generation;
 };
+inline bool operator==(const BlockName& a, const BlockName& b) noexcept {
+  return a.segment == b.segment && a.slot == b.slot && a.generation == b.generation;
+}
 
 /// What the publisher alone knows about one slot of its segment. The slot outlives its blocks: each block that uses
 /// it has a generation of its own.

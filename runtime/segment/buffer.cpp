@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "posix/fork_epoch.h"
 #include "segment/segment.h"
 #include "tzc/memory.h"
 
 namespace tzc {
+
+bool Buffer::inherited() const noexcept {
+  return posix::forked_since(segment_->epoch_);
+}
 
 // From here on the allocator may reuse the block; only the reference to the segment keeps this memory valid.
 void Buffer::release_last() noexcept {

@@ -26,18 +26,20 @@ class Views {
       unwatched_.push_back(buffer);
       return ConstBlock{buffer->data(), buffer->size()};
     }
-    const std::uint8_t* data = views_of(*buffer).begin(static_cast<const segment::Block&>(*buffer));
-    if (data != nullptr) {
-      viewed_.push_back(buffer);
-    } else {
-      data = copy(*buffer);
-    }
+    const std::uint8_t* const data = view(*buffer);
+    if (data == nullptr) return ConstBlock{copy(*buffer), buffer->size()};
+    viewed_.push_back(buffer);
     return ConstBlock{data, buffer->size()};
   }
 
  private:
   static segment::OwnViews& views_of(const Buffer& buffer) {
     return segment::Segment::of(buffer).own_views();
+  }
+
+  // A view shows the file, where a forked child's own writes are not.
+  static const std::uint8_t* view(const Buffer& buffer) {
+    return buffer.inherited() ? nullptr : views_of(buffer).begin(static_cast<const segment::Block&>(buffer));
   }
 
   const std::uint8_t* copy(const Buffer& buffer) {

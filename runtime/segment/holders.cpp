@@ -40,6 +40,13 @@ void Holders::revoke_buffered() const {
   for (const auto& revoker : revokers()) revoker->revoke_buffered();
 }
 
+std::size_t Holders::waiting_records(const BlockName& block) const {
+  std::vector<const void*> records;
+  for (const auto& revoker : revokers()) revoker->add_waiting(block, records);
+  std::sort(records.begin(), records.end());
+  return static_cast<std::size_t>(std::unique(records.begin(), records.end()) - records.begin());
+}
+
 // Copied: a connection locks itself to revoke, and one that sends takes mutex_ while it is locked.
 std::vector<std::shared_ptr<Revoker>> Holders::revokers() const {
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -64,6 +64,7 @@ class Segment final : public OwnSegment {
   void drop_user() noexcept;
 
  private:
+  friend class tzc::Buffer;
   Segment(SegmentFile file, const std::string& name);
   ~Segment();
   Segment(const Segment&) = delete;

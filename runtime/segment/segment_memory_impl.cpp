@@ -30,6 +30,13 @@ std::size_t first_size(std::size_t bytes, const MemoryOptions& options) {
   return std::max(bytes, bytes < options.ceiling / blocks ? bytes * blocks : options.ceiling);
 }
 
+/// Handles beside those of records that wait in queues: the program's own message refers to the block, so it cannot be reclaimed
+/// whatever is revoked.
+bool has_other_handles(Block& block) {
+  const std::size_t waiting = Segment::of(block).holders().waiting_records(Segment::name_of(block));
+  return block.handles().load(std::memory_order_acquire) > waiting;
+}
+
 /// Reuses what guard mode keeps from reuse, until there is room.
 Block* allocate_in_quarantine(const std::vector<SegmentPtr>& segments, std::size_t bytes, Error& failure) {
   for (const SegmentPtr& segment : segments) {
@@ -162,7 +169,7 @@ Block* SegmentMemoryImpl::grow_and_allocate(std::size_t bytes) {
   return allocate_block(bytes, Segment::Where::anywhere);
 }
 
-// First what is in flight in sockets, then what still waits in this process's queues.
+// First what is in flight to subscribers, then what still waits in this process's queues.
 Block* SegmentMemoryImpl::revoke_and_allocate(std::size_t bytes) {
   if (Block* block = revoke_blocks(bytes, false)) return block;
   return revoke_blocks(bytes, true);
@@ -179,6 +186,7 @@ Block* SegmentMemoryImpl::revoke_blocks(std::size_t bytes, bool with_handles) {
       put_aside(block);
       continue;
     }
+    if (with_handles && has_other_handles(block)) continue;
     sync_point("allocate: revoking");
     segment.holders().revoke(name);
     if (!try_reclaim(block)) continue;

@@ -27,8 +27,11 @@ class SegmentPages {
   /// As posix::reserve, counted from the first of these pages.
   Status reserve(std::size_t offset, std::size_t bytes);
   const posix::Mapping& mapping() const { return part_.mapping; }
-  /// In a forked child, whose writes must not reach the parent's messages.
-  void make_private() const noexcept { mapping().make_private(file_fd(), offset()); }
+  /// In a forked child, whose writes must not reach the parent's messages. Does nothing in a child of that child: the pages are
+  /// private already, and the descriptor may be another file's by now.
+  void make_private() const noexcept {
+    is_private_ = is_private_ || mapping().make_private(file_fd(), offset());
+  }
 
   /// What subscribers get.
   int fd() const { return file().shared_fd(); }
@@ -56,6 +59,7 @@ class SegmentPages {
   posix::MemoryFile own_;  // none: of the pool
   Part part_;
   posix::ReservedBytes reserved_;
+  mutable bool is_private_ = false;
 };
 
 }  // namespace segment

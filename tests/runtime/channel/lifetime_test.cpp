@@ -5,6 +5,7 @@
 #include <atomic>
 #include <new>
 
+#include "channel/inspection.h"
 #include "support.h"
 
 namespace tzc {
@@ -302,22 +303,50 @@ TEST(Lifetime, a_callback_without_memory_ends_its_subscription_alone) {
 TEST(Lifetime, a_forked_child_may_ask_for_statistics) {
   const auto out = publisher();
   Inbox in(out->address());
+  ASSERT_TRUE(eventually([&] { return out->connections().size() == 1; }));
+  const ConnectionPtr connection = out->connections()[0];
   std::atomic<bool> done{false};
   std::thread busy([&] {
     while (!done) out->publish(text_record("x"));
   });
+  const auto knows_nothing = [&] {
+    return out->stats().published == 0 && out->connections().empty() &&
+           out->memory()->stats().segments == 0 && connection->stats().sent == 0 &&
+           connection->last_failure().text().empty() && connection->take_undelivered().empty() &&
+           inspect(*connection).held.empty();
+  };
   for (int i = 0; i < 20; ++i) {
     const pid_t child = in_child([&] {
       ::alarm(10);
-      return out->stats().published == 0 && out->connections().empty() && out->memory()->stats().segments == 0
-                 ? 0
-                 : 1;
+      return knows_nothing() ? 0 : 1;
     });
     EXPECT_EQ(exit_status(child), 0);
   }
   done = true;
   busy.join();
   EXPECT_EQ(out->connections().size(), 1u);
+}
+
+// What the child writes there never comes into the file that a subscriber maps, and its parent may use the block again.
+TEST(Lifetime, a_forked_child_does_not_share_its_parents_memory) {
+  const auto memory = memory_of(4 * mb);
+  const BufferPtr buffer = filled(*memory, mb, 1), other = filled(*memory, mb, 1);
+  const RecordPtr earlier = text_record("made before", {other});
+  EXPECT_FALSE(buffer->inherited());
+  const pid_t child = in_child([&] {
+    std::memset(buffer->data(), 2, buffer->size());
+    if (!buffer->inherited() || text_record("x", {buffer})) return 1;
+    const auto mine = publisher();
+    Inbox own(mine->address());
+    if (mine->publish(earlier) != 0) return 2;
+    if (mine->connections()[0]->last_failure().text().find("forked") == std::string::npos) return 3;
+    const BufferPtr copy = mine->memory()->allocate(mb);
+    std::memcpy(copy->data(), buffer->data(), mb);
+    if (mine->publish(text_record("copied", {copy})) != 1 || !own.wait_for(1)) return 4;
+    return control_of(own.messages()[0]) == "copied" && all_bytes_are(own.messages()[0]->blocks()[0], 2) ? 0
+                                                                                                         : 5;
+  });
+  EXPECT_EQ(exit_status(child), 0);
 }
 
 TEST(Lifetime, a_forked_child_can_start_its_own) {

@@ -145,6 +145,34 @@ TEST(Queue, best_effort_takes_back_what_waits_in_the_outbox) {
   }
 }
 
+// It would free nothing.
+TEST(Queue, best_effort_leaves_what_the_program_refers_to_in_flight) {
+  const auto out = publisher(10, 2 * mb, Policy::best_effort());
+  const auto in = idle_subscriber(out->address());
+  out->publish(text_record("a", {filled(*out->memory(), mb, 1)}));
+  const MessagePtr held = in->read();
+  const BufferPtr own = filled(*out->memory(), mb, 2);
+  out->publish(text_record("b", {own}));
+  EXPECT_FALSE(out->memory()->allocate(mb));
+  const auto messages = read_all(*in);
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_TRUE(all_bytes_are(messages[0]->blocks()[0], 2));
+  EXPECT_EQ(out->stats().dropped, 0u);
+}
+
+TEST(Queue, best_effort_leaves_what_the_program_refers_to_in_the_outbox) {
+  const auto out = publisher(100, mb, Policy::best_effort());
+  const auto in = idle_subscriber(out->address()), other = idle_subscriber(out->address());
+  for (int i = 0; i < 40; ++i) out->publish(text_record(std::string(60'000, 'x')));  // fills the sockets
+  BufferPtr own = filled(*out->memory(), mb, 2);
+  out->publish(text_record("b", {own}));
+  EXPECT_FALSE(out->memory()->allocate(mb));
+  EXPECT_EQ(out->stats().dropped, 0u);
+  own.reset();
+  EXPECT_TRUE(out->memory()->allocate(mb)) << "each of the two queues has the same record";
+  EXPECT_EQ(out->stats().dropped, 82u);
+}
+
 TEST(Queue, no_policy_ever_takes_back_what_a_subscriber_holds) {
   const auto out = publisher(10, 2 * mb, Policy::best_effort());
   const auto in = idle_subscriber(out->address());

@@ -20,6 +20,21 @@ struct Padded {
   friend bool operator==(const Padded& a, const Padded& b) { return a.tag == b.tag && a.value == b.value; }
 };
 
+/// Publishes, as encode does it. Without a buffer: there is no memory, or no element.
+template <class T>
+detail::ArrayBlock<T> send(const Array<T>& array, const std::shared_ptr<test::TestMemory>& memory) {
+  auto shared = array.storage().share();
+  if (!shared.buffer && !array.empty()) {
+    shared.buffer = memory->allocate(array.size() * sizeof(T));
+    if (!shared.buffer) return shared;
+    std::memcpy(shared.buffer->data(), shared.begin, array.size() * sizeof(T));
+    shared.begin = reinterpret_cast<T*>(shared.buffer->data());
+    array.storage().note_sent(memory, shared.buffer, shared.buffer->data());
+  }
+  if (shared.buffer) shared.buffer->seal();
+  return shared;
+}
+
 /// An array and a vector that the same things happen to.
 template <class T>
 class Pair {
@@ -65,21 +80,12 @@ class Pair {
     }
   }
 
-  /// As encode does it.
   void publish() {
     const Array<T>& array = array_;
     const T* const elements = array.data();
-    auto shared = array.storage().share();
-    if (!shared.buffer && !vector_.empty()) {
-      shared.buffer = memory_->allocate(vector_.size() * sizeof(T));
-      if (!shared.buffer) return;
-      std::memcpy(shared.buffer->data(), elements, vector_.size() * sizeof(T));
-      shared.begin = reinterpret_cast<T*>(shared.buffer->data());
-      array.storage().note_sent(memory_, shared.buffer, shared.buffer->data());
-    }
+    const auto shared = send(array, memory_);
     ASSERT_EQ(elements, array.data()) << "other threads may read them";
     if (!shared.buffer) return;
-    shared.buffer->seal();
     published_.push_back(Published{shared.buffer, shared.begin, vector_});
     if (published_.size() > 8) published_.pop_front();
   }
@@ -243,8 +249,33 @@ const std::vector<typename Pair<T>::Operation> Pair<T>::operations = {
     },
 };
 
+enum class Place { heap, segment, published, published_from_the_heap };
+
+/// An array of 40 elements without room for more.
 template <class T>
-class ArrayProperty : public ::testing::Test {};
+Array<T> made(Place place, const std::shared_ptr<test::TestMemory>& memory) {
+  Array<T> array;
+  if (place == Place::segment || place == Place::published) array.bind(memory);
+  array.reserve(40);
+  for (int i = 0; i < 40; ++i) array.push_back(T(i));
+  if (place == Place::published || place == Place::published_from_the_heap) send(array, memory);
+  return array;
+}
+
+template <class T>
+class ArrayProperty : public ::testing::Test {
+ protected:
+  template <class Check>
+  void in_each_place(Check check) {
+    for (const Place place :
+         {Place::heap, Place::segment, Place::published, Place::published_from_the_heap}) {
+      SCOPED_TRACE("place " + std::to_string(static_cast<int>(place)));
+      check([&] { return made<T>(place, memory_); });
+    }
+  }
+
+  const std::shared_ptr<test::TestMemory> memory_ = std::make_shared<test::TestMemory>(4 << 20);
+};
 using Elements = ::testing::Types<std::uint8_t, float, std::int64_t, Padded>;
 TYPED_TEST_SUITE(ArrayProperty, Elements);
 
@@ -254,6 +285,58 @@ TYPED_TEST(ArrayProperty, behaves_as_a_vector) {
     Pair<TypeParam>(std::make_shared<test::TestMemory>(4 << 20), seed).run(200);
     if (this->HasFatalFailure()) return;
   }
+}
+
+// For a vector that has to move, what is inserted is read before the old elements go.
+TYPED_TEST(ArrayProperty, inserts_elements_of_its_own) {
+  this->in_each_place([](const auto& make) {
+    for (const int at : {0, 17, 40}) {
+      for (const int from : {0, 10, 39}) {
+        Array<TypeParam> array = make();
+        const Array<TypeParam>& read = array;
+        std::vector<TypeParam> expected(read.begin(), read.end());
+        expected.insert(expected.begin() + at, read.begin() + from, read.end());
+        const auto gap = array.insert(read.cbegin() + at, read.begin() + from, read.end());
+        EXPECT_EQ(at, gap - array.begin());
+        EXPECT_TRUE(array == expected) << "from " << from << " at " << at;
+      }
+    }
+  });
+}
+
+TYPED_TEST(ArrayProperty, inserts_elements_that_moved_when_it_was_asked_for_a_place) {
+  this->in_each_place([](const auto& make) {
+    Array<TypeParam> array = make();
+    const Array<TypeParam>& read = array;
+    std::vector<TypeParam> expected(read.begin(), read.end());
+    expected.insert(expected.end(), read.begin(), read.end());
+    const auto first = read.begin(), last = read.end();
+    array.insert(array.end(), first, last);
+    EXPECT_TRUE(array == expected);
+  });
+}
+
+TYPED_TEST(ArrayProperty, assigns_elements_of_its_own) {
+  this->in_each_place([](const auto& make) {
+    for (const int from : {0, 1, 39, 40}) {
+      Array<TypeParam> array = make();
+      const Array<TypeParam>& read = array;
+      const std::vector<TypeParam> expected(read.begin() + from, read.end());
+      array.assign(read.begin() + from, read.end());
+      EXPECT_TRUE(array == expected) << "from " << from;
+    }
+  });
+}
+
+TYPED_TEST(ArrayProperty, assigns_what_iterators_make_of_its_elements) {
+  this->in_each_place([](const auto& make) {
+    Array<TypeParam> array = make();
+    const Array<TypeParam>& read = array;
+    const std::vector<TypeParam> expected(read.rbegin(), read.rend());
+    if (read.storage().is_writable()) return;  // in place, as a vector does it
+    array.assign(std::make_move_iterator(read.rbegin()), std::make_move_iterator(read.rend()));
+    EXPECT_TRUE(array == expected);
+  });
 }
 
 }  // namespace

@@ -12,9 +12,20 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <limits>
 #include <vector>
 
 #include "posix/mapping.h"
+
+namespace {
+off_t most_bytes_without_a_signal = std::numeric_limits<off_t>::max();
+}
+
+/// In place of the C library's, which a timer may interrupt each time that it takes long.
+extern "C" int posix_fallocate(int file, off_t offset, off_t bytes) {
+  if (bytes > most_bytes_without_a_signal) return EINTR;
+  return ::fallocate(file, 0, offset, bytes) == 0 ? 0 : errno;
+}
 
 namespace tzc {
 namespace posix {
@@ -113,6 +124,24 @@ TEST(MemoryFile, a_reserve_is_not_kept_from_its_end_by_signals) {
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
   EXPECT_EQ(status, 0);
+}
+
+// On a slow machine a timer's period may be too short for what a fast one does in it.
+TEST(MemoryFile, a_reserve_that_is_interrupted_again_and_again_goes_on_in_smaller_steps) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::alarm(60);
+    most_bytes_without_a_signal = 64 << 10;
+    constexpr std::size_t large = (9 << 20) + 4096;
+    MemoryFile file = *create_memory_file("slow", large, Sharing::peers_read);
+    struct stat status{};
+    const bool reserved = static_cast<bool>(reserve(file, 0, large));
+    ::fstat(file.descriptor.get(), &status);
+    ::_exit(reserved && static_cast<std::size_t>(status.st_blocks) == large / 512 ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0) << "status " << status;
 }
 
 // A publisher that finds no memory serializes its messages; a program that finds no descriptor for its socket is stuck.

@@ -230,6 +230,26 @@ TEST(Memory, a_forked_childs_writes_stay_its_own) {
   EXPECT_EQ(buffer->data()[99'999], 7);
 }
 
+// As a daemon forks twice.
+TEST(Memory, a_forked_childs_writes_are_still_there_in_its_own_child) {
+  const auto memory = memory_of(mb);
+  const BufferPtr buffer = memory->allocate(100'000);
+  std::memset(buffer->data(), 7, buffer->size());
+  const auto status_of = [](pid_t child) {
+    int status = -1;
+    ::waitpid(child, &status, 0);
+    return status;
+  };
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::memset(buffer->data(), 8, buffer->size());
+    const pid_t grandchild = ::fork();
+    if (grandchild == 0) ::_exit(buffer->data()[0] == 8 && buffer->data()[99'999] == 8 ? 0 : 1);
+    ::_exit(status_of(grandchild) == 0 ? 0 : 1);
+  }
+  EXPECT_EQ(status_of(child), 0);
+}
+
 TEST(Memory, a_limit_on_file_sizes_is_an_error_and_no_death) {
   const pid_t child = ::fork();
   if (child == 0) {

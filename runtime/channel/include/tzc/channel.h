@@ -32,8 +32,8 @@ using RecordPtr = std::shared_ptr<const Record>;
 /// Copies the control part and seals the buffers. `tag` is for the application; the channel passes it through
 /// unchanged. A control part that fits no slot of the connections' rings (some 400 bytes) goes into a block of `memory` when that
 /// is given and not exhausted, otherwise over the socket, which takes half as long again, and longer the larger it is. Give it a
-/// memory of its own: small blocks between large ones waste room. Null when a buffer is null, or when can_carry() gives
-/// an error.
+/// memory of its own: small blocks between large ones waste room. Null when a buffer is null or, in a forked child, its parent's
+/// (Buffer::inherited), or when can_carry() gives an error.
 RecordPtr make_record(std::uint32_t tag, const void* control, std::size_t control_size,
                       BufferSpan buffers = {}, MemorySource* memory = nullptr);
 
@@ -72,7 +72,7 @@ class Connection {
   /// Never blocks: writes directly, or queues when the socket is full. At most queue_size records (see also
   /// buffered_bytes) are in flight; beyond that the oldest is revoked and counted. False when the connection is not alive, or when
   /// the record's memory cannot be shared with this subscriber (alive() stays true, last_failure() says why:
-  /// send the message without shared memory instead).
+  /// send the message without shared memory instead), as that of a record which was made before this process was forked.
   virtual bool send(const RecordPtr& record) = 0;
   virtual Error last_failure() const = 0;
   /// Ends the subscription. Records already sent still arrive; blocks that the subscriber holds stay valid.

@@ -188,7 +188,7 @@ class Array {
   /// all of them. Unwritten elements may show earlier bytes of this publisher, never another's.
   void resize(size_type n, uninitialized_t) {
     if (n == 0) return clear();
-    if (n > capacity() || !storage_.is_writable()) storage_.remake(std::max(checked(n), capacity()), 0);
+    if (n > capacity() || !storage_.is_writable()) remake_unfilled(std::max(checked(n), capacity()));
     storage_.set_size(n);
   }
 
@@ -264,13 +264,17 @@ class Array {
   bool bound_buffer_has_room(size_type n) const noexcept;
 
   T* replace(size_type n);
+  void remake_unfilled(size_type capacity);
   T* grow_by(size_type n);
   T* make_room(size_type n) __attribute__((noinline));
-  iterator make_gap(const_iterator position, size_type n);
+  size_type capacity_for(size_type n) const;
+  iterator make_gap(const_iterator position, size_type n, detail::ArrayStorage<T>& before);
   template <class... Args>
   void resize_with(size_type n, Args&&... args);
   iterator insert_copies(const_iterator position, size_type n, const Element& element);
 
+  template <class It>
+  bool may_lie_here(It first) const;
   template <class It>
   void assign_range(It first, It last, std::input_iterator_tag);
   template <class It>

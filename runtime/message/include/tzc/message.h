@@ -68,7 +68,9 @@ struct HasPartialForm<Message<std::allocator<void> > > : std::true_type {};
 /// count as shared from now on: a later write through the message gets fresh memory, from `memory` when they were on
 /// the heap and not bound. What is encoded again before it was written is not copied again.
 /// `encoded` may be reused; what it held is replaced. It keeps the buffers alive; make_record seals them.
-/// Returns false, and nothing is shared, when `memory` is exhausted or an array has 2^32 elements or more.
+/// A forked child's arrays in memory of its parent are copied each time (Buffer::inherited).
+/// Returns false, and nothing is copied, when `memory` is exhausted, an array has 2^32 elements or more, or elements are
+/// referred to too often (docs/messages.md). Nobody has the arrays then, but those in a segment count as shared all the same.
 template <class M>
 bool encode(const M& message, const std::shared_ptr<MemorySource>& memory, Encoded& encoded);
 

@@ -39,6 +39,9 @@ class Buffer {
   std::size_t size() const noexcept { return size_; }
   /// Sealed: published or shared. The content does not change until the block is reclaimed.
   bool sealed() const noexcept { return sealed_.load(std::memory_order_acquire); }
+  /// In a forked child: the buffer is its parent's. What the child writes there stays the child's own, and the parent may reuse
+  /// the block at any time. So a child cannot publish it: copy what is in it. Any thread.
+  bool inherited() const noexcept;
   /// One way: a sealed buffer stays sealed until its block is reclaimed. Any thread.
   void seal() noexcept {
     sealed_.store(true, std::memory_order_release);
@@ -234,7 +237,8 @@ struct BufferViews {
 };
 
 /// Seals the buffers. Payloads below a page, those of which other such views live, and all where the system refuses them, are
-/// copied. In guard mode, which keeps late writes to itself and reports them, the blocks are the buffers' own bytes. Any thread. A
+/// copied, and so are a forked child's inherited ones. In guard mode, which keeps late writes to itself and reports them, the
+/// blocks are the buffers' own bytes. Any thread. A
 /// thread that writes must not block SIGSEGV. Throws std::bad_alloc.
 BufferViews view_for_callbacks(const BufferSpan& buffers);
 

@@ -12,7 +12,8 @@ namespace tzc {
 ///  - medium_effort reclaims everything that is free, wherever it lies, and discards the new message when that is not
 ///    enough;
 ///  - best_effort does the same, then revokes blocks in flight, oldest first. A subscriber that loses one counts it as
-///    lost; a block that a subscriber already took is never revoked.
+///    lost; a block that a subscriber already took is never revoked, nor one to which the program has a BufferPtr of its
+///    own (which would free nothing).
 enum class PolicyKind { best_effort, medium_effort, worst_effort };
 
 /// What a publisher does when its memory is used up. A value, free to copy.

@@ -54,9 +54,17 @@ T* Array<T>::replace(size_type n) {
     clear();
     return nullptr;
   }
-  if (n > capacity() || !storage_.is_writable()) storage_.remake(checked(n), 0);
+  if (n > capacity() || !storage_.is_writable()) remake_unfilled(checked(n));
   storage_.set_size(n);
   return data();
+}
+
+/// Fresh memory without elements. Shared ones are let go first: nothing but their block may be left of a small memory, or a block
+/// may be taken from subscribers that they have not read.
+template <class T>
+void Array<T>::remake_unfilled(size_type capacity) {
+  if (storage_.is_shared()) storage_.drop_elements();
+  storage_.remake(capacity, 0);
 }
 
 /// Appends n elements without values and returns the first of them.
@@ -71,18 +79,28 @@ T* Array<T>::grow_by(size_type n) {
 
 template <class T>
 T* Array<T>::make_room(size_type n) {
-  if (n > max_size() - size()) checked(max_size() + 1);
-  const size_type needed = size() + n;
-  const size_type doubled = size() <= max_size() / 2 ? size() * 2 : max_size();
-  storage_.remake(needed <= capacity() ? capacity() : std::max(needed, doubled), size());
+  storage_.remake(capacity_for(n), size());
   return data();
 }
 
+/// Of memory that has room for n elements more.
 template <class T>
-typename Array<T>::iterator Array<T>::make_gap(const_iterator position, size_type n) {
+typename Array<T>::size_type Array<T>::capacity_for(size_type n) const {
+  if (n > max_size() - size()) checked(max_size() + 1);
+  const size_type needed = size() + n;
+  const size_type doubled = size() <= max_size() / 2 ? size() * 2 : max_size();
+  return needed <= capacity() ? capacity() : std::max(needed, doubled);
+}
+
+/// Room for n elements, which the caller may copy from this array: if they moved, they are in `before`, too.
+template <class T>
+typename Array<T>::iterator Array<T>::make_gap(const_iterator position, size_type n,
+                                               detail::ArrayStorage<T>& before) {
   const difference_type at = position - cbegin();
   const size_type behind = size() - static_cast<size_type>(at);
-  if (n != 0) grow_by(n);
+  const bool has_room = storage_.is_writable() && n <= capacity() - size();
+  if (n != 0 && !has_room) storage_.remake(capacity_for(n), size(), before);
+  storage_.set_size(size() + n);
   const iterator gap = begin() + at;
   if (n != 0 && behind != 0) std::memmove(static_cast<void*>(gap + n), gap, behind * sizeof(T));
   return gap;
@@ -101,9 +119,18 @@ void Array<T>::resize_with(size_type n, Args&&... args) {
 template <class T>
 typename Array<T>::iterator Array<T>::insert_copies(const_iterator position, size_type n,
                                                     const Element& element) {
-  const iterator gap = make_gap(position, n);
+  detail::ArrayStorage<T> before;
+  const iterator gap = make_gap(position, n, before);
   std::fill_n(gap, n, *element);
   return gap;
+}
+
+/// Whether a range may consist of this array's elements. Values that its iterators make may come from them.
+template <class T>
+template <class It>
+bool Array<T>::may_lie_here(It first) const {
+  auto&& element = *first;
+  return !std::is_lvalue_reference<decltype(*first)>::value || storage_.has(std::addressof(element));
 }
 
 template <class T>
@@ -116,7 +143,16 @@ void Array<T>::assign_range(It first, It last, std::input_iterator_tag) {
 template <class T>
 template <class It>
 void Array<T>::assign_range(It first, It last, std::forward_iterator_tag) {
-  std::copy(first, last, replace(static_cast<size_type>(std::distance(first, last))));
+  const auto n = static_cast<size_type>(std::distance(first, last));
+  const bool has_room = n <= capacity() && storage_.is_writable();
+  if (n == 0 || has_room || !may_lie_here(first)) {
+    std::copy(first, last, replace(n));
+    return;
+  }
+  detail::ArrayStorage<T> before;
+  storage_.remake(checked(n), 0, before);
+  storage_.set_size(n);
+  std::copy(first, last, data());
 }
 
 template <class T>
@@ -131,7 +167,8 @@ template <class T>
 template <class It>
 typename Array<T>::iterator Array<T>::insert_range(const_iterator position, It first, It last,
                                                    std::forward_iterator_tag) {
-  const iterator gap = make_gap(position, static_cast<size_type>(std::distance(first, last)));
+  detail::ArrayStorage<T> before;
+  const iterator gap = make_gap(position, static_cast<size_type>(std::distance(first, last)), before);
   std::copy(first, last, gap);
   return gap;
 }

@@ -71,6 +71,11 @@ class ArrayStorage {
 
   bool is_writable() const noexcept { return element_pointer(writable_) != nullptr; }
   bool is_shared() const noexcept { return begin() != nullptr && !is_writable(); }
+  /// Whether that byte is one of the memory behind the elements.
+  bool has(const volatile void* byte) const noexcept {
+    const auto begin = reinterpret_cast<std::uintptr_t>(block_.begin);
+    return reinterpret_cast<std::uintptr_t>(byte) - begin < block_.capacity * sizeof(T);
+  }
 
   /// The elements for writing; copies them first if they are shared.
   T* writable() {
@@ -82,10 +87,13 @@ class ArrayStorage {
   T* writable_or_null() noexcept { return writable_; }
 
   /// Where others may read the elements. Those in a segment are shared from now on: the next write through this object gets
-  /// fresh memory. Of those on the heap it returns the copy that was sent before, if there is one, otherwise themselves.
+  /// fresh memory. Of those on the heap it returns the copy that was sent before, if there is one, otherwise themselves. In a
+  /// forked child, its parent's segments are as the heap: returned without a buffer, to be copied.
   ArrayBlock<T> share() const noexcept {
     const std::lock_guard<SleepLock> changing_hands(lock_);
     left_ = nullptr;
+    if (is_inherited(sent_)) take_back_heap();
+    if (is_inherited(block_)) return without_buffer(block_);
     if (block_.buffer) publish_pointer(writable_, static_cast<T*>(nullptr));
     return sent_.buffer ? sent_ : block_;
   }
@@ -95,7 +103,7 @@ class ArrayStorage {
   void note_sent(const std::shared_ptr<MemorySource>& memory, const BufferPtr& buffer,
                  std::uint8_t* at) const noexcept {
     const std::lock_guard<SleepLock> changing_hands(lock_);
-    if (block_.buffer || sent_.buffer) return;  // another thread was faster
+    if (block_.buffer || sent_.buffer) return;  // another thread was faster, or the block is the parent's
     if (!memory_) memory_ = memory;
     sent_.begin = reinterpret_cast<T*>(at);
     sent_.capacity = size_;
@@ -107,9 +115,15 @@ class ArrayStorage {
 
   /// Replaces the memory by fresh memory for `capacity` elements and keeps the first `kept` of them.
   void remake(std::size_t capacity, std::size_t kept) {
-    ArrayBlock<T> fresh = acquire(capacity);
-    if (kept != 0) std::memcpy(static_cast<void*>(fresh.begin), block_.begin, kept * sizeof(T));
-    if (is_shared()) note_copied(fresh, kept);
+    ArrayBlock<T> fresh = acquire_with(capacity, kept);
+    install(std::move(fresh));
+    capacity_ = capacity;
+  }
+  /// The same for a caller that copies from where the elements were: `before`, which is empty, keeps that.
+  void remake(std::size_t capacity, std::size_t kept, ArrayStorage& before) {
+    ArrayBlock<T> fresh = acquire_with(capacity, kept);
+    before.swap_elements(*this);
+    size_ = before.size_;
     install(std::move(fresh));
     capacity_ = capacity;
   }
@@ -186,7 +200,7 @@ class ArrayStorage {
   /// Elements that allocate() must find memory for; 0 when they are writable in a segment already, or an earlier allocate() has reserved memory for
   /// the next write.
   std::size_t elements_to_place() const noexcept {
-    if (block_.buffer && is_writable()) return 0;
+    if (block_.buffer && is_writable() && !is_inherited(block_)) return 0;
     if (is_shared() && spare_.begin != nullptr && spare_.capacity >= capacity_) return 0;
     return is_writable() && size_ != 0 ? size_ : capacity_;
   }
@@ -229,6 +243,17 @@ class ArrayStorage {
     return fresh.begin;
   }
 
+  /// It is in memory of the process that this one was forked from.
+  static bool is_inherited(const ArrayBlock<T>& block) noexcept {
+    return block.buffer && block.buffer->inherited();
+  }
+  static ArrayBlock<T> without_buffer(const ArrayBlock<T>& block) noexcept {
+    ArrayBlock<T> elements;
+    elements.begin = block.begin;
+    elements.capacity = block.capacity;
+    return elements;
+  }
+
   /// Others have the elements, which were copied.
   void note_copied(const ArrayBlock<T>& to, std::size_t count) {
     if (to.buffer && memory_ && count != 0) note_copy(*memory_, count * sizeof(T));
@@ -247,7 +272,7 @@ class ArrayStorage {
 
   /// Others have a copy of what was sent, so without memory for another one the elements are written where they are. So they
   /// are when one more thread might read elements that were on the heap before.
-  T* take_back_heap() {
+  T* take_back_heap() const noexcept {
     sent_ = ArrayBlock<T>();
     if (__builtin_expect(guard::active, 0)) guard::thaw(block_.begin);
     publish_pointer(writable_, block_.begin);
@@ -256,8 +281,9 @@ class ArrayStorage {
 
   ArrayBlock<T> shared_block() const {
     const std::lock_guard<SleepLock> changing_hands(lock_);
-    if (sent_.buffer) return sent_;
-    return is_writable() ? ArrayBlock<T>() : block_;
+    if (is_writable()) return ArrayBlock<T>();
+    const ArrayBlock<T>& shared = sent_.buffer ? sent_ : block_;
+    return is_inherited(shared) ? ArrayBlock<T>() : shared;
   }
 
   /// A pointer to elements that another thread may just have filled. What is read and written through it depends on the
@@ -280,6 +306,13 @@ class ArrayStorage {
     if (memory_) block.buffer = memory_->allocate(capacity * sizeof(T));
     block.begin = block.buffer ? reinterpret_cast<T*>(block.buffer->data()) : allocate_on_heap(capacity);
     return block;
+  }
+
+  ArrayBlock<T> acquire_with(std::size_t capacity, std::size_t kept) {
+    ArrayBlock<T> fresh = acquire(capacity);
+    if (kept != 0) std::memcpy(static_cast<void*>(fresh.begin), block_.begin, kept * sizeof(T));
+    if (is_shared()) note_copied(fresh, kept);
+    return fresh;
   }
 
   static T* allocate_on_heap(std::size_t capacity) {
