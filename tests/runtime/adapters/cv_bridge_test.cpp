@@ -106,6 +106,43 @@ TEST_F(CvBridge, draws_into_the_message) {
   EXPECT_EQ(message.data.data(), cv_bridge::mat(message).data);
 }
 
+TEST_F(CvBridge, copies_a_message_as_the_library_does) {
+  for (const char* encoding : {"bgr8", "mono8", "mono16", "rgba8"}) {
+    const auto stock = picture(encoding).toImageMsg();
+    const sensor_msgs::Image message(*stock);
+    for (const char* wanted : {"", encoding, "bgr8", "mono8"}) {
+      const auto expected = ::cv_bridge::toCvCopy(stock, wanted);
+      const auto copy = cv_bridge::toCvCopy(message, wanted);
+      EXPECT_EQ(*expected->toImageMsg(), *copy->toImageMsg()) << encoding << " as " << wanted;
+      EXPECT_NE(copy->image.data, message.data.data()) << "a copy";
+    }
+  }
+}
+
+TEST_F(CvBridge, copies_a_message_by_pointer_and_of_the_other_byte_order) {
+  const auto stock = picture("mono16").toImageMsg();
+  stock->is_bigendian = !stock->is_bigendian;
+  const auto message = boost::make_shared<sensor_msgs::Image>(*stock);
+  EXPECT_EQ(*::cv_bridge::toCvCopy(stock)->toImageMsg(), *cv_bridge::toCvCopy(message)->toImageMsg());
+  const sensor_msgs::ImageConstPtr read_only = message;
+  EXPECT_EQ(*::cv_bridge::toCvCopy(stock)->toImageMsg(), *cv_bridge::toCvCopy(read_only)->toImageMsg());
+}
+
+TEST_F(CvBridge, copies_no_message_that_is_smaller_than_it_says) {
+  sensor_msgs::Image message(*picture("bgr8").toImageMsg());
+  message.data.pop_back();
+  EXPECT_THROW(cv_bridge::toCvCopy(message), ::cv_bridge::Exception);
+}
+
+TEST_F(CvBridge, reading_a_published_message_copies_no_more_than_the_library) {
+  sensor_msgs::Image message(*picture("bgr8").toImageMsg());
+  message::Encoded encoded;
+  ASSERT_TRUE(message::encode(message, publisher_.test_memory, encoded));
+  const std::uint8_t* const before = static_cast<const sensor_msgs::Image&>(message).data.data();
+  cv_bridge::toCvCopy(message);
+  EXPECT_EQ(before, static_cast<const sensor_msgs::Image&>(message).data.data());
+}
+
 TEST_F(CvBridge, refuses_a_matrix_larger_than_its_data) {
   sensor_msgs::Image message;
   message.encoding = "bgr8";

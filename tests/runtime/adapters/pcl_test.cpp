@@ -45,6 +45,13 @@ std::vector<std::uint8_t> wire(const Cloud& cloud) {
   return bytes;
 }
 
+/// Without the points, between whose fields there is padding.
+::sensor_msgs::PointCloud2 described(const Cloud& cloud) {
+  ::sensor_msgs::PointCloud2 message = librarys_message(cloud);
+  message.data.clear();
+  return message;
+}
+
 class Pcl : public ::testing::Test {
  protected:
   message::Encoded encoded(const Cloud& cloud) {
@@ -76,6 +83,27 @@ TEST(Advertise, header_seq_is_counted_as_by_roscpp) {
   EXPECT_FALSE(tzc::detail::codec_for<Cloud>(stock).has_header);
   EXPECT_TRUE(tzc::detail::advertise_options<sensor_msgs::PointCloud2>("points", 1).has_header);
   EXPECT_TRUE(tzc::detail::advertise_options<::sensor_msgs::PointCloud2>("points", 1).has_header);
+}
+
+TEST_F(Pcl, reads_a_message_as_the_library_does) {
+  for (const auto& cloud : {cloud_of(7, 3), cloud_of(5, 1), Cloud()}) {
+    const ::sensor_msgs::PointCloud2 stock = librarys_message(cloud);
+    const sensor_msgs::PointCloud2 message(stock);
+    Cloud expected, read;
+    ::pcl::fromROSMsg(stock, expected);
+    pcl::fromROSMsg(message, read);
+    EXPECT_EQ(described(expected), described(read));
+    ASSERT_EQ(expected.size(), read.size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      EXPECT_EQ(expected[i].x, read[i].x);
+      EXPECT_EQ(expected[i].rgba, read[i].rgba);
+    }
+    ::pcl::PointCloud<::pcl::PointXYZ> fewer_expected, fewer;  // other fields: point by point
+    ::pcl::fromROSMsg(stock, fewer_expected);
+    pcl::fromROSMsg(message, fewer);
+    ASSERT_EQ(fewer_expected.size(), fewer.size());
+    for (std::size_t i = 0; i < fewer.size(); ++i) EXPECT_EQ(fewer_expected[i].x, fewer[i].x);
+  }
 }
 
 TEST_F(Pcl, to_ros_msg_builds_the_librarys_message) {

@@ -7,12 +7,15 @@
 #include <tzc/sensor_msgs/Image.h>
 
 #include <cv_bridge/cv_bridge.h>
+#include <sensor_msgs/image_encodings.h>
 
 #include <boost/make_shared.hpp>
+#include <boost/shared_ptr.hpp>
 
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace tzc {
@@ -33,6 +36,19 @@ inline void copy_rows(const cv::Mat& from, std::size_t row_size, std::uint8_t* t
     return;
   }
   for (int row = 0; row < from.rows; ++row) std::memcpy(to + row * row_size, from.ptr(row), row_size);
+}
+
+/// Over `pixels`, which are the message's.
+inline cv::Mat mat_of(const sensor_msgs::Image& message, std::uint8_t* pixels) {
+  const int type = ::cv_bridge::getCvType(message.encoding);
+  const std::uint64_t row_size = static_cast<std::uint64_t>(CV_ELEM_SIZE(type)) * message.width;
+  const std::uint64_t size = std::uint64_t{message.step} * message.height;
+  if (message.step < row_size || message.data.size() < size) {
+    throw ::cv_bridge::Exception(
+        "tzc::cv_bridge::mat: step or data is smaller than width, height and encoding need");
+  }
+  return cv::Mat(static_cast<int>(message.height), static_cast<int>(message.width), type, pixels,
+                 message.step);
 }
 
 }  // namespace detail
@@ -74,20 +90,38 @@ auto to_image_msg(const boost::shared_ptr<Image>& image, Target&& target)
   return to_image_msg(*image, std::forward<Target>(target));
 }
 
+namespace detail {
+
+/// Without a copy of the pixels; throws as mat() does.
+inline ::cv_bridge::CvImagePtr view_of(const sensor_msgs::Image& message) {
+  const cv::Mat pixels = mat_of(message, const_cast<std::uint8_t*>(message.data.data()));
+  return boost::make_shared< ::cv_bridge::CvImage>(message.header, message.encoding, pixels);
+}
+
+}  // namespace detail
+
+/// cv_bridge::toCvCopy for tzc:: messages: one copy of the pixels, in the encoding that is asked for; "": in their own. Reads the message
+/// alone, which may be published. Throws cv_bridge::Exception where the library does.
+inline ::cv_bridge::CvImagePtr toCvCopy(const sensor_msgs::Image& message,
+                                        const std::string& encoding = std::string()) {
+  const bool swaps_bytes = message.is_bigendian != detail::is_big_endian() &&
+                           ::sensor_msgs::image_encodings::bitDepth(message.encoding) > 8;
+  if (swaps_bytes) return ::cv_bridge::toCvCopy(static_cast< ::sensor_msgs::Image>(message), encoding);
+  return ::cv_bridge::cvtColor(detail::view_of(message), encoding);
+}
+/// The same for a pointer to one.
+template <class Image>
+auto toCvCopy(const boost::shared_ptr<Image>& message, const std::string& encoding = std::string())
+    -> decltype(toCvCopy(*message, encoding)) {
+  return toCvCopy(*message, encoding);
+}
+
 /// A matrix over the pixels of `message`, for drawing in place without a copy. Set height, width, encoding
 /// and step, and resize data first. Publishing, resizing or destroying the message invalidates the matrix.
 /// Throws cv_bridge::Exception when the encoding has no OpenCV type, or data is smaller than height × step
 /// bytes.
 inline cv::Mat mat(sensor_msgs::Image& message) {
-  const int type = ::cv_bridge::getCvType(message.encoding);
-  const std::uint64_t row_size = static_cast<std::uint64_t>(CV_ELEM_SIZE(type)) * message.width;
-  const std::uint64_t size = std::uint64_t{message.step} * message.height;
-  if (message.step < row_size || message.data.size() < size) {
-    throw ::cv_bridge::Exception(
-        "tzc::cv_bridge::mat: step or data is smaller than width, height and encoding need");
-  }
-  return cv::Mat(static_cast<int>(message.height), static_cast<int>(message.width), type, message.data.data(),
-                 message.step);
+  return detail::mat_of(message, message.data.data());
 }
 
 }  // namespace cv_bridge

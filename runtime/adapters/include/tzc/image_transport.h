@@ -254,8 +254,12 @@ class Transport {
 
 /// Other transports have topics and message types of their own.
 template <class Subscriber>
+void attach_raw(const Subscriber& subscriber) {
+  if (subscriber.getTransport() == "raw") attach<::sensor_msgs::Image>(subscriber.getTopic());
+}
+template <class Subscriber>
 Subscriber attached(const Subscriber& subscriber) {
-  if (subscriber && subscriber.getTransport() == "raw") attach<::sensor_msgs::Image>(subscriber.getTopic());
+  if (subscriber) attach_raw(subscriber);
   return subscriber;
 }
 
@@ -335,9 +339,23 @@ class SubscriberFilter : public ::image_transport::SubscriberFilter {
                  std::uint32_t queue_size,
                  const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
     ::image_transport::SubscriberFilter::subscribe(transport, base_topic, queue_size, hints);
-    if (getTransport() == "raw") attach<::sensor_msgs::Image>(getTopic());
+    detail::attach_raw(*this);
   }
 };
 
 }  // namespace image_transport
+
+namespace message_filters {
+
+/// `filter.subscribe(transport, ...)` where the filter must stay image_transport's own, for example because a library's class has it. It
+/// reads shared memory as tzc::image_transport::SubscriberFilter does.
+inline void subscribe(::image_transport::SubscriberFilter& filter,
+                      ::image_transport::ImageTransport& transport, const std::string& base_topic,
+                      std::uint32_t queue_size,
+                      const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  filter.subscribe(transport, base_topic, queue_size, hints);
+  ::tzc::image_transport::detail::attach_raw(filter);
+}
+
+}  // namespace message_filters
 }  // namespace tzc

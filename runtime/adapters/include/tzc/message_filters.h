@@ -70,5 +70,16 @@ class Subscriber : public ::message_filters::SubscriberBase, public ::message_fi
   ros::Subscriber subscriber_;
 };
 
+/// `filter.subscribe(node, ...)` where the filter must stay message_filters' own, for example because a library's class has it; the topic
+/// uses shared memory. Whoever is behind the filter may write to its messages, so it gets private copies, and with it each callback of the
+/// topic in this process. filter.subscribe() and filter.unsubscribe() do what they did.
+template <class M>
+void subscribe(::message_filters::Subscriber<M>& filter, ros::NodeHandle& node, const std::string& topic,
+               std::uint32_t queue_size, const ros::TransportHints& hints = ros::TransportHints(),
+               ros::CallbackQueueInterface* callback_queue = nullptr) {
+  if (!topic.empty()) ::tzc::attach<M>(node, topic);
+  filter.subscribe(node, topic, queue_size, hints, callback_queue);
+}
+
 }  // namespace message_filters
 }  // namespace tzc

@@ -22,15 +22,26 @@ namespace pcl_conversions {
 
 namespace detail {
 
-inline void copy_meta_data(const ::pcl::PCLPointCloud2& from, sensor_msgs::PointCloud2& to) {
-  ::pcl_conversions::fromPCL(from.header, to.header);
+template <class From, class To>
+void copy_shape(const From& from, To& to) {
   to.height = from.height;
   to.width = from.width;
-  ::pcl_conversions::fromPCL(from.fields, to.fields);
   to.is_bigendian = from.is_bigendian;
   to.point_step = from.point_step;
   to.row_step = from.row_step;
   to.is_dense = from.is_dense;
+}
+
+inline void copy_meta_data(const ::pcl::PCLPointCloud2& from, sensor_msgs::PointCloud2& to) {
+  ::pcl_conversions::fromPCL(from.header, to.header);
+  ::pcl_conversions::fromPCL(from.fields, to.fields);
+  copy_shape(from, to);
+}
+
+inline void copy_meta_data(const sensor_msgs::PointCloud2& from, ::pcl::PCLPointCloud2& to) {
+  ::pcl_conversions::toPCL(from.header, to.header);
+  ::pcl_conversions::toPCL(from.fields, to.fields);
+  copy_shape(from, to);
 }
 
 inline void copy_meta_data(const ::pcl::PCLImage& from, sensor_msgs::Image& to) {
@@ -91,6 +102,16 @@ void toROSMsg(const ::pcl::PointCloud<Point>& cloud, sensor_msgs::PointCloud2& m
   const std::size_t size = cloud.points.size() * sizeof(Point);
   message.data.resize(size, uninitialized);
   if (size != 0) std::memcpy(message.data.data(), cloud.points.data(), size);
+}
+
+/// pcl::fromROSMsg for tzc:: messages: the cloud's own copy of the points, as the library makes. Reads the message alone, which may be
+/// published.
+template <class Point>
+void fromROSMsg(const sensor_msgs::PointCloud2& message, ::pcl::PointCloud<Point>& cloud) {
+  ::pcl::PCLPointCloud2 description;
+  pcl_conversions::detail::copy_meta_data(message, description);
+  const message::detail::BorrowedData data(description.data, {message.data.data(), message.data.size()});
+  ::pcl::fromPCLPointCloud2(description, cloud);
 }
 
 namespace detail {
