@@ -8,6 +8,7 @@
 
 #include "preload/codec_table.h"
 #include "roscpp/publish/plain_attachment.h"
+#include "roscpp/subscribe/fault_ready_queue.h"
 #include "roscpp/traces/traced_callback.h"
 
 namespace tzc {
@@ -39,10 +40,12 @@ Subscriber NodeHandle::subscribe(SubscribeOptions& options) {
   const tzc::detail::MessageCodec* codec = tzc::codec_for(options.datatype, options.md5sum);
   if (codec && options.helper && options.helper->getTypeInfo() == *codec->type)
     tzc::detail::attach_topic(resolveName(options.topic), *codec);
-  const ros::SubscriptionCallbackHelperPtr callback = options.helper;
-  options.helper = tzc::detail::traced(callback, resolveName(options.topic));
-  const Subscriber subscriber = subscribe(this, options);
-  options.helper = callback;  // the program may subscribe with them again
+  if (!options.callback_queue) options.callback_queue = getCallbackQueue();  // as roscpp's own function does
+  SubscribeOptions prepared = options;  // the program may subscribe with them again
+  prepared.callback_queue = tzc::detail::fault_ready_queue(*options.callback_queue);
+  prepared.helper = tzc::detail::traced(options.helper, resolveName(options.topic));
+  const Subscriber subscriber = subscribe(this, prepared);
+  options.topic = prepared.topic;  // roscpp's own function resolves it, too
   return subscriber;
 }
 

@@ -10,6 +10,7 @@
 /// fails to compile right here; with a version that was not looked at (roscpp_version.h) nothing here is used.
 
 #include <ros/connection.h>
+#include <ros/connection_manager.h>  // has no include guard: nobody else may include it
 #include <ros/intraprocess_publisher_link.h>
 #include <ros/intraprocess_subscriber_link.h>
 #include <ros/publication.h>
@@ -24,6 +25,7 @@
 
 #include <list>
 #include <queue>
+#include <set>
 #include <vector>
 
 namespace tzc {
@@ -63,6 +65,7 @@ typedef std::list<ros::SubscriptionPtr> SubscriptionList;
 typedef std::vector<ros::PublisherLinkPtr> PublisherLinks;
 typedef std::vector<ros::SerializedMessage> SerializedMessages;
 typedef std::queue<ros::SerializedMessage> SerializedQueue;
+typedef std::set<ros::ConnectionPtr> ConnectionSet;
 
 TZC_GRANT(Subscriptions, ros::TopicManager, SubscriptionList, subscriptions_)
 TZC_GRANT(SubsMutex, ros::TopicManager, boost::mutex, subs_mutex_)
@@ -107,6 +110,8 @@ TZC_GRANT(HeaderWritten, ros::TransportSubscriberLink, bool, header_written_)
 
 TZC_GRANT(Socket, ros::TransportTCP, int, sock_)
 TZC_GRANT(ReadMutex, ros::Connection, boost::recursive_mutex, read_mutex_)
+TZC_GRANT(Connections, ros::ConnectionManager, ConnectionSet, connections_)
+TZC_GRANT(ConnectionsMutex, ros::ConnectionManager, boost::mutex, connections_mutex_)
 
 #undef TZC_GRANT
 #undef TZC_GRANT_UNNAMED

@@ -121,7 +121,9 @@ void StatisticsUpdater::update() {
     ROS_DEBUG_STREAM("TZC: the statistics page stays as it is: " << error.what());
   }
   const std::chrono::microseconds pause = is_complete ? std::chrono::microseconds(kPeriod) : kAgain;
+  is_running_ = false;  // without memory for the job, it ends, and the next connection begins it again
   clerk_.post([this] { update(); }, pause);
+  is_running_ = true;
 }
 
 void StatisticsUpdater::add_plain(const ros::PublicationPtr& publication, const std::string& reason) {

@@ -5,7 +5,6 @@
 #include <ros/init.h>
 
 #include <exception>
-#include <system_error>
 #include <utility>
 
 #include "channel/fault_signals.h"
@@ -20,6 +19,15 @@ void block_other_signals() {
   pthread_sigmask(SIG_BLOCK, &others, nullptr);
 }
 
+template <class Warn>
+void warn_if_possible(Warn warn) {
+  try {
+    warn();
+  } catch (const std::exception&) {
+    return;  // without memory there may be none for the warning, either
+  }
+}
+
 }  // namespace
 
 bool start_transport_thread(std::thread& thread, std::function<void()> body) {
@@ -29,10 +37,12 @@ bool start_transport_thread(std::thread& thread, std::function<void()> body) {
       body();
     });
     return true;
-  } catch (const std::system_error& error) {
-    TZC_WARN_THROTTLED(60, "TZC: connections stay on TCPROS: no thread can be started ("
-                               << error.what()
-                               << "); raise the limit (ulimit -u, or pids.max of the cgroup)");
+  } catch (const std::exception& error) {
+    warn_if_possible([&error] {
+      TZC_WARN_THROTTLED(60, "TZC: connections stay on TCPROS: no thread can be started ("
+                                 << error.what()
+                                 << "); raise the limit (ulimit -u, or pids.max of the cgroup)");
+    });
     return false;
   }
 }
@@ -43,7 +53,8 @@ void run_job(const std::function<void()>& job) {
   } catch (const std::exception& error) {
     // A job may run while the process ends, when roscpp's and the log's own locks are destroyed already.
     if (ros::isShuttingDown()) return;
-    TZC_WARN_THROTTLED(60, "TZC: a connection stays on TCPROS: " << error.what());
+    warn_if_possible(
+        [&error] { TZC_WARN_THROTTLED(60, "TZC: a connection stays on TCPROS: " << error.what()); });
   }
 }
 

@@ -60,9 +60,16 @@ LocalMessage LocalCallbacks::prepare(ros::Publication& publication, const Messag
                                      const message::Encoded& encoded) const {
   const LocalView view = make_ready(publication, codec);
   if (view == LocalView::unseen || view == LocalView::copy) return {view, nullptr};
+  if (view == LocalView::guarded) keep_others_ready();
   const std::uint64_t bytes = shared_bytes(encoded);
   if (!may_hold(publication.getName(), bytes)) return {LocalView::copy, nullptr};
   return {view, limit_.hold(bytes, nullptr)};
+}
+
+// Callbacks of other topics may write to what these have kept.
+void LocalCallbacks::keep_others_ready() const {
+  if (others_are_kept_ready_ || others_are_kept_ready_.exchange(true)) return;
+  peers_.post("", keep_all_ready_for_faults);
 }
 
 bool LocalCallbacks::may_hold(const std::string& topic, std::uint64_t bytes) const {

@@ -6,10 +6,12 @@
 #include <tzc/detail/codec.h>
 #include <tzc/message.h>
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 
 #include "roscpp/hold_limit.h"
+#include "roscpp/upgrade/peer_pool.h"
 
 namespace tzc {
 namespace detail {
@@ -18,7 +20,10 @@ namespace detail {
 class LocalCallbacks {
  public:
   /// @param most_bytes that all of them together may hold of the topic's memory (HoldLimit)
-  explicit LocalCallbacks(std::uint64_t most_bytes) { limit_.set_most_bytes(most_bytes); }
+  /// @param peers waits for roscpp's poll thread
+  LocalCallbacks(std::uint64_t most_bytes, PeerPool& peers) : peers_(peers) {
+    limit_.set_most_bytes(most_bytes);
+  }
 
   /// What they may see of a message of type `codec.type`; those that may have a view of it are made ready for faults
   /// (fault_ready_queue.h). Call it before each such message. Takes subscriber_links_mutex_ and the subscriptions' callbacks_mutex_,
@@ -28,8 +33,11 @@ class LocalCallbacks {
 
  private:
   bool may_hold(const std::string& topic, std::uint64_t bytes) const;
+  void keep_others_ready() const;
 
   HoldLimit limit_;
+  PeerPool& peers_;
+  mutable std::atomic<bool> others_are_kept_ready_{false};
 };
 
 }  // namespace detail

@@ -30,10 +30,23 @@ namespace {
 /// When to try again to open a channel.
 constexpr std::chrono::seconds kAfterFailure(5);
 
+struct KnownEndpoint {
+  ros::PublicationWPtr publication;
+  std::weak_ptr<PublicationEndpoint> endpoint;
+};
+
 /// Endpoints by publication: two publishers of one topic share one.
 struct Endpoints {
   std::mutex mutex;
-  std::map<const ros::Publication*, std::weak_ptr<PublicationEndpoint>> endpoints;
+  std::map<const ros::Publication*, KnownEndpoint> endpoints;
+
+  /// Under mutex. Null: there is none, or that of a publication which had the same address.
+  std::shared_ptr<PublicationEndpoint> find(const ros::PublicationPtr& publication) const {
+    const auto found = endpoints.find(publication.get());
+    const bool is_known =
+        found != endpoints.end() && publication && found->second.publication.lock() == publication;
+    return is_known ? found->second.endpoint.lock() : nullptr;
+  }
 };
 
 Endpoints& endpoints() {
@@ -85,8 +98,8 @@ std::shared_ptr<PublicationEndpoint> PublicationEndpoint::of(const ros::Publicat
                                                              PeerPool& peers) {
   // No endpoint may end under this lock: its destructor takes it.
   const std::lock_guard<std::mutex> lock(endpoints().mutex);
-  std::weak_ptr<PublicationEndpoint>& known = endpoints().endpoints[publication.get()];
-  if (std::shared_ptr<PublicationEndpoint> endpoint = known.lock()) return endpoint;
+  if (std::shared_ptr<PublicationEndpoint> endpoint = endpoints().find(publication)) return endpoint;
+  KnownEndpoint& known = endpoints().endpoints[publication.get()];
   Expected<std::shared_ptr<SegmentMemory>> segments =
       SegmentMemory::create(memory_options(*publication, options));
   if (!segments) {
@@ -99,7 +112,7 @@ std::shared_ptr<PublicationEndpoint> PublicationEndpoint::of(const ros::Publicat
       new PublicationEndpoint(publication, *segments, options.on_exhausted, worker, peers));
   // An alias: the links keep the endpoint with the stream, the migration keeps neither.
   endpoint->migration_->send_from(std::shared_ptr<PublicationStream>(endpoint, &endpoint->stream_));
-  known = endpoint;
+  known = {publication, endpoint};
   note_topic_with_memory();
   return endpoint;
 }
@@ -113,7 +126,7 @@ PublicationEndpoint::PublicationEndpoint(const ros::PublicationPtr& publication,
       memory_(segments_),
       worker_(worker),
       stream_(publication, segments_, on_exhausted),
-      local_callbacks_(stream_.most_held_bytes()),
+      local_callbacks_(stream_.most_held_bytes(), peers),
       negotiator_(std::make_shared<UpgradeNegotiator>(offer_of(*publication), peers)),
       migration_(std::make_shared<LinkMigration>(publication, negotiator_, worker)) {}
 
@@ -121,7 +134,7 @@ PublicationEndpoint::~PublicationEndpoint() {
   {
     const std::lock_guard<std::mutex> lock(endpoints().mutex);
     for (auto it = endpoints().endpoints.begin(); it != endpoints().endpoints.end();)
-      it = it->second.expired() ? endpoints().endpoints.erase(it) : std::next(it);
+      it = it->second.endpoint.expired() ? endpoints().endpoints.erase(it) : std::next(it);
   }
   append_statistics(topic_, statistics());
   // Ending a channel waits for its callbacks, which take roscpp's locks; and the thread that ends an endpoint may hold those.
@@ -327,8 +340,7 @@ bool PublicationEndpoint::publish_directly(const std::type_info& type, message::
 std::shared_ptr<PublicationEndpoint> find_endpoint(const std::string& topic) {
   const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
   const std::lock_guard<std::mutex> lock(endpoints().mutex);
-  const auto found = endpoints().endpoints.find(publication.get());
-  return found == endpoints().endpoints.end() ? nullptr : found->second.lock();
+  return endpoints().find(publication);
 }
 
 // Locked outside of the mutex, which the destructor of an endpoint takes.
@@ -336,7 +348,7 @@ std::vector<std::shared_ptr<PublicationEndpoint>> all_endpoints() {
   std::vector<std::weak_ptr<PublicationEndpoint>> known;
   {
     const std::lock_guard<std::mutex> lock(endpoints().mutex);
-    for (const auto& one : endpoints().endpoints) known.push_back(one.second);
+    for (const auto& one : endpoints().endpoints) known.push_back(one.second.endpoint);
   }
   std::vector<std::shared_ptr<PublicationEndpoint>> alive;
   for (const auto& one : known)

@@ -3,6 +3,9 @@
 
 #include <ros/poll_manager.h>
 
+#include <algorithm>
+#include <boost/thread/lock_types.hpp>
+#include <boost/thread/mutex.hpp>
 #include <vector>
 
 #include "roscpp/roscpp_access.h"
@@ -46,8 +49,36 @@ std::uint32_t PublicationStream::foresee_number(std::size_t queued) const {
   return links_ > 0 ? numbers_.next(count) : static_cast<std::uint32_t>(count + queued);
 }
 
+bool PublicationStream::would_overtake() const {
+  const ros::PublicationPtr publication = publication_.lock();
+  if (!publication) return false;
+  // Against the order of locks, so it is tried. Who publishes holds the other mutex, too, and a topic that ends has it for a moment.
+  const boost::unique_lock<boost::mutex> lock(roscpp_access::publish_queue_mutex_(*publication),
+                                              boost::try_to_lock);
+  return !lock.owns_lock() || waits(roscpp_access::publish_queue_(*publication).size());
+}
+
+// A link inside this process lets roscpp pass the pointer to all of them.
+bool PublicationStream::leaves_to_bytes(const ros::SerializedMessage& message) {
+  if (!message.buf) return false;
+  if (!would_overtake()) {
+    left_to_bytes_.clear();
+    return false;
+  }
+  const bool is_next_link = !left_to_bytes_.empty() && left_to_bytes_.back() == message.buf;
+  if (!is_next_link) left_to_bytes_.push_back(message.buf);
+  return true;
+}
+
+bool PublicationStream::went_by_pointer(const ros::SerializedMessage& message) const {
+  return message.type_info && records_.codecs().has(*message.type_info) &&
+         std::find(left_to_bytes_.begin(), left_to_bytes_.end(), message.buf) == left_to_bytes_.end();
+}
+
 void PublicationStream::saw_serialized(const ros::SerializedMessage& message) {
   skip(numbers_.numbered(message.buf.get()));
+  const auto found = std::find(left_to_bytes_.begin(), left_to_bytes_.end(), message.buf);
+  if (found != left_to_bytes_.end()) left_to_bytes_.erase(left_to_bytes_.begin(), found);
 }
 
 void PublicationStream::set_links(std::size_t links) {

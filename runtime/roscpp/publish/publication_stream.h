@@ -6,7 +6,9 @@
 #include <tzc/options.h>
 
 #include <atomic>
+#include <boost/shared_array.hpp>
 #include <cstdint>
+#include <deque>
 #include <memory>
 
 #include "roscpp/publish/record_encoder.h"
@@ -49,6 +51,13 @@ class PublicationStream {
   std::uint32_t foresee_number(std::size_t queued) const;
   /// Whether a message in roscpp's queue, of so many, has not gone to the links by pointer; a PublicationLock is held.
   bool waits(std::size_t queued) const { return queued > (links_ > 0 ? numbers_.queued() : 0); }
+  /// Whether a message that is published by pointer now would overtake one that waits as bytes in roscpp's queue. The caller holds
+  /// advertised_topics_mutex_; otherwise it is a guess.
+  bool would_overtake() const;
+  /// The same of this message, whose bytes roscpp is going to queue in any case: true, and the links do not take it but with them.
+  bool leaves_to_bytes(const ros::SerializedMessage& message);
+  /// Whether the links have taken a message, which they get as bytes now, by pointer.
+  bool went_by_pointer(const ros::SerializedMessage& message) const;
   /// roscpp has numbered a message and passes it to the links as bytes.
   void saw_serialized(const ros::SerializedMessage& message);
   /// Sets the number of links that take what is published. With the first one the stream begins to follow
@@ -65,6 +74,7 @@ class PublicationStream {
   const std::shared_ptr<SegmentMemory> memory_;
   RecordEncoder records_;
   SequenceNumbers numbers_;
+  std::deque<boost::shared_array<std::uint8_t>> left_to_bytes_;  ///< in the order of roscpp's queue
   std::atomic<std::size_t> links_{0};
 };
 

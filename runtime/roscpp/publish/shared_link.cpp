@@ -60,8 +60,7 @@ std::string SharedLink::getTransportInfo() {
 }
 
 void SharedLink::getPublishTypes(bool& ser, bool& nocopy, const std::type_info& type) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  nocopy = state_ != State::returned && stream_->records().codecs().has(type);
+  nocopy = stream_->records().codecs().has(type) && !has_returned() && !stream_->would_overtake();
   ser = !nocopy;
 }
 
@@ -82,14 +81,14 @@ void SharedLink::publish_by_pointer(const ros::SerializedMessage& message) {
   if (!stream_->records().codecs().has(*message.type_info)) return;
   // Without an exception in any case: roscpp is going to queue the message, and counts its number there.
   stream_->records().unless_out_of_memory([&] {
-    deliver(stream_->of_pointer(message));
+    if (!stream_->leaves_to_bytes(message)) deliver(stream_->of_pointer(message));
     return OutgoingMessage();
   });
 }
 
 bool SharedLink::take_bytes(const ros::SerializedMessage& message) {
   stream_->saw_serialized(message);
-  const bool went_by_pointer = message.type_info && stream_->records().codecs().has(*message.type_info);
+  const bool went_by_pointer = stream_->went_by_pointer(message);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (belongs_to_tcpros(went_by_pointer)) return false;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "roscpp/roscpp_version.h"
+#include "roscpp/subscribe/fault_ready_callback.h"
 
 namespace ros {
 // What ros::getGlobalCallbackQueue() points to: roscpp's library exports it, and no header declares it. Null address: the
@@ -32,7 +33,7 @@ const bool is_installed = [] {
 }  // namespace
 
 void HeardQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t removal_id) {
-  ros::CallbackQueue::addCallback(callback, removal_id);
+  ros::CallbackQueue::addCallback(fault_ready(callback), removal_id);
   channel::wake_idle_reader();
   // A thread counts itself before it looks for callbacks: either it has seen this one, or it is seen here.
   if (idle_threads_ == 0 || is_the_guests()) return;

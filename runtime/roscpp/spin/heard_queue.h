@@ -18,6 +18,9 @@ namespace detail {
 /// One idle thread is the *guest*, which reads; further ones sleep. A callback wakes the guest, or, if there is none or it has
 /// one to call already, another idle thread; what the guest itself adds wakes nobody.
 ///
+/// All callbacks are ready for faults (subscribe/fault_ready_callback.h), those of timers, services and plain subscriptions, too: they
+/// may write to a shared message that another one has kept.
+///
 /// What reads on the guest's thread may leave it one call, which then need not go through this queue.
 class HeardQueue final : public ros::CallbackQueue {
  public:

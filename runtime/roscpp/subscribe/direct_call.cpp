@@ -59,17 +59,17 @@ DirectCall::CallbackInfoPtr DirectCall::only_callback(ros::Subscription& subscri
 }
 
 bool DirectCall::take_turn(Turn turn) {
-  if (is_concurrent()) return true;
+  if (access::allow_concurrent_callbacks_(*queue_)) {
+    if (turn == Turn::at_once) return false;
+    concurrent_ = ConcurrentCall(removal_id(callback_));
+    return true;
+  }
   turn_ = boost::unique_lock<boost::recursive_mutex>(access::callback_mutex_(*queue_), boost::try_to_lock);
   if (turn_.owns_lock()) return true;
   if (turn == Turn::at_once) return false;
   sync_point("direct: waits for a callback");
   turn_.lock();
   return true;
-}
-
-bool DirectCall::is_concurrent() const {
-  return access::allow_concurrent_callbacks_(*queue_);
 }
 
 void DirectCall::call(const Decode& decode, Thrown thrown) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "roscpp/roscpp_access.h"
+#include "roscpp/subscribe/concurrent_call.h"
 
 namespace tzc {
 namespace detail {
@@ -29,11 +30,12 @@ using Decode = std::function<boost::shared_ptr<void>(bool may_write)>;
 bool has_direct_callback(ros::Subscription& subscription);
 
 /// The hot path to the callback of a subscription that has only one: what Subscription::handleMessage and
-/// SubscriptionQueue::call do for such a message, without a queue in between. As roscpp: as long as this exists, no other callback of
-/// the subscription runs, unless it allows more, and a thread that unsubscribes waits. Used on one thread.
+/// SubscriptionQueue::call do for such a message, without a queue in between. As long as this exists, no other callback of the
+/// subscription runs, unless it allows more, and a thread that unsubscribes waits. Used on one thread.
 class DirectCall {
  public:
-  enum class Turn { waits, at_once };  ///< while a callback of the subscription runs on another thread
+  /// While a callback of the subscription runs on another thread. at_once: one that may run beside others has no turn.
+  enum class Turn { waits, at_once };
 
   /// Empty: the message must go through roscpp's queue. That is so for latched topics, with topic statistics, for several
   /// callbacks, for a callback of another type, or whose queue does not lead to `queue`, and while earlier messages wait
@@ -44,8 +46,6 @@ class DirectCall {
   explicit operator bool() const { return callback_ != nullptr; }
   /// The callback may write to the message.
   bool writes() const { return writes_; }
-  /// roscpp calls back several times at once.
-  bool is_concurrent() const;
   /// What an exception of the callback does: on a thread of TZC's it ends the process, as an unhandled one does with roscpp.
   enum class Thrown { leaves, ends_process };
   /// Unless the callback's tracked object has died. What `decode` throws leaves in any case.
@@ -65,6 +65,7 @@ class DirectCall {
   boost::shared_ptr<ros::M_string> connection_header_;
   ros::SubscriptionQueuePtr queue_;
   boost::unique_lock<boost::recursive_mutex> turn_;
+  ConcurrentCall concurrent_;  ///< where there are no turns
 };
 
 }  // namespace detail

@@ -24,11 +24,11 @@ void call_what_was_left() {
 
 }  // namespace
 
-// A thread that unsubscribes waits in roscpp's queue for callbacks that several threads may call at once, and would not here.
+// Callbacks that several threads may call at once have no turn: a thread that unsubscribes would have to wait for them in roscpp's queue.
 bool leave_to_guest(HeardQueue& queue, ros::Subscription& subscription, const DirectMessage& message,
                     const Decode& decode) {
   DirectCall call = DirectCall::prepare(subscription, message, queue, DirectCall::Turn::at_once);
-  if (!call || call.is_concurrent() || !queue.leave_call(&call_what_was_left)) return false;
+  if (!call || !queue.leave_call(&call_what_was_left)) return false;
   sync_point("guest: decodes");
   const bool writes = call.writes();
   left = LeftMessage{std::move(call), decode(writes)};

@@ -10,6 +10,8 @@
 
 #include <memory>
 #include <mutex>
+#include <string>
+#include <utility>
 
 #include "roscpp/hold_limit.h"
 #include "roscpp/subscribe/direct_call.h"
@@ -23,12 +25,13 @@ namespace detail {
 /// that reads for all subscriptions of the process, which must not wait, or one of its own, which may call callbacks.
 class SubscriptionEndpoint {
  public:
+  /// @param connection of the link, on which it was upgraded; roscpp may give it another one later
   SubscriptionEndpoint(const ros::SubscriptionPtr& subscription, ros::TransportPublisherLinkPtr link,
-                       MessageCodec codec)
+                       ros::ConnectionPtr connection, MessageCodec codec)
       : topic_(subscription->getName()),
         subscription_(subscription),
         link_(std::move(link)),
-        connection_(link_->getConnection()),
+        connection_(std::move(connection)),
         codec_(std::move(codec)),
         calls_directly_(has_direct_callback(*subscription)) {}
 
@@ -65,8 +68,7 @@ class SubscriptionEndpoint {
   const std::string topic_;
   const ros::SubscriptionWPtr subscription_;
   const ros::TransportPublisherLinkPtr link_;
-  const ros::ConnectionPtr
-      connection_;  ///< on which the link was upgraded; roscpp may give it another one later
+  const ros::ConnectionPtr connection_;
   const MessageCodec codec_;
   const bool calls_directly_;
   TcprosDrain tcpros_;           ///< reader thread

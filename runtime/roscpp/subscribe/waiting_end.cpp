@@ -7,11 +7,14 @@
 #include <tzc/direct_dispatch.h>
 
 #include <boost/weak_ptr.hpp>
+#include <cstdint>
+#include <string>
 #include <type_traits>
 #include <utility>
 
 #include "roscpp/roscpp_access.h"
 #include "roscpp/roscpp_version.h"
+#include "roscpp/subscribe/concurrent_call.h"
 
 namespace tzc {
 namespace detail {
@@ -19,30 +22,37 @@ namespace {
 
 namespace access = roscpp_access;
 
-/// The queue of the callback's messages; empty: it has been unsubscribed already.
-boost::weak_ptr<ros::SubscriptionQueue> queue_of(const std::string& topic,
-                                                 const ros::SubscriptionCallbackHelperPtr& callback) {
+/// What may be left of a direct callback when roscpp has forgotten it.
+struct WaitingMessages {
+  boost::weak_ptr<ros::SubscriptionQueue> queue;  ///< of its messages
+  std::uint64_t id = 0;                           ///< of the callback in callback queues
+};
+
+/// Empty: it has been unsubscribed already.
+WaitingMessages queue_of(const std::string& topic, const ros::SubscriptionCallbackHelperPtr& callback) {
   ros::TopicManager& topics = *ros::TopicManager::instance();
   const boost::mutex::scoped_lock lock(access::subs_mutex_(topics));
   for (const ros::SubscriptionPtr& subscription : access::subscriptions_(topics)) {
     if (subscription->getName() != topic) continue;
     const boost::mutex::scoped_lock callbacks_lock(access::callbacks_mutex_(*subscription));
     for (const auto& one : access::callbacks_(*subscription))
-      if (one->helper_ == callback) return one->subscription_queue_;
+      if (one->helper_ == callback) return {one->subscription_queue_, removal_id(one)};
   }
   return {};
 }
 
-/// Ends the implementation, then what is called for it.
+/// Ends the subscription, and waits for the callback where roscpp does not: it forgets the callback when the node shuts down.
 template <class ImplPtr>
 struct WaitingEnd {
   ImplPtr impl;
-  boost::weak_ptr<ros::SubscriptionQueue> queue;
+  WaitingMessages waiting;
 
   template <class Impl>
   void operator()(Impl*) {
     impl.reset();
-    if (const auto waiting = queue.lock()) waiting->clear();  // under the mutex that a running callback has
+    if (const auto queue = waiting.queue.lock())
+      queue->clear();  // under the mutex that a running callback has
+    ConcurrentCall::wait_for_end(waiting.id);
   }
 };
 

@@ -36,5 +36,15 @@ std::string connection_name(ros::Connection& connection, End end) {
   return std::to_string(publisher) + "-" + std::to_string(subscriber);
 }
 
+// As long as the link refers to a connection there is no other one at its address.
+ros::ConnectionPtr connection_of(ros::TransportPublisherLink& link) {
+  const ros::Connection* const current = link.getConnection().get();  // one word, whatever the timer does
+  ros::ConnectionManager& manager = *ros::ConnectionManager::instance();
+  const boost::mutex::scoped_lock lock(roscpp_access::connections_mutex_(manager));
+  for (const ros::ConnectionPtr& connection : roscpp_access::connections_(manager))
+    if (connection.get() == current) return connection;
+  return nullptr;
+}
+
 }  // namespace detail
 }  // namespace tzc

@@ -6,12 +6,9 @@
 #include <ros/master.h>
 #include <ros/this_node.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdint>
-#include <stdexcept>
 
+#include "channel/nonce.h"
 #include "roscpp/configuration.h"
 #include "roscpp/descriptor_budget.h"
 #include "roscpp/throttled_warning.h"
@@ -30,13 +27,6 @@ namespace {
 constexpr std::chrono::milliseconds kAfterLoss(5000);
 /// A subscriber that was on shared memory for this long starts with the full number of tries.
 constexpr std::chrono::minutes kLasting(1);
-
-/// 128 bits that cannot be guessed. Needs no descriptor; throws when the kernel has no entropy yet.
-std::string random_token() {
-  std::uint64_t bits[2];
-  if (getentropy(bits, sizeof bits) != 0) throw std::runtime_error("the kernel gives no random numbers");
-  return std::to_string(bits[0]) + "." + std::to_string(bits[1]);
-}
 
 /// The URI where a node answers XMLRPC calls. When it cannot be found: empty, with the reason in `trouble`.
 std::string node_uri(const std::string& node, std::string& trouble) {
@@ -71,7 +61,7 @@ void UpgradeNegotiator::invite(const TcpLink& link) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (invitation->has_come) return;
     if (invitation->token.empty() || invitation->warned) invitation->tries = 0;
-    if (invitation->token.empty()) invitation->token = random_token();
+    if (invitation->token.empty()) invitation->token = channel::nonce();
     invitation->warned = false;
     round = ++invitation->round;
   }
@@ -170,7 +160,7 @@ void UpgradeNegotiator::lost(const TcpLink& link, const std::string& why) {
     const std::lock_guard<std::mutex> lock(mutex_);
     invitation->has_come = false;
     if (Clock::now() - invitation->came > kLasting) invitation->tries = 0;
-    invitation->token = random_token();
+    invitation->token = channel::nonce();
     invitation->trouble = why;
     pause = std::max(kAfterLoss, pause_after(invitation->tries));
   }

@@ -14,6 +14,7 @@
 #include "roscpp/configuration.h"
 #include "roscpp/descriptor_budget.h"
 #include "roscpp/roscpp_access.h"
+#include "roscpp/subscribe/fault_ready_queue.h"
 #include "roscpp/subscribe/write_warning.h"
 #include "roscpp/throttled_warning.h"
 #include "roscpp/upgrade/connection_name.h"
@@ -36,6 +37,9 @@ constexpr std::chrono::milliseconds kLookAgain(5);
 
 /// roscpp keeps its list of subscriptions locked while it asks the master about one of them, and asks for as long as the master is away.
 constexpr std::chrono::milliseconds kLookAgainWhenBusy(100);
+
+/// In the pool of peers: waits for this process alone.
+constexpr char kNoPeer[] = "";
 
 struct Search {
   bool is_busy;  ///< roscpp has the list locked: look again later
@@ -60,25 +64,42 @@ std::vector<ros::TransportPublisherLinkPtr> tcp_links(ros::Subscription& subscri
   return links;
 }
 
+struct OfferedLink {
+  ros::TransportPublisherLinkPtr link;
+  ros::ConnectionPtr connection;
+};
+
+bool is_dropped(const ros::ConnectionPtr& connection) {
+  return !connection || connection->isDropped();
+}
+
 /// The link of the offer's connection, not any link of that publisher: roscpp may still know the link of an
 /// earlier subscription, and messages of both would arrive twice. Does not read the link's TCPROS header,
 /// which may not have arrived; it has when the first record is taken (kSwitch waits for it).
-ros::TransportPublisherLinkPtr find_link(ros::Subscription& subscription, const Offer& offer) {
+OfferedLink find_link(ros::Subscription& subscription, const Offer& offer) {
   for (const ros::TransportPublisherLinkPtr& link : tcp_links(subscription)) {
-    const ros::ConnectionPtr connection = link->getConnection();  // roscpp replaces it when it connects again
-    if (!connection->isDropped() && connection_name(*connection, End::subscriber) == offer.connection)
-      return link;
+    const ros::ConnectionPtr connection = connection_of(*link);
+    if (!is_dropped(connection) && connection_name(*connection, End::subscriber) == offer.connection)
+      return {link, connection};
   }
-  return ros::TransportPublisherLinkPtr();
+  return OfferedLink();
 }
 
-SubscriptionStatistics statistics_of(const ros::TransportPublisherLink& link, const std::string& topic) {
+/// roscpp writes the name when it reads the connection's header, which comes before any message. Empty while it does.
+std::string publisher_of(ros::TransportPublisherLink& link, std::uint64_t messages) {
+  const ros::ConnectionPtr connection = messages == 0 ? connection_of(link) : nullptr;
+  if (!connection) return link.getCallerID();
+  const boost::unique_lock<boost::recursive_mutex> lock(access::read_mutex_(*connection), boost::try_to_lock);
+  return lock.owns_lock() ? link.getCallerID() : std::string();
+}
+
+SubscriptionStatistics statistics_of(ros::TransportPublisherLink& link, const std::string& topic) {
   SubscriptionStatistics seen;
   seen.topic = topic;
-  seen.publisher = const_cast<ros::TransportPublisherLink&>(link).getCallerID();
-  const ros::PublisherLink::Stats& stats = const_cast<ros::TransportPublisherLink&>(link).getStats();
-  seen.messages = __atomic_load_n(&stats.messages_received_, __ATOMIC_RELAXED);  // another thread counts
+  const ros::PublisherLink::Stats& stats = link.getStats();
+  seen.messages = __atomic_load_n(&stats.messages_received_, __ATOMIC_ACQUIRE);  // another thread counts
   seen.bytes = __atomic_load_n(&stats.bytes_received_, __ATOMIC_RELAXED);
+  seen.publisher = publisher_of(link, seen.messages);
   return seen;
 }
 
@@ -96,7 +117,7 @@ void add_shared(const channel::Subscriber& subscriber, const HoldLimit& limit, S
 /// That the publisher has gone is nothing to tell of.
 void warn_of_end(const ros::TransportPublisherLinkPtr& link, const std::string& topic,
                  const std::string& reason) {
-  if (reason == channel::closed_by_publisher || link->getConnection()->isDropped()) return;
+  if (reason == channel::closed_by_publisher || is_dropped(connection_of(*link))) return;
   TZC_WARN_THROTTLED_FOR(
       topic + " from " + link->getCallerID(), 10,
       "TZC: " << topic << " from " << link->getCallerID() << " goes back to TCPROS: " << reason);
@@ -156,8 +177,8 @@ void UpgradeResponder::accept(const Offer& offer, int looks_left) {
   const Search search = find_subscription(offer.topic);
   if (search.is_busy)
     return clerk_.post([this, offer, looks_left] { accept(offer, looks_left); }, kLookAgainWhenBusy);
-  const LinkPtr link = search.found ? find_link(*search.found, offer) : LinkPtr();
-  if (link) return peers_.post(offer.publisher, [this, offer] { connect(offer); });
+  const bool is_there = search.found && find_link(*search.found, offer).link;
+  if (is_there) return peers_.post(offer.publisher, [this, offer] { connect(offer); });
   if (looks_left > 0)
     clerk_.post([this, offer, looks_left] { accept(offer, looks_left - 1); }, kLookAgain);
   else
@@ -186,15 +207,36 @@ bool UpgradeResponder::codec_for(const Offer& offer, ros::Subscription& subscrip
 }
 
 void UpgradeResponder::connect(const Offer& offer) {
+  const auto again = [this, offer] { connect(offer); };
   const Search search = find_subscription(offer.topic);
-  if (search.is_busy)
-    return peers_.post(offer.publisher, [this, offer] { connect(offer); }, kLookAgainWhenBusy);
+  if (search.is_busy) return peers_.post(offer.publisher, again, kLookAgainWhenBusy);
+  if (private_writes()) {  // any callback may write to a message that another one has kept
+    peers_.post(kNoPeer, keep_all_ready_for_faults);
+    if (!try_make_all_ready_for_faults()) return peers_.post(offer.publisher, again, kLookAgain);
+  }
   const ros::SubscriptionPtr& subscription = search.found;
-  const LinkPtr link = subscription ? find_link(*subscription, offer) : LinkPtr();
+  const OfferedLink offered = subscription ? find_link(*subscription, offer) : OfferedLink();
+  const LinkPtr& link = offered.link;
   MessageCodec codec;
   if (!link || connected(link) || !codec_for(offer, *subscription, codec)) return;
-  const auto endpoint = std::make_shared<SubscriptionEndpoint>(subscription, link, codec);
+  const auto endpoint = std::make_shared<SubscriptionEndpoint>(subscription, link, offered.connection, codec);
   const auto is_foreign_uid = std::make_shared<bool>(false);
+  Expected<std::shared_ptr<channel::Subscriber>> channel =
+      channel::Subscriber::create(options_for(offer, link, endpoint, is_foreign_uid));
+  if (!channel) return connection_failed(offer, channel.error(), *is_foreign_uid);
+  ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher << " comes through shared memory");
+  if ((*channel)->stats().copies_blocks) warn_of_copies(offer.topic);
+  sync_point("accept: connected");
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    channels_[link] = {*channel, endpoint};
+  }
+  if (!(*channel)->stats().connected) forget(link);  // it ended before it was there to be forgotten
+}
+
+channel::SubscriberOptions UpgradeResponder::options_for(
+    const Offer& offer, const LinkPtr& link, const std::shared_ptr<SubscriptionEndpoint>& endpoint,
+    const std::shared_ptr<bool>& is_foreign_uid) {
   channel::SubscriberOptions options;
   options.address = offer.address;
   options.hello = offer.token;
@@ -216,16 +258,7 @@ void UpgradeResponder::connect(const Offer& offer) {
         peer.uid != geteuid() && peer.uid != 0;  // root can read everything of this process anyway
     return !*is_foreign_uid;
   };
-  Expected<std::shared_ptr<channel::Subscriber>> channel = channel::Subscriber::create(std::move(options));
-  if (!channel) return connection_failed(offer, channel.error(), *is_foreign_uid);
-  ROS_DEBUG_STREAM("TZC: " << offer.topic << " from " << offer.publisher << " comes through shared memory");
-  if ((*channel)->stats().copies_blocks) warn_of_copies(offer.topic);
-  sync_point("accept: connected");
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    channels_[link] = {*channel, endpoint};
-  }
-  if (!(*channel)->stats().connected) forget(link);  // it ended before it was there to be forgotten
+  return options;
 }
 
 // The publisher will offer again, and stops when it gets a refusal.
@@ -277,7 +310,7 @@ void UpgradeResponder::ask_publishers(const std::string& topic) {
 
 // A publisher that does not know the method has no TZC, or attaches the topic later and offers then.
 void UpgradeResponder::ask(const LinkPtr& link, const std::string& topic, int tries) {
-  if (connected(link) || link->getConnection()->isDropped()) return;
+  if (connected(link) || is_dropped(connection_of(*link))) return;
   XmlRpc::XmlRpcValue params;
   params[0] = kOfferVersion;
   params[1] = topic;

@@ -56,6 +56,9 @@ class UpgradeResponder {
   std::string reason_to_refuse(const Offer& offer);
   void accept(const Offer& offer, int looks_left);
   void connect(const Offer& offer);
+  channel::SubscriberOptions options_for(const Offer& offer, const LinkPtr& link,
+                                         const std::shared_ptr<SubscriptionEndpoint>& endpoint,
+                                         const std::shared_ptr<bool>& is_foreign_uid);
   void connection_failed(const Offer& offer, const Error& error, bool is_foreign_uid);
   void forget(const LinkPtr& link);
   void ask_publishers(const std::string& topic);

@@ -78,6 +78,14 @@ class ImageTransport(TopicCase):
                     for callback in ("camera", "image", "both"):
                         self.assert_got_behind_the_first(viewer, callback)
 
+    def test_filters_that_stay(self):
+        """image_transport's reads shared memory, message_filters' gets copies of it; also when it has subscribed again."""
+        viewer = self.view(kept="true")
+        counters = self.film(stock="true")
+        self.assertEqual(counters["copied_bytes"], 2 * 50 * 64 * 64)  # and none for what goes over TCPROS
+        self.assert_got(viewer, range(50), shared=True, callback="image")
+        self.assert_got(viewer, range(50), shared=False, callback="second")
+
     def assert_got_behind_the_first(self, viewer, callback):
         """All 50; the message that attached the topics may have come, too."""
         def messages():

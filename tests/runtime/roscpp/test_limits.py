@@ -29,6 +29,13 @@ class Descriptors(TopicCase):
         self.assertEqual(events, {"shared without descriptors": False, "shared with some": True})
         self.assert_got(listener, range(10), shared=True)
 
+    def test_a_sandbox_that_forbids_to_ask_for_random_numbers(self):
+        listener = self.listen(queue=100)
+        scarce = self.node("scarce", "scarce", {"lacks": "entropy"})
+        self.assertEqual(scarce.wait(150), 0, scarce.tail())
+        self.assertEqual([line["happened"] for line in Listener(scarce).lines()], [True])
+        self.assert_got(listener, range(10), shared=True)
+
     def publish_all(self, count, limit):
         """Each topic's messages arrive. Returns the crowd, and how many topics share memory."""
         listener = self.node("listener", "listener", {"topics": " ".join(f"image{i}" for i in range(count))})

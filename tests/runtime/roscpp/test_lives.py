@@ -18,6 +18,11 @@ class Endings(Lives):
         self.start_talker(count=0, rate=50)
         self.assertEqual(self.events_of(ending), self.EXPECTED)
 
+    def test_and_so_does_one_that_may_run_beside_others(self):
+        ending = self.node("ending", "ending", {"concurrent": True})
+        self.start_talker(count=0, rate=50)
+        self.assertEqual(self.events_of(ending), self.EXPECTED)
+
     def test_and_so_do_messages_of_the_same_process_that_wait(self):
         self.assertEqual(self.events_of(self.node("ending", "ending", {"local": True})), self.EXPECTED)
 

@@ -34,6 +34,26 @@ class Preload(TopicCase):
         self.assertEqual(len(mine), 1)
         self.assertTrue(50 * 100000 <= mine[0]["copied_bytes"] < 50 * 100200, mine)
 
+    def assert_alternates(self, mode="plain_alternating", runner=TZC_RUN, **how):
+        """What is published by reference waits in roscpp's queue, which what is published by pointer must not overtake."""
+        listener = self.listen(queue=2000)
+        talker = self.start_talker(mode, count=1000, bytes=5000, rate=1000000, queue=2000, settle=1, runner=runner,
+                                   linger=5, **how)
+        self.assertEqual(self.last_published(talker), 999)
+        self.assertEqual(self.shared_transports(self.name("talker")), [self.name("image")])
+        self.assert_got(listener, range(1000))
+        self.assert_seq_as_tcpros(listener)
+        self.assertEqual(talker.wait(60), 0, talker.tail())
+
+    def test_by_reference_and_by_pointer_in_turn(self):
+        self.assert_alternates()
+
+    def test_by_reference_and_by_pointer_in_turn_beside_a_callback_of_the_same_process(self):
+        self.assert_alternates(beside=True, subscribers=2)
+
+    def test_by_reference_and_by_pointer_in_turn_with_an_attached_publisher(self):
+        self.assert_alternates("foreign_attached_alternating", runner=())
+
     def test_options_that_advertise_a_second_topic(self):
         twice = self.node("twice", "twice", {}, runner=TZC_RUN)
         self.assertEqual(twice.wait(30), 0, twice.tail())

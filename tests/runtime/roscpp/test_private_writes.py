@@ -110,5 +110,38 @@ class PrivateWrites(TopicCase):
         self.assert_turned_off(mode="plain_draw", runner=TZC_RUN, env={"TZC_PRIVATE_WRITES": "off"})
 
 
+class Joined(TopicCase):
+    """A callback of something else draws on a shared image, on a thread that blocks all signals and has never run a callback of the
+    image's topic."""
+
+    def assert_joined(self, runner=(), late=False, **how):
+        joiner = Listener(self.node("joiner", "joins", dict(how, role="joins", late=late), runner=runner))
+        self.wait_for_subscribers(self.name("image"), 1)
+        if not late:
+            self.wait_for_subscribers(self.name("temperature"), 1)
+        talker = self.node("joiner", "talks", {"role": "talks", "late": late})
+        self.assertEqual(talker.wait(60), 0, talker.tail())
+        self.assert_got(joiner, range(20), shared=True)
+        self.assertTrue(joiner.process.alive(), joiner.process.tail())
+
+    def test_with_what_has_a_queue_of_its_own(self):
+        self.assert_joined(queues="other")
+
+    def test_with_what_is_in_the_global_queue(self):
+        self.assert_joined(queues="image")
+
+    def test_in_one_queue_that_several_threads_call(self):
+        self.assert_joined(queues="one")
+
+    def test_with_what_is_subscribed_to_later(self):
+        self.assert_joined(queues="other", late=True)
+
+    def test_by_a_timer_of_the_global_queue(self):
+        self.assert_joined(queues="image", draws="timer")
+
+    def test_by_hand_under_tzc_run(self):
+        self.assert_joined(queues="other", draws="callback", plain=True, runner=TZC_RUN)
+
+
 if __name__ == "__main__":
     main()

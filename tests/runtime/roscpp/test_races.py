@@ -110,6 +110,19 @@ class Races(TopicCase):
         self.assertEqual(self.events(subscriber), {"ended before": True})
         self.assertEqual([message["shared"] for message in subscriber.messages()], [True])
 
+    def assert_concurrent_ends(self, talker, shared):
+        subscriber = Listener(self.node("racer", "subscriber", {"race": "concurrent"}))
+        self.start_talker(talker, count=0, rate=20, subscribers=1)
+        self.assertEqual(subscriber.process.wait(60), 0, subscriber.process.tail())
+        self.assertEqual(self.events(subscriber), {"ended before": False, "ended afterwards": True})
+        self.assertEqual([message["shared"] for message in subscriber.messages()], [shared])
+
+    def test_who_unsubscribes_waits_for_a_direct_callback_that_may_run_beside_others(self):
+        self.assert_concurrent_ends("twin", True)
+
+    def test_and_so_it_does_over_tcpros(self):
+        self.assert_concurrent_ends("plain", False)
+
     def test_a_guest_without_memory_for_a_message_goes_on(self):
         subscriber = Listener(self.node("racer", "subscriber", {"race": "no_memory"}))
         self.start_talker(count=0, rate=20, subscribers=1)

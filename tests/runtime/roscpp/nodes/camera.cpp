@@ -6,7 +6,10 @@
 /// (messages), pointer (publish by pointer), attached (to publishers that other code
 /// advertised), kept (publishers that stay image_transport's; plain: nothing attaches them), calls (likewise, with tzc::image_transport::publish). Viewer: plain (image_transport's own), transport (raw, compressed); its
 /// lines tell which of its callbacks saw an image: "camera" (CameraSubscriber), "image" (Subscriber), "both"
-/// (two topics synchronized by message_filters).
+/// (two topics synchronized by message_filters); kept (filters that stay what they are instead: "image" is image_transport's,
+/// "second" message_filters').
+#include <image_transport/subscriber_filter.h>
+#include <message_filters/subscriber.h>
 #include <message_filters/sync_policies/exact_time.h>
 #include <message_filters/synchronizer.h>
 #include <ros/ros.h>
@@ -295,6 +298,21 @@ void run_viewer(ros::NodeHandle& node, const ros::NodeHandle& options) {
   ros::spin();
 }
 
+/// What ported code does with filters that cannot become TZC's.
+void run_kept_viewer(ros::NodeHandle& node, const ros::NodeHandle& options) {
+  image_transport::ImageTransport transport(node);
+  const image_transport::TransportHints hints(options.param<std::string>("transport", "raw"));
+  image_transport::SubscriberFilter first;
+  message_filters::Subscriber<sensor_msgs::Image> second;
+  first.registerCallback([](const ImageConstPtr& image) { print("image", *image); });
+  second.registerCallback([](const ImageConstPtr& image) { print("second", *image); });
+  tzc::message_filters::subscribe(first, transport, "image", 100, hints);
+  tzc::message_filters::subscribe(second, node, "second", 100);
+  second.unsubscribe();
+  second.subscribe();
+  ros::spin();
+}
+
 }  // namespace
 
 /// Linked, and never called.
@@ -313,6 +331,8 @@ int main(int argc, char** argv) {
   const bool is_viewer = options.param<std::string>("role", "camera") == "viewer";
   if (is_viewer && options.param("plain", false))
     run_plain_viewer(node);
+  else if (is_viewer && options.param("kept", false))
+    run_kept_viewer(node, options);
   else if (is_viewer)
     run_viewer(node, options);
   else if (options.param<std::string>("role", "camera") == "busy_camera")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// A direct callback whose object goes while the node shuts down. Prints as JSON how often the callback ran in an object that was gone.
 ///
-/// Private parameter: local (the messages come from this process; otherwise from a talker).
+/// Private parameters: local (the messages come from this process; otherwise from a talker), concurrent (callbacks may run at once).
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <tzc/ros.h>
@@ -19,6 +19,15 @@ std::atomic<int> calls{0}, calls_too_late{0};
 struct Viewer {
   ros::Subscriber subscriber;
 
+  void subscribe(ros::NodeHandle& node, bool concurrent) {
+    const boost::function<void(const sensor_msgs::ImageConstPtr&)> callback =
+        [this](const sensor_msgs::ImageConstPtr& image) { see(image); };
+    ros::SubscribeOptions options = ros::SubscribeOptions::create<sensor_msgs::Image>(
+        "image", 100, callback, ros::VoidConstPtr(), tzc::direct_dispatch_queue());
+    options.allow_concurrent_callbacks = concurrent;
+    subscriber = tzc::subscribe<sensor_msgs::Image>(node, options);
+  }
+
   void see(const sensor_msgs::ImageConstPtr&) {
     ++calls;
     ros::WallDuration(0.3).sleep();
@@ -34,7 +43,7 @@ int main(int argc, char** argv) {
   ros::NodeHandle node;
   {
     Viewer viewer;
-    viewer.subscriber = tzc::subscribe_direct(node, "image", 100, &Viewer::see, &viewer);
+    viewer.subscribe(node, options.param("concurrent", false));
     tzc::Publisher publisher;
     if (options.param("local", false)) {
       publisher = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 100);

@@ -19,6 +19,7 @@
 ///                 asked for an offer, and goes on when the call is given up
 ///   cut_short     a subscriber: its first channel ends before it is noted
 ///   unsubscribe   a subscriber with two threads of tzc::AsyncSpinner: it unsubscribes while its callback runs past the queue
+///   concurrent    a direct subscriber whose callbacks may run at once: another thread unsubscribes while one of them runs
 ///   no_memory     a subscriber with tzc::spin: there is no memory for its first shared message
 ///   planted       a subscriber with a data race of its own, for ThreadSanitizer to find
 #include <ros/callback_queue_interface.h>
@@ -267,6 +268,29 @@ void unsubscribe(ros::NodeHandle& node) {
   print_event("ended before", !inside);
 }
 
+// As with callbacks that take turns.
+void concurrent(ros::NodeHandle& node) {
+  const boost::function<void(const sensor_msgs::ImageConstPtr&)> print =
+      [](const sensor_msgs::ImageConstPtr& image) {
+        gate().tell("called");
+        gate().wait_for({"let out"});
+        tzc_test::print_image(*image);
+      };
+  ros::SubscribeOptions options = ros::SubscribeOptions::create<sensor_msgs::Image>(
+      "image", 100, print, ros::VoidConstPtr(), tzc::direct_dispatch_queue());
+  options.allow_concurrent_callbacks = true;
+  ros::Subscriber subscriber = tzc::subscribe<sensor_msgs::Image>(node, options);
+  gate().wait_for({"called"});
+  std::thread other([&subscriber] {
+    subscriber.shutdown();
+    gate().tell("ended");
+  });
+  print_event("ended before", gate().wait_for({"ended"}, std::chrono::milliseconds(500)));
+  gate().tell("let out");
+  print_event("ended afterwards", gate().wait_for({"ended"}));
+  other.join();
+}
+
 void no_memory(ros::NodeHandle& node) {
   tzc::sync_point_hook = [](const char* step) {
     if (std::string(step) != "guest: decodes" || gate().happened("refused")) return;
@@ -312,6 +336,7 @@ int main(int argc, char** argv) {
   if (race == "late_attach") late_attach(node);
   if (race == "cut_short") cut_short(node);
   if (race == "unsubscribe") unsubscribe(node);
+  if (race == "concurrent") concurrent(node);
   if (race == "no_memory") no_memory(node);
   if (race == "planted") planted(node);
   tzc::sync_point_hook = nullptr;

@@ -5,7 +5,8 @@
 /// stock, stock_pointer, plain, handover: a twin's publisher and a plain one, the former ends after half of the images; mixed: every other image as a ShapeShifter; attached: twins, to the topic that
 /// others advertised; attached_wrong: stock images, attached for another type; foreign, foreign_pointer: stock images, with a
 /// publisher that stays roscpp's; foreign_twin; foreign_handover: two such, the first of which ends after half of the images;
-/// foreign_again: it ends then, and another one advertises the topic anew), half (the images of the first half), give_up (whether it ends the topic when it has published all), fresh (every so many images lie in a segment
+/// foreign_again: it ends then, and another one advertises the topic anew; plain_alternating, foreign_attached_alternating: every other image by pointer), beside (the
+/// node has a callback of its own, too), half (the images of the first half), give_up (whether it ends the topic when it has published all), fresh (every so many images lie in a segment
 /// of their own), topics (several, separated by blanks), first (number), count, rate (Hz), bytes, latch, rows, encoding (of
 /// an image: mono8, bgr8), subscribers (wait for so many), shared (and for so many of them on shared memory), settle (seconds
 /// to wait then), echo (a topic: the next image goes out when that one's number has come back on it, or when the image was
@@ -45,7 +46,10 @@ class Talker {
     half_ = static_cast<std::uint32_t>(options.param("half", options.param("count", 100) / 2));
     const bool attached = mode_ == "attached" || mode_ == "attached_wrong";
     is_foreign_ = mode_.compare(0, 7, "foreign") == 0;
-    if (mode_ == "plain" || mode_ == "handover" || attached || is_foreign_)
+    is_plain_ = mode_.compare(0, 5, "plain") == 0;
+    alternates_ = mode_.find("alternating") != std::string::npos;
+    if (options.param("beside", false)) beside_ = node.subscribe(topic, 1, see);
+    if (is_plain_ || mode_ == "handover" || attached || is_foreign_)
       plain_ = node.advertise<sensor_msgs::Image>(topic, queue, latch);
     if (mode_.compare(0, 16, "foreign_attached") == 0) plain_ = tzc::attached<sensor_msgs::Image>(plain_);
     if (is_foreign_)
@@ -53,7 +57,7 @@ class Talker {
     if (mode_ == "foreign_handover" || mode_ == "foreign_attached_handover") second_ = advertise_again_();
     if (mode_ == "attached") shared_ = tzc::attach_publisher<tzc::sensor_msgs::Image>(plain_, memory);
     if (mode_ == "attached_wrong") shared_ = tzc::attach_publisher<std_msgs::UInt8MultiArray>(plain_, memory);
-    if (mode_ != "plain" && !attached && !is_foreign_)
+    if (!is_plain_ && !attached && !is_foreign_)
       shared_ =
           tzc::advertise<tzc::sensor_msgs::Image>(node, topic, queue, publisher_options(options), latch);
   }
@@ -68,6 +72,7 @@ class Talker {
     if (mode_ == "foreign_twin") return publish_foreign_twin(number);
     const auto image = boost::make_shared<sensor_msgs::Image>();
     fill(*image, number);
+    if (alternates_) return number % 2 == 0 ? plain_.publish(*image) : plain_.publish(image);
     if (mode_ == "foreign_attached" || mode_ == "foreign_attached_handover") return plain_.publish(*image);
     if (mode_ == "foreign_attached_pointer") return plain_.publish(image);
     if (mode_ == "foreign_pointer") return tzc::publish(plain_, image);
@@ -78,7 +83,7 @@ class Talker {
   }
 
   std::uint32_t subscribers() const {
-    const bool by_plain = mode_ == "plain" || mode_ == "handover" || is_foreign_;
+    const bool by_plain = is_plain_ || mode_ == "handover" || is_foreign_;
     return by_plain ? plain_.getNumSubscribers() : shared_.getNumSubscribers();
   }
 
@@ -101,6 +106,8 @@ class Talker {
   }
 
  private:
+  static void see(const sensor_msgs::ImageConstPtr&) {}
+
   static tzc::PublisherOptions publisher_options(const ros::NodeHandle& options) {
     tzc::PublisherOptions in_code;
     in_code.memory_size = static_cast<std::size_t>(options.param("memory", 0));
@@ -176,9 +183,10 @@ class Talker {
   std::size_t bytes_;
   std::uint32_t rows_, fresh_, half_;
   std::string encoding_;
-  bool is_foreign_;
+  bool is_foreign_, is_plain_, alternates_;
   std::function<ros::Publisher()> advertise_again_;
   ros::Publisher plain_, first_, second_;
+  ros::Subscriber beside_;
   tzc::Publisher shared_, not_advertised_;
 };
 
