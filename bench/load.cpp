@@ -2,6 +2,7 @@
 #include "load.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <thread>
@@ -27,8 +28,7 @@ constexpr std::size_t working_set = 8 << 20;
 }  // namespace
 
 Load::Load() {
-  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
-  for (unsigned i = 0; i < processors; ++i) workers_.push_back(in_child(work));
+  workers_ = in_children(std::max(1U, std::thread::hardware_concurrency()), [](std::size_t) { work(); });
 }
 
 Load::~Load() {

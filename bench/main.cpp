@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <system_error>
 
 #include "commands.h"
 
@@ -38,6 +39,16 @@ int unless_unwritable(int status) {
   return status == 0 ? 1 : status;
 }
 
+/// Where the system starts no more processes, what the command had begun is gone with its frames.
+int run(const Command& command, int argc, char** argv) {
+  try {
+    return command.run(argc, argv);
+  } catch (const std::system_error& error) {
+    std::fprintf(stderr, "tzc-bench %s: %s\n", command.name, error.what());
+    return 1;
+  }
+}
+
 int usage(std::FILE* to, int status) {
   std::fputs("Usage: tzc-bench COMMAND [OPTIONS]\n\nCommands:\n", to);
   for (const Command& command : commands) std::fprintf(to, "  %-10s %s\n", command.name, command.help);
@@ -54,7 +65,7 @@ int usage(std::FILE* to, int status) {
 int main(int argc, char** argv) {
   const std::string name = argc > 1 ? argv[1] : "";
   for (const Command& command : commands) {
-    if (name == command.name) return unless_unwritable(command.run(argc - 1, argv + 1));
+    if (name == command.name) return unless_unwritable(run(command, argc - 1, argv + 1));
   }
   const bool asked = name == "--help" || name == "-h";
   if (!asked && !name.empty()) std::fprintf(stderr, "tzc-bench: no command %s\n", name.c_str());

@@ -5,9 +5,13 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <iterator>
+#include <system_error>
 #include <vector>
 
 #include "processes.h"
@@ -17,10 +21,11 @@ namespace tzc {
 namespace bench {
 namespace {
 
-constexpr std::uint64_t warm_up = 20;  // the first messages fault pages in and open segments
-constexpr int rest_ms = 100;           // and the scheduler forgets how busy it was
-constexpr int patience_ms = 20'000;
+constexpr std::uint64_t warm_up = 20;              // the first messages fault pages in and open segments
+constexpr int rest_ms = 100;                       // and the scheduler forgets how busy it was
 constexpr std::chrono::seconds time_to_leave{20};  // with messages of 64 MB it takes seconds
+constexpr std::chrono::milliseconds between_looks{10};
+constexpr std::chrono::milliseconds undisturbed{60'000};  // the ends of processes are told at once
 constexpr int silence_ms = 1000;  // after this long without an arrival nothing more is expected
 
 Board* create_board() {
@@ -30,11 +35,6 @@ Board* create_board() {
 
 void sleep_ms(int milliseconds) {
   ::usleep(static_cast<useconds_t>(milliseconds) * 1000);
-}
-
-bool wait_until_ready(const Board& board, std::size_t subscribers) {
-  for (int i = 0; i < patience_ms && board.ready < subscribers; ++i) sleep_ms(1);
-  return board.ready >= subscribers;
 }
 
 /// Whether each subscriber has got so many messages.
@@ -111,11 +111,8 @@ void send_all(Contender& contender, const Setup& setup, Board& board) {
     contender.subscribe_here(setup, here);
   }
   const auto publish = contender.publish(setup);
-  if (!wait_until_ready(board, setup.subscribers)) {
-    std::fprintf(stderr, "%s: only %u of %zu subscribers came\n", contender.name(), board.ready.load(),
-                 setup.subscribers);
-    return;
-  }
+  if (!publish || !wait_until(setup, [&] { return board.ready >= setup.subscribers; })) return;
+  board.sends = true;
   sleep_ms(rest_ms);
   publish_at_rate(publish, setup.rate, 0, warm_up, board);
   wait_until_received(board, setup, warm_up);
@@ -130,31 +127,71 @@ void send_all(Contender& contender, const Setup& setup, Board& board) {
   spending.end();
 }
 
-std::vector<pid_t> start_subscribers(Contender& contender, const Setup& setup, Board& board) {
-  std::vector<pid_t> subscribers;
-  for (std::size_t who = 0; who < setup.subscribers && !contender.in_one_process(); ++who) {
-    subscribers.push_back(in_child([&] {
-      enter(board.subscriber[who], setup);
-      Recorder recorder(board, who);
-      contender.subscribe(setup, who, recorder);
-    }));
-  }
-  return subscribers;
+void be_subscriber(Contender& contender, const Setup& setup, std::size_t who, Board& board) {
+  enter(board.subscriber[who], setup);
+  Recorder recorder(board, who);
+  contender.subscribe(setup, who, recorder);
 }
 
-Outcome run_publisher(Contender& contender, const Setup& setup, Board& board) {
-  const pid_t publisher = in_child([&] {
-    enter(board.publisher, setup);
-    send_all(contender, setup, board);
+void be_publisher(Contender& contender, const Setup& setup, Board& board) {
+  enter(board.publisher, setup);
+  send_all(contender, setup, board);
+}
+
+/// The publisher is the last one.
+std::vector<pid_t> start(Contender& contender, const Setup& setup, Board& board) {
+  const std::size_t subscribers = contender.in_one_process() ? 0 : setup.subscribers;
+  return in_children(subscribers + 1, [&](std::size_t who) {
+    who < subscribers ? be_subscriber(contender, setup, who, board) : be_publisher(contender, setup, board);
   });
-  const Ending ending = wait_for(publisher);
-  if (ending == Ending::interrupted) {
-    board.stop = true;
-    if (contender.cleans_up_at_exit()) let_end({publisher}, time_to_leave);
-    stop({publisher});
-    return Outcome::interrupted;
+}
+
+Outcome failed(const Contender& contender, const std::string& why) {
+  std::fprintf(stderr, "%s: %s\n", contender.name(), why.c_str());
+  return Outcome::failed;
+}
+
+constexpr char subscriber_ended[] = "a subscriber has ended early";
+
+std::string why_not_connected(const Setup& setup, const Board& board) {
+  return fmt::format("after {:g} s the publisher is not connected to all subscribers ({} of {} are ready)",
+                     std::chrono::duration<double>(setup.patience).count(), board.ready.load(),
+                     setup.subscribers);
+}
+
+/// Until the publisher ends, or it is clear that it will not come to an end.
+Outcome watch(const Contender& contender, const Setup& setup, const Board& board,
+              const std::vector<pid_t>& processes) {
+  const std::vector<pid_t> publisher{processes.back()}, subscribers(processes.begin(), processes.end() - 1);
+  const auto end_of_patience = std::chrono::steady_clock::now() + setup.patience;
+  while (all_run(publisher)) {
+    if (interrupted()) return Outcome::interrupted;
+    if (!all_run(subscribers)) return failed(contender, subscriber_ended);
+    if (!board.sends && std::chrono::steady_clock::now() > end_of_patience)
+      return failed(contender, why_not_connected(setup, board));
+    wait_for_news(board.sends ? undisturbed : between_looks);
   }
-  return board.published ? Outcome::complete : Outcome::failed;
+  if (!board.published) return failed(contender, "the publisher has ended early");
+  return all_run(subscribers) ? Outcome::complete : failed(contender, subscriber_ended);
+}
+
+/// By themselves, where they would leave files behind.
+void end_processes(const Contender& contender, Board& board, const std::vector<pid_t>& processes) {
+  board.stop = true;
+  if (contender.cleans_up_at_exit()) let_end(processes, time_to_leave);
+  stop(processes);
+}
+
+Outcome run(Contender& contender, const Setup& setup, Board& board) {
+  try {
+    contender.prepare(setup);
+    const std::vector<pid_t> processes = start(contender, setup, board);
+    const Outcome outcome = watch(contender, setup, board, processes);
+    end_processes(contender, board, processes);
+    return outcome;
+  } catch (const std::system_error& error) {
+    return failed(contender, error.what());
+  }
 }
 
 std::vector<std::uint64_t> publishing_times(const Setup& setup, const Board& board) {
@@ -211,19 +248,20 @@ void Recorder::record(const Stamp& stamp) {
       static_cast<std::uint64_t>(std::max<std::int64_t>(latency, 1));
 }
 
-Measurement measure(Contender& contender, const Setup& setup) {
-  Board* board = create_board();
-  if (board == nullptr) return Measurement();
-  contender.prepare(setup);
-  const std::vector<pid_t> subscribers = start_subscribers(contender, setup, *board);
-  Outcome outcome = run_publisher(contender, setup, *board);
-  if (outcome == Outcome::complete && !all_run(subscribers)) {
-    std::fprintf(stderr, "%s: a subscriber has ended early\n", contender.name());
-    outcome = Outcome::failed;
+bool wait_until(const Setup& setup, const std::function<bool()>& condition) {
+  while (!condition()) {
+    if (setup.over != nullptr && *setup.over) return false;
+    sleep_ms(1);
   }
-  board->stop = true;
-  if (contender.cleans_up_at_exit()) let_end(subscribers, time_to_leave);
-  stop(subscribers);
+  return true;
+}
+
+Measurement measure(Contender& contender, const Setup& wanted) {
+  Board* board = create_board();
+  if (board == nullptr) return std::perror("memory for the processes' figures"), Measurement();
+  Setup setup = wanted;
+  setup.over = &board->stop;
+  const Outcome outcome = run(contender, setup, *board);
   Measurement result = collect(setup, *board, outcome);
   ::munmap(board, sizeof(Board));
   return result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -37,6 +38,7 @@ struct Member {
 struct Board {
   std::atomic<std::uint32_t> ready;
   std::atomic<bool> stop;
+  std::atomic<bool> sends;      // every subscriber is connected
   std::atomic<bool> published;  // all messages
   std::int64_t publishing_ns;   // how long that took
   Member publisher;
@@ -71,7 +73,12 @@ struct Setup {
   bool fills = false;  // allocating and filling each message belong to the span of its latency
   bool real_time =
       false;  // processes are scheduled by SCHED_FIFO, with memory that is locked: see real_time.h
+  std::chrono::milliseconds patience = std::chrono::seconds(60);  // until every subscriber is connected
+  const std::atomic<bool>* over = nullptr;                        // set by measure, for wait_until
 };
+
+/// For Contender::publish, which waits for its subscribers: looks every millisecond. False: the measurement is over.
+bool wait_until(const Setup& setup, const std::function<bool()>& condition);
 
 /// For Setup::name: another one at each call.
 std::string unique_name();
@@ -94,7 +101,7 @@ class Contender {
   }
   /// Its subscribers must leave by themselves when recorder.stop() says so, or files stay behind.
   virtual bool cleans_up_at_exit() const { return false; }
-  /// In the parent, before any process is forked.
+  /// In the parent, before any process is forked. May throw std::system_error: the measurement fails.
   virtual void prepare(const Setup&) {}
   /// Subscribes, calls recorder.ready(), records until recorder.stop().
   virtual void subscribe(const Setup& setup, std::size_t who, Recorder& recorder) = 0;
@@ -103,13 +110,13 @@ class Contender {
   /// Subscribes once for each recorder, in the publisher's process, and returns.
   virtual void subscribe_here(const Setup&, std::vector<Recorder>&) {}
   /// Opens the publisher; the result is called once for each message and fills in the time itself, right
-  /// before it publishes.
+  /// before it publishes. Null: the measurement was over before all subscribers were connected.
   virtual std::function<void(std::uint64_t index)> publish(const Setup& setup) = 0;
 };
 
 enum class Outcome {
   complete,     // the publisher sent all messages; how many arrived is another question
-  failed,       // a process ended early, or not every subscriber came
+  failed,       // a process could not be started or ended early, or not every subscriber came in time
   interrupted,  // see hold_interrupts
 };
 
@@ -125,8 +132,8 @@ struct Measurement {
 };
 
 /// Forks the publisher and the subscribers, sends at the given rate, and returns what arrived. All processes
-/// have ended when it returns.
-Measurement measure(Contender& contender, const Setup& setup);
+/// have ended when it returns. Why it failed, it has said on standard error.
+Measurement measure(Contender& contender, const Setup& wanted);
 
 /// What a contender needs that publishes shared memory: a queue of messages, and a copy for each subscriber where it makes one.
 inline std::size_t shared_memory_bytes(const Setup& setup, bool copied_out) {

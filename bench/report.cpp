@@ -12,6 +12,8 @@
 #include <thread>
 #include <utility>
 
+#include "environment.h"
+
 namespace tzc {
 namespace bench {
 namespace {
@@ -48,10 +50,13 @@ std::string ratio(double a, double b) {
 nlohmann::json machine() {
   utsname system{};
   ::uname(&system);
-  return {{"cpu", cpu_model()},
-          {"cpus", std::thread::hardware_concurrency()},
-          {"kernel", system.release},
-          {"architecture", system.machine}};
+  nlohmann::json document{{"cpu", cpu_model()},
+                          {"cpus", std::thread::hardware_concurrency()},
+                          {"kernel", system.release},
+                          {"architecture", system.machine}};
+  const std::string settings = settings_of_environment();
+  if (!settings.empty()) document["environment"] = settings;
+  return document;
 }
 
 void print_table(const std::vector<Row>& rows) {

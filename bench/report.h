@@ -22,7 +22,8 @@ struct Row {
   double publish_us = 0;
 };
 
-/// What the figures depend on: processor, number of them, kernel, architecture.
+/// What the figures depend on: processor, number of them, kernel, architecture; TZC's settings in the environment, where there
+/// are some.
 nlohmann::json machine();
 
 /// A table of all rows. x_socket: a row's median divided by a bare socket's; tcpros_x: TCPROS' median divided

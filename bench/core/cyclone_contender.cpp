@@ -101,11 +101,12 @@ void on_data(dds_entity_t reader, void* recorder) {
   }
 }
 
-void wait_for_readers(dds_entity_t writer, std::size_t readers) {
-  dds_publication_matched_status_t matched{};
-  while (::dds_get_publication_matched_status(writer, &matched) == DDS_RETCODE_OK &&
-         matched.current_count < readers)
-    ::usleep(1000);
+bool wait_for_readers(dds_entity_t writer, const Setup& setup) {
+  return wait_until(setup, [&] {
+    dds_publication_matched_status_t matched{};
+    return ::dds_get_publication_matched_status(writer, &matched) != DDS_RETCODE_OK ||
+           matched.current_count >= setup.subscribers;
+  });
 }
 
 class CycloneContender final : public Contender {
@@ -131,7 +132,7 @@ class CycloneContender final : public Contender {
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
     const auto node = std::make_shared<Node>(setup, shared_memory_);
     const dds_entity_t writer = node->create_writer();
-    wait_for_readers(writer, setup.subscribers);
+    if (!wait_for_readers(writer, setup)) return {};
     if (shared_memory_ && ::dds_is_shared_memory_available(writer)) {
       return [node, writer, setup](std::uint64_t index) {
         const Span span(setup, index);

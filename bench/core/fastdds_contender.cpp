@@ -141,11 +141,12 @@ class Listener final : public dds::DataReaderListener {
   Recorder& recorder_;
 };
 
-void wait_for_readers(dds::DataWriter& writer, std::size_t readers) {
-  dds::PublicationMatchedStatus matched;
-  while (writer.get_publication_matched_status(matched) == ReturnCode_t::RETCODE_OK &&
-         matched.current_count < static_cast<std::int32_t>(readers))
-    ::usleep(1000);
+bool wait_for_readers(dds::DataWriter& writer, const Setup& setup) {
+  return wait_until(setup, [&] {
+    dds::PublicationMatchedStatus matched;
+    return writer.get_publication_matched_status(matched) != ReturnCode_t::RETCODE_OK ||
+           matched.current_count >= static_cast<std::int32_t>(setup.subscribers);
+  });
 }
 
 void write(dds::DataWriter& writer, void* sample, std::size_t bytes, const Span& span) {
@@ -172,7 +173,7 @@ class FastDdsContender final : public Contender {
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
     const auto node = std::make_shared<Node>(setup, way_);
     dds::DataWriter* writer = node->create_writer();
-    wait_for_readers(*writer, setup.subscribers);
+    if (!wait_for_readers(*writer, setup)) return {};
     const std::size_t bytes = std::max(setup.size_bytes, sizeof(Stamp));
     if (way_ == Way::loans) {
       return [node, writer, bytes, setup](std::uint64_t index) {

@@ -66,7 +66,10 @@ class IceoryxContender final : public Contender {
     iox::popo::SubscriberOptions options;
     options.queueCapacity = 10;
     UntypedSubscriber subscriber(service(setup), options);
-    while (subscriber.getSubscriptionState() != iox::SubscribeState::SUBSCRIBED) ::usleep(1000);
+    while (subscriber.getSubscriptionState() != iox::SubscribeState::SUBSCRIBED) {
+      if (recorder.stop()) return;
+      ::usleep(1000);
+    }
     listener_ ? listen(subscriber, recorder) : wait(subscriber, recorder);
   }
 

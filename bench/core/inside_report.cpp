@@ -8,9 +8,11 @@
 #include <cstdio>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "environment.h"
 #include "report.h"
 
 namespace tzc {
@@ -18,7 +20,8 @@ namespace bench {
 namespace {
 
 constexpr char usage[] = R"(What allocate and publish cost by themselves.
-Usage: tzc-bench inside [--json FILE] [--benchmark_filter=REGEX] [other options of Google Benchmark]
+Usage: tzc-bench inside [--json FILE] [--keep-settings] [--benchmark_filter=REGEX] [other options of Google Benchmark]
+--keep-settings: measure with the TZC_ variables of the environment, which are refused otherwise
 
 Examples:
   tzc-bench inside --json inside.json
@@ -86,6 +89,24 @@ bool take_json(std::vector<char*>& arguments, std::string& path) {
   return true;
 }
 
+bool take_flag(std::vector<char*>& arguments, const char* flag) {
+  const auto out = std::remove_if(arguments.begin(), arguments.end(),
+                                  [flag](const char* argument) { return std::strcmp(argument, flag) == 0; });
+  const bool any = out != arguments.end();
+  arguments.erase(out, arguments.end());
+  return any;
+}
+
+/// Without what this program knows. The exit status where that is a mistake, which is said.
+std::optional<int> take_own(std::vector<char*>& arguments, std::string& json) {
+  std::string mistake;
+  if (!take_flag(arguments, keep_settings)) mistake = refused_settings();
+  if (!take_json(arguments, json)) mistake = "--json needs a file";
+  if (mistake.empty()) return std::nullopt;
+  std::fprintf(stderr, "tzc-bench inside: %s\n", mistake.c_str());
+  return 2;
+}
+
 }  // namespace
 
 int run_and_report(int argc, char** argv) {
@@ -95,10 +116,7 @@ int run_and_report(int argc, char** argv) {
     return 0;
   }
   std::string json;
-  if (!take_json(arguments, json)) {
-    std::fputs("tzc-bench inside: --json needs a file\n", stderr);
-    return 2;
-  }
+  if (const auto over = take_own(arguments, json)) return *over;
   arguments.insert(arguments.begin() + 1, repetitions);  // the user's own come later and count
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());

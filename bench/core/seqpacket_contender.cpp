@@ -2,7 +2,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstring>
+#include <system_error>
 #include <vector>
 
 #include "channel/wire.h"
@@ -21,11 +23,12 @@ class SeqpacketContender final : public Contender {
 
   void prepare(const Setup& setup) override {
     for (const auto& pair : pairs_) ::close(pair.writer), ::close(pair.reader);
-    pairs_.resize(setup.subscribers);
-    for (auto& pair : pairs_) {
+    pairs_.clear();
+    while (pairs_.size() < setup.subscribers) {
       int ends[2];
-      if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) ::_exit(1);
-      pair = Pair{ends[0], ends[1]};
+      if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
+        throw std::system_error(errno, std::generic_category(), "cannot make a pair of sockets");
+      pairs_.push_back({ends[0], ends[1]});
     }
   }
 

@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <memory>
+#include <utility>
 
 #include "commands.h"
 #include "contenders.h"
@@ -46,11 +48,12 @@ int run_sustained(int argc, char** argv) {
   options.rate = 200;
   options.count = 200 * 60;
   const auto over =
-      parse_options(argc, argv, "Sends for a minute: is anything lost, does memory stay flat?", options);
+      parse_one_case(argc, argv, "Sends for a minute: is anything lost, does memory stay flat?", options);
   if (over) return *over;
   hold_interrupts();
   Watched contender;
-  const Setup setup{options.sizes[0], options.subscribers[0], options.rate, options.count, unique_name(), 40};
+  const Setup setup{
+      options.sizes.front(), options.subscribers.front(), options.rate, options.count, unique_name(), 40};
   const Measurement measurement = measure(contender, setup);
   if (measurement.outcome == Outcome::interrupted) return interrupted_status;
   if (measurement.outcome == Outcome::failed) return std::fprintf(stderr, "the measurement has failed\n"), 1;

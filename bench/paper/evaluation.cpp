@@ -120,12 +120,15 @@ std::vector<Section> sections_of(const Options& options, const std::vector<CellR
 /// The page, its tables, and the page for a repository.
 void write_sections(const Store& store, std::vector<Section> sections, const std::vector<Section>& more) {
   sections.insert(sections.end(), more.begin(), more.end());
+  std::set<std::string> drawn;
   for (const Section& section : sections) {
+    for (const Plot& plot : section.plots) drawn.insert(plot.name);
     if (section.table.rows.empty())
       store.remove(section.file);  // an earlier run's
     else
       store.write(section.file, to_csv(section.table));
   }
+  remove_plots_but(drawn, store);
   const json run = json::parse(store.read("run.json"));
   store.write("index.html", page_of(run, sections));
   store.write("README.md", markdown_of(run, sections));

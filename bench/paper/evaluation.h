@@ -24,7 +24,7 @@ Progress measure_missing(const Options& options, const std::vector<Cell>& cells,
                          const MeasureCell& measure);
 
 /// Writes the tables, results.json, the page and, if wanted, the plots of what the store has; cells of which it has
-/// nothing are left out.
+/// nothing are left out, and files of earlier runs that do not belong to them are removed.
 /// `more`: sections that end the page.
 void write_reports(const Options& options, const std::vector<Cell>& cells, const Store& store,
                    bool with_plots, const std::vector<Section>& more = {});

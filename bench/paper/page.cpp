@@ -91,7 +91,8 @@ constexpr char real_time_text[] =
     "without a "
     "process of normal priority that keeps each processor busy. <code>futex</code>: the bare wake-up of one "
     "process by "
-    "another, without a message. Error of the period: how far the time between two deliveries is from that "
+    "another, without a message. least_delivered_share: of the messages, to the subscriber that got fewest. "
+    "Error of the period: how far the time between two deliveries is from that "
     "of the rate. "
     "Allocations (calls of malloc and its like) and page faults are of one message, all processes "
     "together.</p>\n";

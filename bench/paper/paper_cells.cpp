@@ -40,6 +40,31 @@ std::size_t place_of(const Cell& cell, const Contestants& contestants) {
   return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), is_it) - all.begin());
 }
 
+bool is_in_real_time(const Cell& cell) {
+  return cell.conditions.real_time;
+}
+
+/// Of those that --only names, one that takes part in no usual case; empty: there is none.
+std::string only_in_real_time(const PaperOptions& options, const Contestants& contestants) {
+  const auto is_usual = [&](const std::string& name) {
+    return find_contender(contestants.usual, name) != nullptr;
+  };
+  return unknown_name(options.cells, is_usual);
+}
+
+std::string why_not_in_real_time(const PaperOptions& options, const Contestants& contestants) {
+  const auto is_unknown = [&](const std::string& name) {
+    return find_contender(contestants.real_time, name) == nullptr;
+  };
+  const auto& only = options.cells.only;
+  if (!only.empty() && std::all_of(only.begin(), only.end(), is_unknown))
+    return fmt::format("--real-time: none of the contenders of --only is measured in real time; there are {}",
+                       names_of(contestants.real_time));
+  return fmt::format(
+      "--real-time: only messages up to {} are measured in real time; name a size with --sizes",
+      size_text(largest_in_real_time));
+}
+
 template <class Condition>
 bool remove_cells(std::vector<Cell>& cells, Condition condition) {
   const auto out = std::remove_if(cells.begin(), cells.end(), condition);
@@ -64,6 +89,16 @@ std::vector<Cell> cells_of(const PaperOptions& options, const Contestants& conte
   add(cells, one, contestants.real_time, in_real_time);
   add(cells, one, contestants.real_time, in_real_time_under_load);
   return cells;
+}
+
+std::string impossible_wish(const PaperOptions& options, const Contestants& contestants,
+                            const std::vector<Cell>& cells) {
+  const std::string name = options.real_time ? "" : only_in_real_time(options, contestants);
+  if (!name.empty())
+    return fmt::format("--only: {} is measured in real time alone: give --real-time, too", name);
+  if (options.wants_real_time && std::none_of(cells.begin(), cells.end(), is_in_real_time))
+    return why_not_in_real_time(options, contestants);
+  return cells.empty() ? nobody_takes_these_sizes : "";
 }
 
 void sort(std::vector<Cell>& cells, const Contestants& contestants) {
@@ -99,11 +134,10 @@ void leave_out_impossible(const PaperOptions& options, const Contestants& contes
     if (!why.empty()) said.push_back(why + "; left out");
     return !why.empty();
   });
-  const auto real_time = [](const Cell& cell) { return cell.conditions.real_time; };
-  if (std::none_of(cells.begin(), cells.end(), real_time)) return;
+  if (std::none_of(cells.begin(), cells.end(), is_in_real_time)) return;
   const std::string why = real_time_obstacle();
   if (why.empty()) return;
-  remove_cells(cells, real_time);
+  remove_cells(cells, is_in_real_time);
   said.push_back(why + "; left out: real time");
 }
 

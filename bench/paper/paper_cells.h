@@ -23,6 +23,10 @@ struct Contestants {
 /// The cases that the options ask for, in the order in which they take turns.
 std::vector<Cell> cells_of(const PaperOptions& options, const Contestants& contestants);
 
+/// What the options ask for and no case can be, and what to give instead; empty: nothing. `cells`: cells_of's.
+std::string impossible_wish(const PaperOptions& options, const Contestants& contestants,
+                            const std::vector<Cell>& cells);
+
 /// Puts cells of whichever runs into the order of cells_of: by conditions, size, subscribers, and as the contenders stand in
 /// the tables.
 void sort(std::vector<Cell>& cells, const Contestants& contestants);

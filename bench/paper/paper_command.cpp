@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <system_error>
 
 #include "commands.h"
 #include "load.h"
 #include "paper/contender_table.h"
+#include "paper/counts.h"
 #include "paper/daemons.h"
 #include "paper/evaluation.h"
 #include "paper/paper_cells.h"
@@ -16,7 +18,6 @@
 #include "paper/plan.h"
 #include "paper/plots.h"
 #include "paper/publication.h"
-#include "paper/tool_tables.h"
 #include "processes.h"
 
 namespace tzc {
@@ -54,20 +55,18 @@ MeasureCell measure_with(const Contestants& contestants, const PaperOptions& opt
     setup.name = unique_name();
     const std::string obstacle = memory_obstacle(cell, options, contestants);  // others may have taken it
     if (!obstacle.empty()) return fmt::print(stderr, "{}: ", obstacle), Measurement();
-    const auto load = cell.conditions.load ? std::make_unique<Load>() : nullptr;
-    return measure(*contestants.find(cell.contender), setup);
+    try {
+      const auto load = cell.conditions.load ? std::make_unique<Load>() : nullptr;
+      return measure(*contestants.find(cell.contender), setup);
+    } catch (const std::system_error& error) {
+      return fmt::print(stderr, "{}: ", error.what()), Measurement();
+    }
   };
 }
 
 int fail(int status, const std::string& message) {
   std::fprintf(stderr, "tzc-bench paper: %s\n", message.c_str());
   return status;
-}
-
-/// What is counted and not measured: message types and changed lines.
-std::vector<Section> counted_sections(const PaperOptions& options, std::vector<std::string>& said) {
-  return {types_section(types_table(options.types, said)),
-          effort_section(effort_table(options.effort, said))};
 }
 
 /// Nothing, where no run has begun in this folder.
@@ -96,13 +95,12 @@ int show_plan(const PaperOptions& options, const Contestants& contestants) {
 /// What could not be measured is not what was asked for: the status says so.
 int evaluate(const PaperOptions& options, const Contestants& contestants) {
   std::vector<Cell> cells = cells_of(options, contestants);
-  if (cells.empty()) return fail(2, nobody_takes_these_sizes);
   const Store store(options.output);
   store.begin(description_of(options));
   std::vector<std::string> obstacles;
   leave_out_impossible(options, contestants, cells, obstacles);
   const Daemons daemons(contestants.usual, cells, obstacles);
-  const std::vector<Section> counted = counted_sections(options, obstacles);
+  const std::vector<Section> counted = counted_sections(store, options, obstacles);
   for (const std::string& obstacle : obstacles) fail(1, obstacle);
   const Progress progress = measure_missing(options.cells, cells, store, measure_with(contestants, options));
   if (progress == Progress::interrupted)
@@ -135,6 +133,8 @@ int run_paper(int argc, char** argv) {
   const std::string unknown = unknown_name(options.cells, is_known);
   if (!unknown.empty())
     return fail(2, fmt::format("--only: there is no {}; there are {}", unknown, names_of(contestants.usual)));
+  const std::string wish = impossible_wish(options, contestants, cells_of(options, contestants));
+  if (!wish.empty()) return fail(2, wish);
   if (options.dry_run) return with_store_errors([&] { return show_plan(options, contestants); });
   if (options.plots && gnuplot_version().empty())
     return fail(1, "gnuplot is not installed: install the package gnuplot-nox, or give --no-plots");

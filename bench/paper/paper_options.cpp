@@ -70,6 +70,7 @@ std::optional<int> parse_paper_options(int argc, char** argv, PaperOptions& opti
   app.add_flag("!--no-plots", options.plots, "tables only; gnuplot is not needed");
   const auto over = command_line::parse(app, argc, argv);
   if (quick) shorten(app, options.cells);
+  options.wants_real_time = app.count("--real-time") > 0 && options.real_time;
   if (app.count("--real-time") == 0) options.real_time = options.cells.only.empty();
   return over;
 }

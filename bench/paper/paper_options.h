@@ -19,6 +19,7 @@ struct PaperOptions {
   std::vector<std::string> effort;  // packages to count the rewriter's lines in
   bool load = false;                // every case also on a busy machine
   bool real_time = true;            // the cases of TZC-RT, too; by default where no contenders are chosen
+  bool wants_real_time = false;     // the command line says so
   bool dry_run = false;             // the plan is printed, nothing is measured or written
   std::string publish;              // a folder that gets page, tables and plots, too; empty: none
   bool fills = false;               // allocating and filling belong to the span of a latency

@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
+#include <regex>
+#include <system_error>
 
 #include "processes.h"
 
@@ -163,14 +165,14 @@ std::string plot(const Places& places) {
   return text + "\n";
 }
 
-// What gnuplot says goes to the file log.
+// What gnuplot says goes to the file log. -d: the user's own settings, of ~/.gnuplot, would change the plot.
 [[noreturn]] void become_gnuplot(const std::string& folder, const std::string& script,
                                  const std::string& log) {
   const int out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   ::dup2(out, STDOUT_FILENO);
   ::dup2(out, STDERR_FILENO);
   if (::chdir(folder.c_str()) == 0)
-    ::execlp("gnuplot", "gnuplot", script.c_str(), static_cast<char*>(nullptr));
+    ::execlp("gnuplot", "gnuplot", "-d", script.c_str(), static_cast<char*>(nullptr));
   ::_exit(127);
 }
 
@@ -184,6 +186,26 @@ void run_gnuplot(const Store& store, const std::string& script) {
   const std::string said = ending == Ending::failed ? store.read(log + ".tmp") : "interrupted";
   store.discard(log);
   if (ending != Ending::exited) throw StoreError("gnuplot failed on " + store.path_of(script) + ": " + said);
+}
+
+/// Of a plot: the ending of its file's name, and how the file ends.
+struct Format {
+  const char* ending;
+  const char* last;
+};
+constexpr Format formats[] = {{".svg", "</svg>"}, {".png", "IEND\xae\x42\x60\x82"}};
+
+bool is_whole(const std::string& file, const std::string& last) {
+  const std::size_t end = file.find_last_not_of("\r\n ") + 1;  // npos + 1 is 0
+  return end >= last.size() && file.compare(end - last.size(), last.size(), last) == 0;
+}
+
+/// gnuplot ends with status 0 also where its output could not be written.
+void require_whole(const Store& store, const std::string& name) {
+  for (const Format& format : formats)
+    if (!is_whole(store.read(name + format.ending + ".tmp"), format.last))
+      throw StoreError("gnuplot has not written all of " + store.path_of(name + format.ending) +
+                       ": is the disk full?");
 }
 
 }  // namespace
@@ -232,13 +254,25 @@ std::string draw(const Store& store, const std::string& name, const std::string&
   store.write(name + ".gnuplot", script);
   try {
     run_gnuplot(store, name + ".gnuplot");
+    require_whole(store, name);
   } catch (const StoreError&) {
-    for (const char* ending : {".svg", ".png"}) store.discard(name + ending);
+    for (const Format& format : formats) store.discard(name + format.ending);
     throw;
   }
-  store.take(name + ".svg");
-  store.take(name + ".png");
+  for (const Format& format : formats) store.take(name + format.ending);
   return store.read(name + ".svg");
+}
+
+void remove_plots_but(const std::set<std::string>& drawn, const Store& store) {
+  const std::regex plot("(latency-[0-9]+(-rt)?(-load)?|real-time)\\.(svg|png|gnuplot)");
+  std::vector<std::string> gone;
+  std::error_code failed;
+  for (std::filesystem::directory_iterator entry(store.path_of(""), failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    const std::string file = entry->path().filename().string();
+    if (std::regex_match(file, plot) && drawn.count(entry->path().stem().string()) == 0) gone.push_back(file);
+  }
+  for (const std::string& file : gone) store.remove(file);
 }
 
 }  // namespace bench

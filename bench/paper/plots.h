@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,11 @@ std::string plot_script(const std::vector<Summary>& summaries, std::size_t subsc
 std::string plot_name(std::size_t subscribers, const Conditions& conditions);
 
 /// Writes NAME.gnuplot, NAME.svg and NAME.png into the store; the SVG document. Nothing for an empty script. Throws
-/// StoreError with what gnuplot said.
+/// StoreError with what gnuplot said, or where it has not written all.
 std::string draw(const Store& store, const std::string& name, const std::string& script);
+
+/// Removes the plots of earlier runs from the store, but for these names: they do not show what its tables have.
+void remove_plots_but(const std::set<std::string>& drawn, const Store& store);
 
 }  // namespace bench
 }  // namespace tzc

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paper/program.h"
 
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +16,8 @@ namespace tzc {
 namespace bench {
 namespace {
 
+constexpr int not_run = 127;  // as in a shell
+
 std::string path_of(const std::string& name) {
   std::error_code unknown;
   const auto beside = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / name;
@@ -24,7 +25,7 @@ std::string path_of(const std::string& name) {
 }
 
 [[noreturn]] void become(const std::vector<std::string>& command, int output, int error) {
-  ::signal(SIGINT, SIG_DFL);
+  take_interrupts_again();
   ::dup2(output, STDOUT_FILENO);
   ::dup2(error, STDERR_FILENO);
   std::vector<char*> arguments;
@@ -32,7 +33,15 @@ std::string path_of(const std::string& name) {
   arguments.push_back(nullptr);
   ::execvp(path_of(command.front()).c_str(), arguments.data());
   ::dprintf(STDERR_FILENO, "cannot run %s: %s\n", command.front().c_str(), std::strerror(errno));
-  ::_exit(127);
+  ::_exit(not_run);
+}
+
+/// As waitpid has it.
+int status_of(pid_t child) {
+  for (int status = 0;;) {
+    if (::waitpid(child, &status, 0) == child) return status;
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "cannot wait for a process");
+  }
 }
 
 /// A file without a name, so that a program's output needs no reader while it runs.
@@ -63,11 +72,13 @@ class Capture {
 
 ProgramResult run_program(const std::vector<std::string>& command) {
   const Capture output, error;
-  const pid_t child = in_child([&] { become(command, output.fd(), error.fd()); });
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  try {
+    const pid_t child = in_child([&] { become(command, output.fd(), error.fd()); });
+    const int status = status_of(child);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), output.text(), error.text()};
+  } catch (const std::system_error& failure) {
+    return {not_run, "", failure.what()};
   }
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), output.text(), error.text()};
 }
 
 }  // namespace bench

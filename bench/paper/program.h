@@ -9,7 +9,8 @@ namespace bench {
 
 /// How a program ended, and what it wrote.
 struct ProgramResult {
-  int status = 127;  // as in a shell: 127 where there is none of this name; negative: ended by this signal
+  int status =
+      127;  // as in a shell: 127 where there is none of this name, or none starts; negative: ended by this signal
   std::string output;
   std::string error;
 };

@@ -31,21 +31,33 @@ void add_period_errors(const Measurement& round, std::size_t who, double period_
       errors.push_back(std::abs((arrival(i) - arrival(i - 1)) / 1000 - period_us));
 }
 
+void add_latencies(const Measurement& round, std::size_t who, RealTimeFigures& figures) {
+  for (const std::uint64_t ns : round.latency_ns[who]) {
+    if (ns == 0) continue;
+    ++figures.delivered[who];
+    figures.latencies_us.push_back(static_cast<double>(ns) / 1000);
+  }
+}
+
+double least_share(const RealTimeFigures& figures) {
+  const auto least = std::min_element(figures.delivered.begin(), figures.delivered.end());
+  return figures.sent > 0 ? static_cast<double>(*least) / static_cast<double>(figures.sent) : 0;
+}
+
 RealTimeFigures figures_of(const CellResult& result, double rate) {
   RealTimeFigures figures;
   figures.cell = result.cell;
+  figures.delivered.resize(result.cell.subscribers);
   Cost cost;
   for (const auto& [number, round] : result.rounds) {
     figures.sent += round.latency_ns.front().size();
     cost += round.publisher;
     cost += round.subscribers;
     for (std::size_t who = 0; who < round.latency_ns.size(); ++who) {
-      for (const std::uint64_t ns : round.latency_ns[who])
-        if (ns != 0) figures.latencies_us.push_back(static_cast<double>(ns) / 1000);
+      add_latencies(round, who, figures);
       add_period_errors(round, who, 1e6 / rate, figures.period_errors_us);
     }
   }
-  figures.delivered = figures.latencies_us.size();
   std::sort(figures.latencies_us.begin(), figures.latencies_us.end());
   std::sort(figures.period_errors_us.begin(), figures.period_errors_us.end());
   const auto messages = static_cast<double>(std::max<std::size_t>(figures.sent, 1));
@@ -123,9 +135,9 @@ std::vector<RealTimeFigures> real_time_figures(const std::vector<CellResult>& re
 }
 
 Table real_time_table(const std::vector<RealTimeFigures>& figures) {
-  Table table{{"contender", "size_bytes", "subscribers", "load", "sent", "delivered", "median_us", "p99_us",
-               "p99.9_us", "max_us", "period_error_median_us", "period_error_p99.9_us", "period_error_max_us",
-               "allocations", "page_faults"},
+  Table table{{"contender", "size_bytes", "subscribers", "load", "sent", "least_delivered_share", "median_us",
+               "p99_us", "p99.9_us", "max_us", "period_error_median_us", "period_error_p99.9_us",
+               "period_error_max_us", "allocations", "page_faults"},
               {}};
   for (const RealTimeFigures& one : figures) {
     std::vector<std::string> row{one.cell.contender,
@@ -133,7 +145,7 @@ Table real_time_table(const std::vector<RealTimeFigures>& figures) {
                                  std::to_string(one.cell.subscribers),
                                  one.cell.conditions.load ? "yes" : "no",
                                  std::to_string(one.sent),
-                                 std::to_string(one.delivered)};
+                                 fmt::format("{:.6f}", least_share(one))};
     append(row, one.latencies_us, {0.5, 0.99, 0.999, 1});
     append(row, one.period_errors_us, {0.5, 0.999, 1});
     row.push_back(fmt::format("{:.3f}", one.allocations));

@@ -154,6 +154,10 @@ std::string Store::read(const std::string& name) const {
   }
 }
 
+bool Store::has(const std::string& name) const {
+  return is_there(path_of(name));
+}
+
 bool Store::has_begun(const std::string& folder) {
   return is_there(folder + "/run.json");
 }

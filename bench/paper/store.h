@@ -30,6 +30,7 @@ class Store {
   std::string path_of(const std::string& name) const { return folder_ + "/" + name; }
   void write(const std::string& name, const std::string& content) const;
   std::string read(const std::string& name) const;
+  bool has(const std::string& name) const;
   /// Takes a file that another program wrote as NAME.tmp.
   void take(const std::string& name) const;
   /// Removes NAME.tmp, if it is there.

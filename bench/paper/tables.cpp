@@ -10,7 +10,6 @@ namespace bench {
 namespace {
 
 using nlohmann::json;
-using Fields = std::vector<std::string>;
 
 std::string number(double value) {
   return fmt::format("{:.3f}", value);

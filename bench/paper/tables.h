@@ -10,10 +10,12 @@
 namespace tzc {
 namespace bench {
 
+using Fields = std::vector<std::string>;
+
 /// A table with a heading, as the CSV files and the page show it. Every row has as many cells as `columns`.
 struct Table {
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
+  Fields columns;
+  std::vector<Fields> rows;
 };
 
 /// One row a cell.

@@ -44,19 +44,9 @@ std::pair<std::size_t, std::size_t> lengths_of_hunk(const std::string& heading) 
   return {length_of_range(before), length_of_range(after)};
 }
 
-/// tzc-msggen's classification of all folders; empty, and a reason, when it fails.
-std::string classification_of(const Names& folders, std::vector<std::string>& said) {
-  Names command{"tzc-msggen", "classify", "--json"};
-  command.insert(command.end(), folders.begin(), folders.end());
-  const ProgramResult result = run_program(command);
-  if (result.status == 0) return result.output;
-  said.push_back(reason_of(result, "types of " + folders.front()));
-  return "";
-}
-
 }  // namespace
 
-std::vector<std::string> types_row(const std::string& name, const std::string& classification) {
+Fields types_row(const std::string& name, const std::string& classification) {
   const auto totals = nlohmann::json::parse(classification).at("totals");
   const std::size_t types = totals.at("types"), variable = totals.at("has_variable_array"),
                     data = totals.at("has_data_part");
@@ -68,21 +58,20 @@ std::vector<std::string> types_row(const std::string& name, const std::string& c
           share(data, variable)};
 }
 
-Table types_table(const Names& folders, std::vector<std::string>& said) {
-  Table table{
+std::optional<Fields> count_types(const std::string& name, const Names& folders,
+                                  std::vector<std::string>& said) {
+  Names command{"tzc-msggen", "classify", "--json"};
+  command.insert(command.end(), folders.begin(), folders.end());
+  const ProgramResult result = run_program(command);
+  if (result.status == 0) return types_row(name, result.output);
+  said.push_back(reason_of(result, "types of " + name));
+  return std::nullopt;
+}
+
+Table types_table(std::vector<Fields> rows) {
+  return {
       {"folder", "types", "with_variable_array", "percent_of_types", "with_data_part", "percent_of_those"},
-      {}};
-  Names readable;
-  for (const std::string& folder : folders) {
-    const std::string classification = classification_of({folder}, said);
-    if (classification.empty()) continue;
-    readable.push_back(folder);
-    table.rows.push_back(types_row(folder, classification));
-  }
-  if (readable.size() < 2) return table;
-  const std::string all = classification_of(readable, said);
-  if (!all.empty()) table.rows.push_back(types_row("all", all));
-  return table;
+      std::move(rows)};
 }
 
 // Only what a hunk's heading promises is content: a line of it may begin with "---", too.
@@ -105,19 +94,19 @@ DiffSize size_of_diff(const std::string& diff) {
   return size;
 }
 
-Table effort_table(const Names& packages, std::vector<std::string>& said) {
-  Table table{{"package", "files", "lines_added", "lines_removed"}, {}};
-  for (const std::string& package : packages) {
-    const ProgramResult result = run_program({"tzc-rewrite", "--quiet", package});
-    if (result.status != 0 && result.status != 1) {
-      said.push_back(reason_of(result, "effort of " + package));
-      continue;
-    }
-    const DiffSize size = size_of_diff(result.output);
-    table.rows.push_back(
-        {package, std::to_string(size.files), std::to_string(size.added), std::to_string(size.removed)});
+std::optional<Fields> count_effort(const std::string& package, std::vector<std::string>& said) {
+  const ProgramResult result = run_program({"tzc-rewrite", "--quiet", package});
+  if (result.status != 0 && result.status != 1) {
+    said.push_back(reason_of(result, "effort of " + package));
+    return std::nullopt;
   }
-  return table;
+  const DiffSize size = size_of_diff(result.output);
+  return Fields{package, std::to_string(size.files), std::to_string(size.added),
+                std::to_string(size.removed)};
+}
+
+Table effort_table(std::vector<Fields> rows) {
+  return {{"package", "files", "lines_added", "lines_removed"}, std::move(rows)};
 }
 
 }  // namespace bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,14 +12,21 @@ namespace bench {
 
 // Tables of the paper that tzc-msggen and tzc-rewrite count: their programs lie beside this one, or on the PATH.
 
-/// Table II: one row a folder of message packages, at any depth, and a last one for all of them, when there are several:
-/// types, those with a variable-length array, and those of them with a data part, with shares in percent. A type of two
-/// folders counts in both, and once in the last row. A folder that cannot be read has no row; `said` gets the reason.
-Table types_table(const std::vector<std::string>& folders, std::vector<std::string>& said);
+/// Counts the message types of some folders together, at any depth: those with a variable-length array, and those of them
+/// with a data part, with shares in percent; a row of types_table of this name. Nothing where they cannot be read; `said`
+/// gets the reason.
+std::optional<Fields> count_types(const std::string& name, const std::vector<std::string>& folders,
+                                  std::vector<std::string>& said);
 
-/// One row a package: files and lines that tzc-rewrite would change, which is counted in its diff; nothing is written. A
-/// package that cannot be analysed has no row; `said` gets the reason.
-Table effort_table(const std::vector<std::string>& packages, std::vector<std::string>& said);
+/// Table II: a row a folder of message packages. A type of two folders counts in both.
+Table types_table(std::vector<Fields> rows);
+
+/// Counts the files and lines that tzc-rewrite would change in a package, in its diff; nothing is written. Nothing where it
+/// cannot be analysed; `said` gets the reason.
+std::optional<Fields> count_effort(const std::string& package, std::vector<std::string>& said);
+
+/// One row a package.
+Table effort_table(std::vector<Fields> rows);
 
 /// What a unified diff changes.
 struct DiffSize {
@@ -27,7 +35,7 @@ struct DiffSize {
 DiffSize size_of_diff(const std::string& diff);
 
 /// A row of types_table from what `tzc-msggen classify --json` says.
-std::vector<std::string> types_row(const std::string& name, const std::string& classification);
+Fields types_row(const std::string& name, const std::string& classification);
 
 }  // namespace bench
 }  // namespace tzc

@@ -38,10 +38,6 @@ Callback recording(Recorder& recorder) {
   return [&recorder](const ::sensor_msgs::ImageConstPtr& image) { record(*image, recorder); };
 }
 
-void wait_for(const std::function<bool()>& condition) {
-  while (!condition()) ::usleep(1000);
-}
-
 /// Base of the contenders of several processes.
 class NodeContender : public Contender {
  public:
@@ -79,7 +75,7 @@ class TcprosContender final : public NodeContender {
     start_node(setup, "publisher");
     const auto node = std::make_shared<ros::NodeHandle>();
     const ros::Publisher publisher = node->advertise<::sensor_msgs::Image>(topic_of(setup), queue_size);
-    wait_for([&] { return publisher.getNumSubscribers() >= setup.subscribers; });
+    if (!wait_until(setup, [&] { return publisher.getNumSubscribers() >= setup.subscribers; })) return {};
     return [node, publish = publish_by_reference(publisher, setup)](std::uint64_t index) { publish(index); };
   }
 
@@ -103,7 +99,8 @@ class AttachedContender final : public NodeContender {
         attached<::sensor_msgs::Image>(node->advertise<::sensor_msgs::Image>(topic_of(setup), queue_size));
     {
       const Publisher topic = attach_publisher<::sensor_msgs::Image>(publisher);
-      wait_for([&] { return topic.statistics().shared_subscribers >= setup.subscribers; });
+      if (!wait_until(setup, [&] { return topic.statistics().shared_subscribers >= setup.subscribers; }))
+        return {};
     }
     return [node, publish = publish_by_reference(publisher, setup)](std::uint64_t index) { publish(index); };
   }
@@ -129,7 +126,8 @@ class TzcNodeContender final : public NodeContender {
     start_node(setup, "publisher");
     const auto node = std::make_shared<ros::NodeHandle>();
     Publisher publisher = advertise<sensor_msgs::Image>(*node, topic_of(setup), queue_size, 0);
-    wait_for([&] { return publisher.statistics().shared_subscribers >= setup.subscribers; });
+    if (!wait_until(setup, [&] { return publisher.statistics().shared_subscribers >= setup.subscribers; }))
+      return {};
     return [node, publisher, setup](std::uint64_t index) {
       const Span span(setup, index);
       sensor_msgs::Image image;
@@ -177,7 +175,8 @@ class IntraprocessContender final : public Contender {
   std::function<void(std::uint64_t)> publish(const Setup& setup) override {
     const auto node = std::make_shared<ros::NodeHandle>();
     ros::Publisher publisher = node->advertise<::sensor_msgs::Image>(topic_of(setup), queue_size);
-    wait_for([&] { return publisher.getNumSubscribers() >= 1; });  // one intraprocess link serves all of them
+    // One intraprocess link serves all of them.
+    if (!wait_until(setup, [&] { return publisher.getNumSubscribers() >= 1; })) return {};
     return [node, publisher, setup](std::uint64_t index) {
       const Span span(setup, index);
       const auto image = boost::make_shared<::sensor_msgs::Image>();

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/ros.h>
-#include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -120,8 +118,7 @@ void subscribe_all(const Crowd& crowd, Transport transport, CrowdBoard& board) {
 
 bool wait_until_done(const CrowdBoard& board, const std::vector<pid_t>& processes) {
   while (!board.done) {
-    for (const pid_t process : processes)
-      if (::waitpid(process, nullptr, WNOHANG) == process) return false;
+    if (!all_run(processes)) return false;
     ::usleep(between_looks_us);
   }
   return true;
@@ -148,9 +145,9 @@ bool run_crowd(const Crowd& crowd, Transport transport, CrowdResult& result) {
   if (memory == MAP_FAILED) return false;
   auto& board = *new (memory) CrowdBoard();
   board.start_ns = now_ns();
-  std::vector<pid_t> processes{in_child([&] { publish_all(crowd, transport, board); })};
-  for (std::size_t i = 0; i < crowd.subscribers; ++i)
-    processes.push_back(in_child([&] { subscribe_all(crowd, transport, board); }));
+  const std::vector<pid_t> processes = in_children(1 + crowd.subscribers, [&](std::size_t number) {
+    number == 0 ? publish_all(crowd, transport, board) : subscribe_all(crowd, transport, board);
+  });
   const bool done = wait_until_done(board, processes);
   if (done) result = collect(board, processes);
   stop(processes);

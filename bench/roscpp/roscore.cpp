@@ -25,15 +25,18 @@ void run_master(const std::string& port) {
 }  // namespace
 
 RosCore::RosCore() {
+  // For the user's own network: ROS_HOSTNAME counts before ROS_IP, and the names of nodes begin with ROS_NAMESPACE.
+  for (const char* variable : {"ROS_HOSTNAME", "ROS_NAMESPACE", "ROS_IPV6"}) ::unsetenv(variable);
   const int port = port_.number();
   ::setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + std::to_string(port)).c_str(), 1);
   ::setenv("ROS_IP", "127.0.0.1", 1);
   pid_ = in_child([port] { run_master(std::to_string(port)); });
   for (int i = 0; i < 2000; ++i) {
     if (loopback::is_listened_on(port)) return;
-    if (::waitpid(pid_, nullptr, WNOHANG) == pid_) break;
+    if (!all_run({pid_})) break;
     ::usleep(10'000);
   }
+  stop({pid_});
   pid_ = -1;
 }
 

@@ -9,7 +9,7 @@ namespace tzc {
 namespace bench {
 
 /// A ROS master of the benchmark's own, on a free loopback port, for this process and the ones that it forks (it sets
-/// ROS_MASTER_URI and ROS_IP). Stopped by pid.
+/// ROS_MASTER_URI and ROS_IP, and takes away what else leads elsewhere). Stopped by pid.
 class RosCore {
  public:
   RosCore();

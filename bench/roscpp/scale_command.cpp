@@ -7,6 +7,7 @@
 
 #include "command_line/arguments.h"
 #include "commands.h"
+#include "environment.h"
 #include "options.h"
 #include "report.h"
 #include "roscpp/crowd.h"
@@ -115,6 +116,7 @@ void add_options(CLI::App& app, Crowd& crowd, bool& full, std::string& json) {
       ->capture_default_str();
   app.add_flag("--full", full, "the two large crowds in place of the options above");
   app.add_option("--json", json, "write the rows to this file")->check(command_line::file_to_write());
+  add_keep_settings(app);
 }
 
 }  // namespace

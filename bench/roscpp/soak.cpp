@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <system_error>
 
 #include "measure.h"
 #include "processes.h"
@@ -33,7 +34,14 @@ class Every {
 };
 
 void start(SoakProcess& process) {
+  process.pid = -1;  // where that fails, the number may soon be another's
   process.pid = in_child([&process] { process.role->run(*process.counts); });
+}
+
+void stop_all(const std::vector<SoakProcess>& processes) {
+  std::vector<pid_t> pids;
+  for (const SoakProcess& process : processes) pids.push_back(process.pid);
+  stop(pids);
 }
 
 /// The master asks whoever listens at the address of a node that another one of its name replaces to shut down. After a kill
@@ -71,14 +79,16 @@ Soak::Soak(const SoakPlan& plan) : plan_(plan), start_ns_(now_ns()) {
   }
   for (std::size_t i = 0; i < roles.size(); ++i)
     processes_.push_back({&roles[i], new (static_cast<SoakCounts*>(memory) + i) SoakCounts()});
-  for (SoakProcess& process : processes_) start(process);
+  try {
+    for (SoakProcess& process : processes_) start(process);
+  } catch (const std::system_error&) {
+    stop_all(processes_);
+    throw;
+  }
 }
 
 Soak::~Soak() {
-  std::vector<pid_t> pids;
-  for (const SoakProcess& process : processes_)
-    if (process.pid > 0) pids.push_back(process.pid);
-  stop(pids);
+  stop_all(processes_);
 }
 
 double Soak::seconds() const {
@@ -86,6 +96,15 @@ double Soak::seconds() const {
 }
 
 bool Soak::run() {
+  try {
+    return lasts();
+  } catch (const std::system_error& error) {
+    std::fprintf(stderr, "tzc-bench soak: %s\n", error.what());
+    return false;
+  }
+}
+
+bool Soak::lasts() {
   Every look(plan_.look_every_s), kill(plan_.kill_every_s), stopping(plan_.stop_for_s);
   while (seconds() < plan_.minutes * 60 && !interrupted()) {
     ::usleep(tick_us);
@@ -100,7 +119,7 @@ bool Soak::run() {
 bool Soak::ended_by_itself() {
   for (SoakProcess& process : processes_) {
     int status = 0;
-    if (::waitpid(process.pid, &status, WNOHANG) != process.pid) continue;
+    if (process.pid <= 0 || ::waitpid(process.pid, &status, WNOHANG) != process.pid) continue;
     if (was_asked_to_end(process, status)) {
       start(process);
       continue;
@@ -124,7 +143,8 @@ void Soak::replace_those_to_be_killed() {
 void Soak::stop_or_continue() {
   stopped_ = !stopped_;
   for (const SoakProcess& process : processes_)
-    if (process.role->fate == Fate::stopped) ::kill(process.pid, stopped_ ? SIGSTOP : SIGCONT);
+    if (process.role->fate == Fate::stopped && process.pid > 0)
+      ::kill(process.pid, stopped_ ? SIGSTOP : SIGCONT);
 }
 
 void Soak::look_at_all() {

@@ -30,7 +30,7 @@ struct SoakProcess {
 };
 
 /// Starts a process for each role, lets it suffer what its role is for, and looks at it. They end with this object. For a
-/// process that has a ROS master and one thread.
+/// process that has a ROS master and one thread. The constructor throws as in_child does.
 class Soak {
  public:
   explicit Soak(const SoakPlan& plan);
@@ -38,12 +38,14 @@ class Soak {
   Soak(const Soak&) = delete;
   Soak& operator=(const Soak&) = delete;
 
-  /// Until the time is over or an interruption comes (hold_interrupts). False: a process ended by itself, which is said.
+  /// Until the time is over or an interruption comes (hold_interrupts). False: a process ended by itself or could not be
+  /// replaced, which is said.
   bool run();
   const std::vector<SoakProcess>& processes() const { return processes_; }
   double seconds() const;
 
  private:
+  bool lasts();
   bool ended_by_itself();  ///< one did; one that ROS's master ended is started anew
   void replace_those_to_be_killed();
   void stop_or_continue();

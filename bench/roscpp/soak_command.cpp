@@ -9,6 +9,7 @@
 
 #include "command_line/arguments.h"
 #include "commands.h"
+#include "environment.h"
 #include "options.h"
 #include "processes.h"
 #include "report.h"
@@ -24,7 +25,7 @@ constexpr char examples[] = R"(
 Examples:
   tzc-bench soak                               an hour
   tzc-bench soak --minutes 1440 --json day.json
-Runs a ROS master of its own. SIGINT ends it early, with the table of what has been until then.
+Runs a ROS master of its own. SIGINT, SIGTERM or SIGHUP ends it early, with the table of what has been until then.
 Exit status: 0: no message was spoiled, no process ended by itself, nothing grew; 1 otherwise; 2: a mistake on the command
 line. What grows is judged from 10 minutes on: before, processes are still warming up. It grew if that is more than 1 % and what
 the plain subscriber grew by, which has nothing of TZC.)";
@@ -126,6 +127,7 @@ void add_options(CLI::App& app, SoakPlan& plan, std::string& json) {
       ->check(command_line::number_between(0.001, 1e5))
       ->capture_default_str();
   app.add_option("--json", json, "write counts and looks to this file")->check(command_line::file_to_write());
+  add_keep_settings(app);
 }
 
 }  // namespace

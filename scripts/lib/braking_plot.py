@@ -46,7 +46,7 @@ def draw(comparison, prefix, title, unit, scale):
                                             runs=len(comparison.runs)) for kind, terminal in TERMINALS.items())
     with open(prefix + ".gp", "w", encoding="utf-8") as file:
         file.write(script)
-    subprocess.run(["gnuplot", prefix + ".gp"], check=True)
+    subprocess.run(["gnuplot", "-d", prefix + ".gp"], check=True)  # without the settings of ~/.gnuplot
     return [f"{prefix}.{kind}" for kind in TERMINALS]
 
 

@@ -4,6 +4,7 @@
 A short run of the command delivers messages, writes the JSON file that is promised, and mistakes are told."""
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -17,15 +18,22 @@ CONTENDERS = {"core": {"seqpacket", "tzc", "tzc-own-loop"},
               "sustained": {"tzc-sustained"}}
 
 
-def run(*command):
-    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600)
+CONFIGURATION = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "docs", "configuration.md")
+# Of the user's own network, where a run has its own.
+ELSEWHERE = {"ROS_HOSTNAME": "no-such-host.invalid", "ROS_NAMESPACE": "/robot",
+             "ROS_MASTER_URI": "http://no-such-host.invalid:11311"}
+
+
+def run(*command, **more):
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600,
+                          env=dict(os.environ, **more))
 
 
 def short_run(bench, command):
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "figures.json")
         many = [] if command == "sustained" else ["--sizes", "4k,64k", "--rounds", "2"]
-        done = run(bench, command, "--subscribers", "2", "--count", "10", "--rate", "50", "--json", path, *many)
+        done = run(bench, command, "--subscribers", "2", "--count", "10", "--rate", "50", "--json", path, *many, **ELSEWHERE)
         assert done.returncode == 0, done.stderr
         with open(path) as file:
             return done.stdout, json.load(file)
@@ -74,23 +82,64 @@ def check_failures(bench):
         ("tzc", 4096): 4, ("futex", 4096): 4, ("futex", 900 << 30): 4}, rows
 
 
-def check_interruption(bench):
-    """Ctrl-C ends it in order: what was measured is shown, no process is left, and no file is half a result."""
+def check_settings(bench):
+    """Settings in the environment are refused by name, or kept where that is asked for; then the figures say so."""
+    with open(CONFIGURATION, encoding="utf-8") as file:
+        variables = set(re.findall(r"TZC_[A-Z]+(?:_[A-Z]+)*", file.read()))
+    assert {"TZC_DISABLE", "TZC_GUARD", "TZC_TRACE", "TZC_POLICY_ATTEMPTS", "TZC_TRIES"} <= variables, variables
+    tiny = ["core", "--only", "futex", "--sizes", "4k", "--subscribers", "1", "--count", "2", "--rounds", "1"]
+    with tempfile.TemporaryDirectory() as folder:
+        value = os.path.join(folder, "1")
+        for variable in sorted(variables):
+            told = run(bench, *tiny, **{variable: value})
+            assert told.returncode == 2 and f"{variable}={value}" in told.stderr and not told.stdout, (variable, told)
+        path = os.path.join(folder, "figures.json")
+        kept = run(bench, *tiny, "--keep-settings", "--json", path, TZC_POLICY="worst_effort", TZC_GUARD="", TZC_ROBOT="x")
+        assert kept.returncode == 0, kept
+        with open(path, encoding="utf-8") as file:
+            assert json.load(file)["machine"]["environment"] == "TZC_POLICY=worst_effort"
+
+
+def check_refusals(bench, command):
+    """No command measures something else because of the environment; its help is there all the same."""
+    told = run(bench, command, TZC_DISABLE="1")
+    assert told.returncode == 2 and "TZC_DISABLE=1" in told.stderr and "--keep-settings" in told.stderr, told
+    told = run(bench, command, "--help", TZC_DISABLE="1")
+    assert told.returncode == 0 and "--keep-settings" in told.stdout, told
+
+
+def check_interruption(bench, send):
+    """Ctrl-C, or the end of the terminal, ends it in order: what was measured is shown, no process is left, and no file is half a
+    result."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "figures.json")
         core = subprocess.Popen([bench, "core", "--only", "seqpacket,iceoryx-listener", "--sizes", "4k", "--subscribers", "1", "--count", "10000",
                                  "--rate", "100", "--rounds", "1000", "--json", path],
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
+                                preexec_fn=hear_all)
         time.sleep(6)
         with open(f"/proc/{core.pid}/task/{core.pid}/children") as file:
             children = file.read().split()
-        core.send_signal(signal.SIGINT)
+        send(core.pid)
         table, messages = core.communicate(timeout=120)
         assert core.returncode == 130 and "interrupted" in messages and "seqpacket" in table, (core.returncode, table, messages)
         assert children and not [child for child in children if os.path.exists(f"/proc/{child}")], children
         assert not os.path.exists(path)
         if "iox-roudi does not start" not in messages:  # another one runs, or none is installed
             assert not os.path.exists("/dev/shm/iceoryx_mgmt")
+
+
+def hear_all():
+    """Whatever started the test may ignore some."""
+    for sig in (signal.SIGINT, signal.SIGHUP):
+        signal.signal(sig, signal.SIG_DFL)
+
+
+def check_one_case(bench):
+    """What it would leave out of account is a mistake."""
+    for mistake in (["--only", "tzc"], ["--rounds", "3"], ["--sizes", "4k,64m"], ["--subscribers", "1,8"]):
+        told = run(bench, "sustained", *mistake)
+        assert told.returncode == 2 and mistake[0] in told.stderr, (mistake, told)
 
 
 def check_inside(bench):
@@ -217,6 +266,7 @@ def check_soak(bench):
 
 def main():
     bench, command = sys.argv[1:]
+    check_refusals(bench, command)
     if command == "soak":
         return check_soak(bench)
     if command == "scale":
@@ -233,7 +283,11 @@ def main():
         assert told.returncode == 2 and mistake[0] in told.stderr, (mistake, told)
     if command == "core":
         check_failures(bench)
-        check_interruption(bench)
+        check_settings(bench)
+        check_interruption(bench, lambda pid: os.kill(pid, signal.SIGINT))
+        check_interruption(bench, lambda pid: os.killpg(pid, signal.SIGHUP))
+    if command == "sustained":
+        check_one_case(bench)
     assert "Examples:" in run(bench, command, "--help").stdout
 
 

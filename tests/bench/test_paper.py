@@ -119,6 +119,16 @@ def check_publication(bench, scratch, options):
     assert [row["size_bytes"] for row in rows(scratch, "ranking.csv")] == ["4096", "65536"]
 
 
+def check_own_gnuplot_settings(bench, scratch):
+    """What ~/.gnuplot says is for the user's own plots."""
+    with open(os.path.join(scratch, ".gnuplot"), "w", encoding="utf-8") as file:
+        file.write('set label "of the user" at graph 0.5, graph 0.5\n')
+    done = run(bench, scratch, *ROS_FREE, "--sizes", "4k", "--count", "2", *TINY, output="plain", HOME=scratch)
+    assert done.returncode == 0, done
+    with open(os.path.join(scratch, "plain", "latency-1.svg"), encoding="utf-8") as file:
+        assert "of the user" not in file.read()
+
+
 def check_resuming(bench, scratch, options):
     before = stamps(scratch)
     again = run(bench, scratch, *options)
@@ -143,6 +153,7 @@ def check_other_cases(bench, scratch, cells):
     assert [key(row) for row in rows(scratch, "latency.csv")].count(("tcpros", 65536, 2)) == 1
     alone = run(bench, scratch, *common, "--sizes", "4k", "--only", "tcpros", "--no-plots", PATH=scratch)
     assert alone.returncode == 1 and "nothing of it can be measured here" in alone.stderr, alone
+    assert not glob.glob(os.path.join(scratch, "out", "latency-*.svg")), "plots of an earlier run, beside newer tables"
     assert "measured already" not in alone.stderr, alone
     assert len(rows(scratch, "latency.csv")) == cells
     assert run(bench, scratch, *common, "--sizes", "4k", "--only", "tzc").returncode == 0  # with plots again
@@ -161,6 +172,7 @@ def report(bench, scratch):
     check_copies(scratch, 65536, 2)
     check_page(scratch)
     check_plot(scratch, contenders)
+    check_own_gnuplot_settings(bench, scratch)
     check_publication(bench, scratch, options)
     check_resuming(bench, scratch, options)
     check_other_cases(bench, scratch, cells=len(contenders) * 2)
@@ -189,12 +201,15 @@ def wait_until(condition, what, seconds=120):
         time.sleep(0.01)
 
 
-def start_and_send(bench, scratch, sig, moment, options, **more):
-    """Starts a run, sends it the signal when moment(pid, what it has said) is true; its status and what it said."""
+def start_and_send(bench, scratch, sig, moment, options, send=os.kill, before=signal.SIG_DFL, **more):
+    """Starts a run, sends it the signal when moment(pid, what it has said) is true; its status and what it said. before: how
+    the run finds the signal handled when it starts."""
     path = os.path.join(scratch, "said")
     command = [bench, "paper", "--output", os.path.join(scratch, "out"), *options, *TINY]
     with open(path, "w", encoding="utf-8") as said:
-        process = subprocess.Popen(command, stdout=said, stderr=said, env=environment(scratch, **more), start_new_session=True)
+        process = subprocess.Popen(command, stdout=said, stderr=said, env=environment(scratch, **more),
+                                   start_new_session=True,
+                                   preexec_fn=None if sig == signal.SIGKILL else lambda: signal.signal(sig, before))
 
     def said_so_far():
         with open(path, encoding="utf-8") as said:
@@ -203,7 +218,7 @@ def start_and_send(bench, scratch, sig, moment, options, **more):
     try:
         wait_until(lambda: moment(process.pid, said_so_far()) or process.poll() is not None, "moment to end the run", 60)
         assert process.poll() is None, (process.poll(), said_so_far())
-        process.send_signal(sig)
+        send(process.pid, sig)
         status = process.wait(120)
         wait_until(lambda: not processes_of_session(process.pid), f"end of {processes_of_session(process.pid)}")
     finally:
@@ -212,9 +227,12 @@ def start_and_send(bench, scratch, sig, moment, options, **more):
     return status, said_so_far()
 
 
-def in_third_measurement(pid, said):
+def in_measurement(number):
     """With rosmaster, a publisher and at least one subscriber beside the command."""
-    return "[3/4]" in said and len(processes_of_session(pid)) >= 4
+    return lambda pid, said: f"[{number}]" in said and len(processes_of_session(pid)) >= 4
+
+
+in_third_measurement = in_measurement("3/4")
 
 
 def check_interrupted_drawing(bench, scratch):
@@ -240,6 +258,17 @@ def check_whole_files(scratch):
     assert sum(name.startswith("cells/") for name in names) == 2, names
 
 
+def check_end_of_terminal(bench, scratch, sig, options):
+    """A terminal sends its signals to all processes: the command decides, and can go on from there. nohup keeps it running."""
+    status, said = start_and_send(bench, scratch, sig, in_third_measurement, options, send=os.killpg)
+    assert status == 130 and "goes on from here" in said, (status, said)
+    check_whole_files(scratch)
+    status, said = start_and_send(bench, scratch, sig, in_measurement("1/2"), options, send=os.killpg,
+                                  before=signal.SIG_IGN)
+    assert status == 0 and "interrupted" not in said, (status, said)
+    assert len(rows(scratch, "latency.csv")) == 4
+
+
 def interruption(bench, scratch):
     options = ["--sizes", "4k", "--subscribers", "2", "--only", INTERRUPTED, "--count", "50", "--no-plots"]
     status, said = start_and_send(bench, scratch, signal.SIGINT, in_third_measurement, options)
@@ -248,6 +277,9 @@ def interruption(bench, scratch):
     done = run(bench, scratch, *options, *TINY)
     assert done.returncode == 0 and "2 measurements," in done.stderr, done
     assert len(rows(scratch, "latency.csv")) == 4
+    for sig in (signal.SIGHUP, signal.SIGQUIT):
+        with tempfile.TemporaryDirectory() as another:
+            check_end_of_terminal(bench, another, sig, options)
     with tempfile.TemporaryDirectory() as another:
         status, said = start_and_send(bench, another, signal.SIGKILL, in_third_measurement, options)
         assert status == -signal.SIGKILL, (status, said)
@@ -265,11 +297,25 @@ def check_plan(bench, scratch):
     assert not os.path.exists(os.path.join(scratch, "out")), "a dry run left something behind"
 
 
+def check_impossible_wishes(bench, scratch):
+    """What no case can be is no success, and the true reason is told, in a dry run too."""
+    alone = "futex is measured in real time alone: give --real-time"
+    for wish, why in ((["--only", "tcpros", "--real-time"], "contenders of --only is measured in real time; there are futex"),
+                      (["--only", "futex"], alone),
+                      (["--only", "futex,tcpros"], alone),
+                      (["--only", "tzc", "--sizes", "64m", "--real-time"], "only messages up to 4 MB are measured")):
+        for plan in ([], ["--dry-run"]):
+            told = run(bench, scratch, *wish, *plan, "--no-plots")
+            assert told.returncode == 2 and why in told.stderr, (wish, told)
+    assert not os.path.exists(os.path.join(scratch, "out")), "it measured all the same"
+
+
 def mistakes(bench, scratch):
     check_plan(bench, scratch)
     unknown = run(bench, scratch, "--only", "tzc,udpros")
     assert unknown.returncode == 2 and "udpros" in unknown.stderr and "tcpros" in unknown.stderr, unknown
     assert run(bench, scratch, "--sizes", "many").returncode == 2
+    check_impossible_wishes(bench, scratch)
     without_gnuplot = run(bench, scratch, *ROS_FREE, PATH=scratch)
     assert without_gnuplot.returncode == 1, without_gnuplot
     assert "gnuplot-nox" in without_gnuplot.stderr and "--no-plots" in without_gnuplot.stderr, without_gnuplot

@@ -78,6 +78,7 @@ def conditions(bench, scratch):
     assert loaded == {(name, 65536, subscribers) for name in ("ach", "tzc") for subscribers in (1, 2)}, loaded
     assert {key(row) for row in rows(scratch, "reliability-load.csv")} == loaded
     assert "Under load" in read(scratch, "index.html")
+    check_fill(bench, scratch)
     if not in_real_time:
         return
     assert {(row["contender"], row["subscribers"], row["load"]) for row in in_real_time} == {
@@ -88,7 +89,6 @@ def conditions(bench, scratch):
     assert "Real time" in read(scratch, "index.html")
     with open(os.path.join(scratch, "out", "real-time.png"), "rb") as file:
         assert file.read(8) == b"\x89PNG\r\n\x1a\n"
-    check_fill(bench, scratch)
 
 
 def check_fill(bench, scratch):
@@ -139,6 +139,26 @@ echo "no compile_commands.json" >&2; exit 2\n""")
     assert effort == [[folders["one"], "1", "2", "1"]], effort
     page = read(scratch, "index.html")
     assert "Message types" in page and "Effort" in page
+    check_kept_counts(copy, scratch, folders, types, effort)
+
+
+def check_kept_counts(bench, scratch, folders, types, effort):
+    """A run that counts nothing, or one folder anew, shows what earlier runs counted."""
+    options = [*ROS_FREE, "--sizes", "4k", "--count", "2", *TINY, "--no-plots"]
+    silent = run(bench, scratch, *options)
+    assert silent.returncode == 0, silent
+    for name, expected in (("types.csv", types), ("effort.csv", effort)):
+        assert [list(row.values()) for row in rows(scratch, name)] == expected, (name, read(scratch, name))
+    assert "Message types" in read(scratch, "index.html")
+    write_tool(os.path.dirname(bench), "tzc-msggen",
+               f"""[ "$*" = "classify --json {folders['two']}" ] && echo '{CENSUS % (6, 3, 3)}' && exit
+[ "$*" = "classify --json {folders['one']} {folders['two']}" ] && echo '{CENSUS % (13, 6, 3)}' && exit
+echo "refused: $*" >&2; exit 2\n""")
+    again = run(bench, scratch, *options, f"--types={folders['two']}/")
+    assert again.returncode == 0, again
+    anew = [list(row.values())[1:] for row in rows(scratch, "types.csv")]
+    assert anew == [types[0][1:], ["6", "3", "50.0", "3", "100.0"], ["13", "6", "46.2", "3", "50.0"]], anew
+    assert [list(row.values()) for row in rows(scratch, "effort.csv")] == effort
 
 
 def main():

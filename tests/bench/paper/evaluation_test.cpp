@@ -122,6 +122,18 @@ TEST_F(Evaluation, leaves_no_table_of_a_section_that_is_gone) {
   EXPECT_FALSE(std::filesystem::exists(store.path_of("effort.csv")));
 }
 
+TEST_F(Evaluation, leaves_no_plot_that_it_has_not_drawn) {
+  run();
+  for (const char* name : {"latency-1.svg", "latency-1.png", "latency-8-load.gnuplot", "real-time.svg"})
+    folder.write(name, "of an earlier run");
+  folder.write("latency-of-mine.svg", "the user's");
+  write_reports(options, cells, store, false);
+  for (const char* name : {"latency-1.svg", "latency-1.png", "latency-8-load.gnuplot", "real-time.svg"})
+    EXPECT_FALSE(std::filesystem::exists(folder / name)) << name;
+  EXPECT_EQ(folder.read("latency-of-mine.svg"), "the user's");
+  EXPECT_THAT(folder.read("latency.csv"), testing::HasSubstr("\na,"));
+}
+
 TEST_F(Evaluation, shows_texts_of_the_machine_as_texts) {
   run();
   write_reports(options, cells, store, false);

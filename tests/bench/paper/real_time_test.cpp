@@ -35,8 +35,20 @@ TEST(RealTimeResults, the_error_of_a_period_is_that_of_the_times_of_delivery) {
 TEST(RealTimeResults, a_message_that_did_not_arrive_ends_two_periods_and_makes_none) {
   const RealTimeFigures figures = figures_of(published({0, 0, 2'000'000, 3'000'000}, {1000, 0, 1000, 1000}));
   EXPECT_THAT(figures.period_errors_us, ElementsAre(0));
-  EXPECT_EQ(figures.delivered, 3U);
+  EXPECT_THAT(figures.delivered, ElementsAre(3));
   EXPECT_EQ(figures.sent, 4U);
+}
+
+TEST(RealTimeResults, what_was_sent_stands_beside_the_share_of_the_subscriber_that_got_fewest) {
+  Measurement round = made_up({{1000, 1000, 1000, 1000}, {1000, 0, 1000, 1000}});
+  round.published_ns = {0, 1'000'000, 2'000'000, 3'000'000};
+  const CellResult result{{"tzc", 4096, 2, in_real_time}, {{0, round}, {1, round}}};
+  const Table table = real_time_table(real_time_figures({result}, 1000));
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.columns[4], "sent");
+  EXPECT_EQ(table.rows[0][4], "8");
+  EXPECT_EQ(table.columns[5], "least_delivered_share");
+  EXPECT_EQ(table.rows[0][5], "0.750000");
 }
 
 TEST(RealTimeResults, costs_are_of_one_message_and_of_all_processes) {
