@@ -2,11 +2,14 @@
 #include "filter.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace tzc::monitor {
 
 void keep_topic(const std::string& topic, std::vector<Node>& nodes) {
   if (topic.empty()) return;
+  std::set<std::string> publishers;  // as subscribers know them
   for (Node& node : nodes) {
     Node kept = node;
     kept.topics.clear();
@@ -18,11 +21,16 @@ void keep_topic(const std::string& topic, std::vector<Node>& nodes) {
     }
     kept.subscriptions.clear();
     for (const Subscription& one : node.subscriptions)
-      if (one.topic == global_name(topic)) kept.subscriptions.push_back(one);
+      if (one.topic == global_name(topic)) {
+        publishers.insert(one.publisher);
+        kept.subscriptions.push_back(one);
+      }
     node = std::move(kept);
   }
-  const auto has_none = [](const Node& node) { return node.topics.empty() && node.subscriptions.empty(); };
-  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), has_none), nodes.end());
+  const auto is_other = [&](const Node& node) {
+    return node.topics.empty() && node.subscriptions.empty() && publishers.count(node.name) == 0;
+  };
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), is_other), nodes.end());
 }
 
 }  // namespace tzc::monitor

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "latency.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -14,6 +16,12 @@ constexpr double unit_us = 1.024;
 
 double power_us(std::size_t bucket) {
   return std::ldexp(unit_us, static_cast<int>(bucket));
+}
+
+/// Of some messages.
+std::string quantile_words(const Latencies& latencies, double share) {
+  const double end = quantile_s(latencies, share);
+  return std::isinf(end) ? "> " + short_time(power_us(latencies.size() - 2) * 1e-6) : "< " + short_time(end);
 }
 
 }  // namespace
@@ -36,9 +44,9 @@ double quantile_s(const Latencies& latencies, double share) {
   return 0;
 }
 
-std::string quantile_words(const Latencies& latencies, double share) {
-  const double end = quantile_s(latencies, share);
-  return std::isinf(end) ? "> " + short_time(power_us(latencies.size() - 2) * 1e-6) : "< " + short_time(end);
+std::string latency_words(const Latencies& latencies) {
+  if (count(latencies) == 0) return "-";
+  return fmt::format("{} (99%: {})", quantile_words(latencies, 0.5), quantile_words(latencies, 0.99));
 }
 
 }  // namespace tzc::monitor

@@ -20,6 +20,13 @@ enum class State {
   silent,   ///< it should have updated its page for some seconds
 };
 
+/// Messages that a subscriber could have taken and did not, by cause.
+struct Losses {
+  std::uint64_t for_queue = 0, for_memory = 0;
+
+  std::uint64_t sum() const { return for_queue + for_memory; }
+};
+
 /// One subscriber of a topic of one node.
 struct Connection {
   std::string subscriber;
@@ -32,8 +39,11 @@ struct Connection {
   std::uint32_t pid = 0;                     ///< 0: not known
   std::optional<double> messages_per_s;      ///< sent; none: there is only one sample, or nobody counts
   std::optional<double> shared_bytes_per_s;  ///< as above
-  std::optional<std::uint64_t> lost_since;  ///< for queue and memory, since the sample before; none: as above
-  bool is_stopped = false;                  ///< the subscriber's process
+  std::optional<Losses> lost_since;          ///< since the sample before; none: as above
+  bool is_stopped = false;                   ///< the subscriber's process
+
+  /// Since it connected.
+  Losses losses() const { return {revoked_for_queue, revoked_for_memory}; }
 };
 
 struct Topic {

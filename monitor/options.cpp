@@ -44,19 +44,21 @@ std::optional<Options> parse_options(int argc, char** argv, int& status) {
           ->type_name("SECONDS")
           ->check(command_line::number_between(0, 3600))
           ->capture_default_str();
-  app.add_option("--why", options.why, "why the connections of NODE on TOPIC are shared or not, in words")
-      ->type_name("NODE TOPIC")
-      ->expected(2)
-      ->excludes(json)
-      ->excludes(topic)
-      ->excludes(interval);
+  CLI::Option* const why =
+      app.add_option("--why", options.why, "why the connections of NODE on TOPIC are shared or not, in words")
+          ->type_name("NODE TOPIC")
+          ->expected(2)
+          ->excludes(json)
+          ->excludes(topic)
+          ->excludes(interval);
   app.add_option(
          "--join-trace", options.traces,
          "print the traces that processes wrote with TZC_TRACE as one, for Perfetto or chrome://tracing")
       ->type_name("FILE...")
       ->excludes(json)
       ->excludes(topic)
-      ->excludes(interval);
+      ->excludes(interval)
+      ->excludes(why);
   app.callback([&] { check(options); });
   const std::optional<int> over = command_line::parse(app, argc, argv);
   status = over.value_or(0);

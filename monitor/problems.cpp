@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "why.h"
 #include "words.h"
 
 namespace tzc::monitor {
@@ -22,6 +23,7 @@ class Search {
     for (const Node& node : nodes)
       for (std::size_t i = 0; i < node.topics.size(); ++i)
         look_at_topic(node, node.topics[i], i < node.rates.size() ? node.rates[i] : std::nullopt);
+    for (const OneSided& one : one_sided(nodes)) look_at_one_sided(one, nodes);
     std::stable_sort(found_.begin(), found_.end(),
                      [](const Problem& a, const Problem& b) { return a.kind < b.kind; });
     return std::move(found_);
@@ -84,21 +86,40 @@ class Search {
     return connection.oldest_held_s < 1 ? "" : fmt::format(" for up to {:.0f} s", connection.oldest_held_s);
   }
 
+  static bool goes_through_sockets(Transport transport) {
+    return transport == Transport::tcpros || transport == Transport::udpros;
+  }
+
   void look_at_connection(const Node& node, const Topic& topic, const Connection& connection) {
-    if (connection.transport == Transport::tcpros || connection.transport == Transport::udpros)
+    if (goes_through_sockets(connection.transport))
       found_.push_back(
           {ProblemKind::tcpros, node.name,
            fmt::format("{} sends {} to {} over {}: {}{}", node.name, topic.name, connection.subscriber,
                        name(connection.transport), named_reason(connection), remedy(connection.reason))});
-    const std::uint64_t lost = connection.revoked_for_queue + connection.revoked_for_memory;
+    const Losses lost = connection.lost_since.value_or(connection.losses());
     // A stopped process loses messages, of course; its line says what to do.
-    if (connection.lost_since.value_or(lost) > 0 && connection.transport == Transport::shared &&
-        !connection.is_stopped)
+    if (lost.sum() > 0 && connection.transport == Transport::shared && !connection.is_stopped)
       found_.push_back({ProblemKind::lost, connection.subscriber,
-                        fmt::format("{} did not take {} messages of {} from {} in time{}.",
-                                    connection.subscriber, lost, topic.name, node.name,
-                                    connection.revoked_for_memory > 0 ? " (best_effort needed their memory)"
-                                                                      : ": its queue was full")});
+                        fmt::format("{} did not take {} messages of {} from {} in time{}: {}.",
+                                    connection.subscriber, lost.sum(), topic.name, node.name,
+                                    unless_all(lost, connection.losses()), causes(lost))});
+  }
+
+  static std::string unless_all(const Losses& lost, const Losses& all) {
+    return lost.sum() == all.sum() ? "" : fmt::format(" ({} since it connected)", all.sum());
+  }
+
+  static std::string causes(const Losses& lost) {
+    if (lost.for_memory == 0) return "its queue was full";
+    if (lost.for_queue == 0) return "their memory was needed";
+    return fmt::format("{} because its queue was full, {} because their memory was needed", lost.for_queue,
+                       lost.for_memory);
+  }
+
+  /// Nobody else tells of it, so it is the subscriber's problem.
+  void look_at_one_sided(const OneSided& one, const std::vector<Node>& nodes) {
+    if (goes_through_sockets(one.subscription->transport))
+      found_.push_back({ProblemKind::tcpros, one.node->name, sentence_of(one, nodes)});
   }
 
   static std::string remedy(const std::string& reason) {

@@ -47,9 +47,8 @@ std::uint64_t added(std::uint64_t before, std::uint64_t now) {
   return now > before ? now - before : 0;
 }
 
-/// What the subscriber could have had.
-std::uint64_t lost_in_time(const Connection& connection) {
-  return connection.revoked_for_queue + connection.revoked_for_memory;
+Losses added(const Losses& before, const Losses& now) {
+  return {added(before.for_queue, now.for_queue), added(before.for_memory, now.for_memory)};
 }
 
 /// A connection that moved to another transport counts from 0 again.
@@ -64,9 +63,8 @@ void add_connection_rates(const Node& before, const Node& now, const Topic& earl
           rate_between(before, now, same->messages, connection.messages, same->messages_per_s);
     connection.shared_bytes_per_s =
         rate_between(before, now, same->shared_bytes, connection.shared_bytes, same->shared_bytes_per_s);
-    connection.lost_since = now.updated_ns > before.updated_ns
-                                ? added(lost_in_time(*same), lost_in_time(connection))
-                                : same->lost_since;
+    connection.lost_since =
+        now.updated_ns > before.updated_ns ? added(same->losses(), connection.losses()) : same->lost_since;
   }
 }
 

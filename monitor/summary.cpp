@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "why.h"
 #include "words.h"
 
 namespace tzc::monitor {
@@ -32,6 +33,7 @@ std::string summary(const std::vector<Node>& nodes, const std::vector<Problem>& 
     for (const Topic& topic : node.topics)
       for (const Connection& connection : topic.connections)
         ++transports[connection.transport], ++connections;
+  for (const OneSided& one : one_sided(nodes)) ++transports[one.subscription->transport], ++connections;
   std::map<ProblemKind, std::size_t> kinds;
   for (const Problem& problem : found) ++kinds[problem.kind];
   return fmt::format(

@@ -152,11 +152,7 @@ class Table {
   }
 
   static std::string received_words(const Subscription& one) {
-    const Latencies& latencies = count(one.recent) > 0 ? one.recent : one.latencies;
-    std::string text = "latency -";
-    if (count(latencies) > 0)
-      text = fmt::format("latency {} (99%: {})", quantile_words(latencies, 0.5),
-                         quantile_words(latencies, 0.99));
+    std::string text = "latency " + latency_words(count(one.recent) > 0 ? one.recent : one.latencies);
     if (one.held_messages > 0)
       text += fmt::format(", holds {} ({})", one.held_messages, bytes(one.held_bytes));
     return text + fmt::format(", lost {}", one.lost);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "filter.h"
 #include "words.h"
@@ -23,10 +24,13 @@ std::string transport_text(const Connection& connection) {
   return remedy.empty() ? text : text + " " + remedy;
 }
 
+std::string age_text(const Node& node) {
+  if (node.state == State::running) return "";
+  return fmt::format(" ({} is {}: this is as of {:.0f} s ago.)", node.name, name(node.state), node.age_s);
+}
+
 std::string state_text(const Node& node, const Connection& connection) {
-  std::string text;
-  if (node.state != State::running)
-    text += fmt::format(" ({} is {}: this is as of {:.0f} s ago.)", node.name, name(node.state), node.age_s);
+  std::string text = age_text(node);
   if (connection.is_stopped) text += fmt::format(" ({} is stopped.)", connection.subscriber);
   return text;
 }
@@ -54,32 +58,32 @@ std::vector<std::string> crowded(const std::vector<Node>& nodes) {
   return names;
 }
 
-/// What the subscriber's own page says of a publisher whose page, if it has one, does not name this connection.
-std::string sentence(const Node& node, const Subscription& subscription, const std::vector<Node>& nodes) {
-  std::string text =
-      fmt::format("{} gets {} from {} ", node.name, subscription.topic, subscription.publisher);
-  if (subscription.transport == Transport::shared) return text + "through shared memory.";
+/// Why a publisher whose page, if it has one, does not have the topic sends it over TCPROS.
+std::string why_one_sided(const Subscription& subscription, const std::vector<Node>& nodes) {
+  const std::string& publisher = subscription.publisher;
   const auto without_room = crowded(nodes);
-  if (std::count(without_room.begin(), without_room.end(), subscription.publisher) > 0)
-    return text +
-           fmt::format(
-               "over {}. Why, the statistics page of {} does not say: it had no room for all its rows.",
-               name(subscription.transport), subscription.publisher);
-  return text +
-         fmt::format(
-             "over {}: there is no statistics page of {} here. It may not use TZC, or have it switched off, "
-             "be another user's, run on another machine, or be gone.",
-             name(subscription.transport), subscription.publisher);
+  if (std::count(without_room.begin(), without_room.end(), publisher) > 0)
+    return fmt::format(". Why, the statistics page of {} does not say: it had no room for all its rows.",
+                       publisher);
+  const auto page =
+      std::find_if(nodes.begin(), nodes.end(), [&](const Node& node) { return node.name == publisher; });
+  if (page == nodes.end())
+    return fmt::format(
+        ": there is no statistics page of {} here. It may not use TZC, or have it switched off, be another "
+        "user's, run on another machine, or be gone.",
+        publisher);
+  return fmt::format(
+      ": {} uses TZC and has not attached {}. It advertises it by nh.advertise: port that place "
+      "(tzc-rewrite's report names it), or give what it returns to tzc::attached there.{}",
+      publisher, subscription.topic, age_text(*page));
 }
 
 /// Subscriptions of `wanted` to publishers that do not say themselves what they send there.
 void explain_subscriptions(const std::vector<Node>& nodes, const std::string& wanted,
-                           const std::string& topic, Explanation& explanation,
-                           const std::set<std::string>& publishers) {
-  for (const Node& node : nodes)
-    for (const Subscription& subscription : node.subscriptions)
-      if (node.name == wanted && subscription.topic == topic && publishers.count(subscription.publisher) == 0)
-        explanation.sentences.push_back(sentence(node, subscription, nodes));
+                           const std::string& topic, Explanation& explanation) {
+  for (const OneSided& one : one_sided(nodes))
+    if (one.node->name == wanted && one.subscription->topic == topic)
+      explanation.sentences.push_back(sentence_of(one, nodes));
 }
 
 std::string nobody_publishes(const std::vector<Node>& nodes, const std::string& topic) {
@@ -97,6 +101,25 @@ std::string nobody_publishes(const std::vector<Node>& nodes, const std::string& 
 
 }  // namespace
 
+std::vector<OneSided> one_sided(const std::vector<Node>& nodes) {
+  std::set<std::pair<std::string, std::string>> told;  // topic and publisher
+  for (const Node& node : nodes)
+    for (const Topic& topic : node.topics) told.emplace(topic.name, node.name);
+  std::vector<OneSided> found;
+  for (const Node& node : nodes)
+    for (const Subscription& one : node.subscriptions)
+      if (told.count({one.topic, one.publisher}) == 0) found.push_back({&node, &one});
+  return found;
+}
+
+std::string sentence_of(const OneSided& one, const std::vector<Node>& nodes) {
+  const Subscription& subscription = *one.subscription;
+  const std::string text =
+      fmt::format("{} gets {} from {} ", one.node->name, subscription.topic, subscription.publisher);
+  if (subscription.transport == Transport::shared) return text + "through shared memory.";
+  return text + fmt::format("over {}{}", name(subscription.transport), why_one_sided(subscription, nodes));
+}
+
 Explanation explain(const std::vector<Node>& nodes, const std::string& node, const std::string& topic) {
   const std::string wanted = global_name(node), name = global_name(topic);
   Explanation explanation;
@@ -108,7 +131,7 @@ Explanation explain(const std::vector<Node>& nodes, const std::string& node, con
       explain_topic(one, published, wanted, explanation);
     }
   }
-  explain_subscriptions(nodes, wanted, name, explanation, publishers);
+  explain_subscriptions(nodes, wanted, name, explanation);
   if (!explanation.sentences.empty()) return explanation;
   explanation.nothing = publishers.empty()
                             ? nobody_publishes(nodes, name)

@@ -84,7 +84,8 @@ void Child::run(const std::vector<std::string>& command, const Environment& envi
   ::dup2(input >= 0 ? input : null, STDIN_FILENO);
   ::dup2(output >= 0 ? output : log, STDOUT_FILENO);
   ::dup2(log, STDERR_FILENO);
-  ::signal(SIGPIPE, SIG_DFL);
+  // The first is ignored by this program, the others perhaps by what started it; stop() begins with SIGINT.
+  for (const int signal : {SIGPIPE, SIGINT, SIGQUIT}) ::signal(signal, SIG_DFL);
   std::vector<std::string> arguments = command, variables;
   for (const auto& [name, value] : environment) variables.push_back(name + "=" + value);
   ::execve(command[0].c_str(), pointers(arguments).data(), pointers(variables).data());

@@ -45,6 +45,7 @@ class StreamLoader {
 
   Stream finish(const std::shared_ptr<rosbag::Bag>& bag) {
     stream_.read = [bag, instances = std::move(instances_)](std::size_t index) {
+      check_for_stop_request();  // here, since a comparison, which may take minutes, knows of no signals
       return bytes_of(instances[index]);
     };
     return std::move(stream_);
@@ -61,7 +62,7 @@ std::map<Key, StreamLoader> read_streams(const rosbag::Bag& bag) {
   std::map<Key, StreamLoader> streams;
   rosbag::View view(bag);
   for (const rosbag::MessageInstance& message : view) {
-    sleep_ms(0);  // a stop request counts
+    check_for_stop_request();
     const Key key{message.getTopic(), without_anonymous_part(message.getCallerId())};
     streams.try_emplace(key, key, message).first->second.add(message);
   }

@@ -10,7 +10,7 @@
 namespace tzc::compare {
 
 /// A recorder's bag and summary as a recording: a stream for each topic and node, also for those that were
-/// silent. The file stays open while a stream lives. @throws Failure
+/// silent. The file stays open while a stream lives. @throws Failure, Stopped; the latter also where a stream is read
 Recording load_recording(const std::string& bag, const nlohmann::json& summary);
 
 /// When the input's messages came, from the recorder's summary.

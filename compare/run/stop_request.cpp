@@ -21,23 +21,34 @@ void note(int) {
   is_stopped = 1;
 }
 
+/// As nohup and a script's `&` have it.
+bool is_ignored(int signal) {
+  struct sigaction action{};
+  return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 void watch_for_stop_requests() {
   struct sigaction action{};
   action.sa_handler = note;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
+    if (!is_ignored(signal)) ::sigaction(signal, &action, nullptr);
   ::signal(SIGPIPE, SIG_IGN);  // a recorder that has died shows as an error of write()
+}
+
+void check_for_stop_request() {
+  if (is_stopped) throw Stopped();
 }
 
 void sleep_ms(int milliseconds) {
   constexpr int step_ms = 20;  // a signal between the test and the sleep is seen after one step
   for (int left = milliseconds; left > 0; left -= step_ms) {
-    if (is_stopped) throw Stopped();
+    check_for_stop_request();
     const timespec step{0, std::min(left, step_ms) * 1'000'000L};
     ::nanosleep(&step, nullptr);
   }
-  if (is_stopped) throw Stopped();
+  check_for_stop_request();
 }
 
 }  // namespace tzc::compare

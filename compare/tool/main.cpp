@@ -81,6 +81,7 @@ class Tool {
     for (int i = 2; i <= options_.runs; ++i) again.push_back(record("original", options_.original, i));
     progress_.begin_part("comparing");
     Result result = judge_all(original, port, again);
+    check_for_stop_request();  // streams without a pair were not read
     progress_.end();
     return result;
   }

@@ -48,14 +48,16 @@ void add_input(CLI::App& app, Options& options) {
                  "a command for bash, in the workspace's environment (repeatable)")
       ->type_name("COMMAND")
       ->allow_extra_args(false);
-  app.add_option("--bag", input.bag, "a recording to play, once all nodes are there")
-      ->check(CLI::ExistingFile);
+  CLI::Option* const bag = app.add_option("--bag", input.bag, "a recording to play, once all nodes are there")
+                               ->check(CLI::ExistingFile);
   app.add_option("--play-args", input.play_arguments,
                  "further arguments of rosbag play, one each: --play-args=--rate=0.5")
       ->type_name("ARG")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->needs(bag);
   app.add_flag("--clock", input.simulates_time,
-               "nodes use the bag's time (/use_sim_time, rosbag play --clock)");
+               "nodes use the bag's time (/use_sim_time, rosbag play --clock)")
+      ->needs(bag);
   app.add_option("--duration", input.duration_s,
                  "seconds that a run without a bag lasts, if it does not end earlier")
       ->check(seconds)
@@ -67,7 +69,8 @@ void add_input(CLI::App& app, Options& options) {
   app.add_option("--quiet-time", input.quiet_s,
                  "seconds without a message after which nothing more comes after the bag")
       ->check(seconds)
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(bag);
   app.add_option("--start-timeout", input.start_timeout_s, "seconds that the nodes may take to start")
       ->check(seconds)
       ->capture_default_str();

@@ -5,7 +5,7 @@
 #   TZC_WORKSPACE      the workspace (default: .)
 #   TZC_PACKAGES       packages, relative to the workspace (default: src)
 #   TZC_BASELINE       a report whose sites are accepted, relative to the workspace (default: none)
-#   TZC_SETUP          tzc's setup.bash (default: tzc is found already)
+#   TZC_SETUP          tzc's setup.bash, which joins what was sourced before (default: tzc is found already)
 #   TZC_SARIF          where the report for code scanning goes (default: tzc.sarif in the workspace)
 #   TZC_BUILD_COMMAND  what builds the workspace, with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON for CMake (default: the program
 #                      that has built it before, of catkin build, catkin_make_isolated and catkin_make; else the last)
@@ -16,7 +16,7 @@ trap 'exit 2' EXIT  # whatever ends this script before tzc-rewrite takes its pla
 unset CDPATH
 cd "${TZC_WORKSPACE:-.}"
 # shellcheck source=/dev/null
-[ -z "${TZC_SETUP:-}" ] || source "$TZC_SETUP"
+[ -z "${TZC_SETUP:-}" ] || source "$TZC_SETUP" --extend
 command -v tzc-rewrite >/dev/null || { echo "tzc-rewrite was not found: set TZC_SETUP to tzc's setup.bash" >&2; exit 2; }
 
 # The build makes the headers of the workspace's own messages, and tells how each file is compiled.

@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
@@ -18,6 +19,8 @@ namespace {
 
 constexpr std::size_t queued_events = 16384;  // a burst of a second at 4000 messages; 1 MB
 constexpr std::chrono::milliseconds pause{50};
+constexpr std::size_t batch_bytes = 65536;  // what a full disk costs at once, at most
+constexpr std::uint32_t the_process = 0;    // among numbers of threads
 
 std::atomic<Recorder*> the_recorder{nullptr};
 std::atomic<std::uint32_t> epoch{0};
@@ -29,21 +32,23 @@ std::uint64_t now_ns() {
 
 }  // namespace
 
-Recorder::Recorder(std::FILE* file) : process_(posix::process_number()), file_(file), queue_(queued_events) {}
+Recorder::Recorder(TraceFile file)
+    : process_(posix::process_number()),
+      file_(std::move(file)),
+      queue_(queued_events),
+      process_name_(posix::program_name()) {}
 
 Recorder* Recorder::open() {
   const std::string name = file_name(std::getenv("TZC_TRACE"), posix::process_number());
-  std::FILE* const file =
-      std::fopen(name.c_str(), "we");  // e: a program that this one starts does not have it
-  if (file == nullptr) {
+  TraceFile file;
+  if (!file.open(name)) {
     std::fprintf(
         stderr,
         "TZC: TZC_TRACE: cannot write %s: %s; this process writes no trace (share/doc/tzc/traces.md)\n",
         name.c_str(), std::strerror(errno));
     return nullptr;
   }
-  auto* const recorder = new Recorder(file);
-  recorder->write("[\n");
+  auto* const recorder = new Recorder(std::move(file));
   auto thread = posix::start_thread("tzc-trace", [recorder] { recorder->run(); });
   if (!thread) {
     std::fprintf(stderr, "TZC: TZC_TRACE: %s; this process writes no trace\n", thread.error().text().c_str());
@@ -93,12 +98,14 @@ void Recorder::add(const Event& event) noexcept {
 }
 
 void Recorder::run() {
-  write(process_name(process_, posix::program_name()));
   std::unique_lock<std::mutex> lock(mutex_);
   while (!is_ending_) {
-    const std::string name = std::exchange(names_.of_process, std::string());
+    std::string name = std::exchange(names_.of_process, std::string());
     lock.unlock();
-    if (!name.empty()) write(process_name(process_, name));
+    if (!name.empty()) {
+      process_name_ = std::move(name);
+      named_.erase(the_process);
+    }
     write_events();
     lock.lock();
     ends_.wait_for(lock, pause, [this] { return is_ending_; });
@@ -106,24 +113,34 @@ void Recorder::run() {
 }
 
 void Recorder::write_events() {
-  Event event{};
-  while (queue_.pop(event)) {
-    write_names(event);
-    write(to_json(event, process_));
+  std::string lines;
+  if (named_.insert(the_process).second) lines = process_name(process_, process_name_);
+  std::uint64_t events = 0;
+  for (Event event{}; queue_.pop(event); ++events) {
+    if (lines.size() >= batch_bytes) {
+      write(lines, std::exchange(events, 0));
+      lines.clear();
+    }
+    lines += lines_of(event);
   }
   const std::uint64_t dropped = dropped_.load(std::memory_order_relaxed);
-  if (dropped != reported_drops_) write(dropped_count(process_, now_ns(), dropped));
-  reported_drops_ = dropped;
-  std::fflush(file_);
+  if (dropped != reported_drops_) lines += dropped_count(process_, now_ns(), dropped);
+  if (write(lines, events)) reported_drops_ = dropped;
 }
 
-void Recorder::write_names(const Event& event) {
-  if (named_threads_.insert(event.thread).second)
-    write(thread_name(process_, event.thread, posix::thread_name(event.thread)));
+std::string Recorder::lines_of(const Event& event) {
+  std::string name;
+  if (named_.insert(event.thread).second)
+    name = thread_name(process_, event.thread, posix::thread_name(event.thread));
+  return name + to_json(event, process_);
 }
 
-void Recorder::write(const std::string& lines) {
-  std::fwrite(lines.data(), 1, lines.size(), file_);
+/// False: they are left out, and so many events with them.
+bool Recorder::write(const std::string& lines, std::uint64_t events) {
+  if (lines.empty() || file_.append(lines)) return true;
+  dropped_.fetch_add(events, std::memory_order_relaxed);
+  named_.clear();  // there may have been names among them
+  return false;
 }
 
 // The last line has no comma, so that the file of a process that ended by itself is strict JSON.
@@ -137,8 +154,7 @@ void Recorder::end() {
   write_events();
   std::string last = dropped_count(process_, now_ns(), dropped_);
   last.resize(last.rfind(','));
-  write(last + "\n]\n");
-  std::fflush(file_);
+  file_.append(last + "\n]\n");
 }
 
 void Recorder::end_at_exit() {

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
-#include <cstdio>
 #include <map>
 #include <mutex>
 #include <set>
@@ -13,13 +12,15 @@
 
 #include "trace/event_queue.h"
 #include "trace/names.h"
+#include "trace/trace_file.h"
 
 namespace tzc {
 namespace trace {
 
 /// Writes the trace of this process: a thread takes events from a queue and appends them to the file some times a second,
-/// whole lines only, so that the file of a process that was killed can be read. Never destroyed; at the process's end it
-/// writes what is left. A forked child has no trace: the file is its parent's.
+/// whole lines only, so that the file of a process that was killed can be read. Events that find no room there are counted,
+/// like those that find none in the queue. Never destroyed; at the process's end it writes what is left. A forked child has
+/// no trace: the file is its parent's.
 class Recorder {
  public:
   /// Begins with the first call, as TZC_TRACE says. Null: the file cannot be written, which was said then, or this is a forked child.
@@ -35,22 +36,23 @@ class Recorder {
   void add(const Event& event) noexcept;
 
  private:
-  explicit Recorder(std::FILE* file);
+  explicit Recorder(TraceFile file);
   static Recorder* open();
   static void end_at_exit();
   void run();
   void write_events();
-  void write_names(const Event& event);
-  void write(const std::string& lines);
+  std::string lines_of(const Event& event);
+  bool write(const std::string& lines, std::uint64_t events);
   void end();
 
   const std::uint32_t process_;
-  std::FILE* const file_;
+  TraceFile file_;
   EventQueue queue_;
   std::atomic<std::uint64_t> dropped_{0};
   std::uint64_t reported_drops_ = 0;
-  std::set<std::uint32_t> named_threads_;  ///< the writing thread's
-  std::thread thread_;
+  std::set<std::uint32_t> named_;  ///< whose names are in the file: threads, and 0 for the process
+  std::string process_name_;
+  std::thread thread_;  ///< alone uses the two above, until it ends
 
   std::mutex mutex_;  ///< guards what follows
   std::condition_variable ends_;

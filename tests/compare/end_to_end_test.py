@@ -3,7 +3,6 @@
 
 usage: end_to_end_test.py BUILD_FOLDER REPOSITORY SCRATCH [CASE...]
 """
-import json
 import os
 import shutil
 import signal
@@ -13,128 +12,10 @@ import time
 import unittest
 import unittest.mock
 
-BUILD, REPOSITORY, SCRATCH = (os.path.abspath(path) for path in sys.argv[1:4])
-COMPARE = os.path.join(BUILD, "bin", "tzc-compare")
-SAMPLE = os.path.join(REPOSITORY, "samples", "camera_pair")
+from workspaces import (BUILD, COMPARE, SCRATCH, camera_workspace, compare, environment, findings, node_workspace, ported_workspace,
+                        processes_of, recording, slow_recording, tool_with_stand_in)
+
 CAMERA = "rosrun camera_pair camera_node _width:=160 _height:=120 _count:=60 _subscribers:=1 __name:=camera"
-EDITS = {
-    "original": None,
-    "changed": ("row[3 * x + 2] = 3 * frame_;", "row[3 * x + 2] = 3 * frame_ + (frame_ == 20 && x == 7 && y == 5);"),
-    "lossy": ("  publishFrame();\n", "  if (frame_ % 10 != 3) publishFrame();\n"),
-}
-
-
-def environment():
-    return dict(os.environ, PATH="/usr/bin:" + os.environ["PATH"], ROS_VERSION="1", ROS_PYTHON_VERSION="3")
-
-
-def call(command, **more):
-    done = subprocess.run(command, env=dict(environment(), **more), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          check=False)
-    if done.returncode != 0:
-        raise RuntimeError(f"{command} failed:\n{done.stdout.decode(errors='replace')[-3000:]}")
-
-
-def build(workspace):
-    """catkin_make, as a user does it, with this build tree among the prefixes."""
-    call(["catkin_make", "-C", workspace, "-j2", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache",
-          "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", "-DPYTHON_EXECUTABLE=/usr/bin/python3"],
-         CMAKE_PREFIX_PATH=os.path.join(BUILD, "devel"))
-
-
-def camera_workspace(name):
-    """A built workspace with the sample, edited. Made once for all tests."""
-    workspace = os.path.join(SCRATCH, "camera_" + name)
-    if os.path.exists(os.path.join(workspace, "devel", "lib", "camera_pair", "camera_node")):
-        return workspace
-    shutil.rmtree(workspace, ignore_errors=True)
-    package = os.path.join(workspace, "src", "camera_pair")
-    shutil.copytree(SAMPLE, package)
-    source = os.path.join(package, "src", "camera_node.cpp")
-    if EDITS[name]:
-        with open(source) as file:
-            text = file.read()
-        assert text.count(EDITS[name][0]) == 1, "the sample is not what this test expects"
-        with open(source, "w") as file:
-            file.write(text.replace(*EDITS[name]))
-    build(workspace)
-    return workspace
-
-
-def is_newer(path, than):
-    return not os.path.exists(than) or os.path.getmtime(path) > os.path.getmtime(than)
-
-
-def ported_workspace():
-    """Made again when the tool or the runtime has changed since, whose headers the node was compiled with."""
-    workspace = os.path.join(SCRATCH, "camera_ported")
-    node = os.path.join(workspace, "devel", "lib", "camera_pair", "camera_node")
-    made_with = [os.path.join(BUILD, "bin", "tzc-rewrite"), os.path.join(BUILD, "devel", "lib", "libtzc_roscpp.so")]
-    if any(is_newer(path, node) for path in made_with):
-        original = camera_workspace("original")
-        shutil.rmtree(workspace, ignore_errors=True)
-        os.makedirs(os.path.join(workspace, "src"))
-        call([os.path.join(BUILD, "bin", "tzc-rewrite"), "-p", os.path.join(original, "build"), "--out-dir",
-              os.path.join(workspace, "src"), os.path.join(original, "src", "camera_pair")])
-        build(workspace)
-    return workspace
-
-
-def node_workspace(name, node):
-    """A workspace whose setup.bash names the node to run: what --command runs differs without a build."""
-    workspace = os.path.join(SCRATCH, "node_" + name)
-    os.makedirs(workspace, exist_ok=True)
-    with open(os.path.join(workspace, "setup.bash"), "w") as file:
-        file.write(f"export NODE='{node}'\n")
-    return workspace
-
-
-def recording():
-    """40 stamped messages in 4 seconds."""
-    path = os.path.join(SCRATCH, "input.bag")
-    if not os.path.exists(path):
-        import genpy
-        import rosbag
-        from std_msgs.msg import Header
-        from sensor_msgs.msg import Image
-        with rosbag.Bag(path, "w") as bag:
-            for index in range(40):
-                stamp = genpy.Time.from_sec(1000 + index / 10)
-                bag.write("/in", Image(header=Header(stamp=stamp, frame_id="lens"), height=1, width=8, step=8, encoding="mono8",
-                                       data=bytes([index] * 8)), stamp)
-    return path
-
-
-def compare(original, port, *arguments):
-    """Exit status, text, and the result; null when there is none."""
-    result = os.path.join(SCRATCH, "result.json")
-    if os.path.exists(result):
-        os.remove(result)
-    done = subprocess.run([COMPARE, original, port, "--quiet", "--json", result, *arguments], env=environment(),
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300, check=False)
-    text = done.stdout.decode(errors="replace")
-    if not os.path.exists(result):
-        return done.returncode, text, None
-    with open(result) as file:
-        return done.returncode, text, json.load(file)
-
-
-def findings(result, topic):
-    [stream] = [stream for stream in result["streams"] if stream["topic"] == topic]
-    return {(found["cause"], found.get("field")): found for found in stream["findings"]}, stream
-
-
-def processes_of(folder):
-    """Processes whose ROS session lies in the folder, by their environment."""
-    found = []
-    for pid in filter(str.isdigit, os.listdir("/proc")):
-        try:
-            with open(f"/proc/{pid}/environ", "rb") as variables:
-                if b"ROS_LOG_DIR=" + folder.encode() in variables.read():
-                    found.append(int(pid))
-        except OSError:
-            continue  # it has ended, or is another user's
-    return found
 
 
 class Camera(unittest.TestCase):
@@ -325,7 +206,8 @@ class Errors(unittest.TestCase):
 
     def test_mistakes_are_found_before_anything_runs(self):
         workspace = node_workspace("original", "")
-        for mistake in (["--json", SCRATCH], ["--json", "/no/such/folder/a.json"], ["--duration", "nan"], ["--allow-loss", "nan"]):
+        for mistake in (["--json", SCRATCH], ["--json", "/no/such/folder/a.json"], ["--duration", "nan"], ["--allow-loss", "nan"],
+                        ["--clock"], ["--play-args", "x"], ["--quiet-time", "3"]):
             done = subprocess.run([COMPARE, workspace, workspace, "--command", "touch started", *mistake], stdout=subprocess.PIPE,
                                   stderr=subprocess.PIPE, text=True, cwd=SCRATCH, timeout=60, check=False)
             self.assertEqual(done.returncode, 2, mistake)
@@ -334,30 +216,10 @@ class Errors(unittest.TestCase):
 
 
 class LongInput(unittest.TestCase):
-    """A recorder that tells of 400,000 input messages, as after half an hour of an IMU: a stand-in, beside a copy of the tool."""
-    RECORDER = """#!/usr/bin/python3
-import json, select, shutil, sys
-shutil.copy(INPUT, sys.argv[sys.argv.index("--bag") + 1])
-status = {"graph": "1", "nodes": ["/relay"], "topics": 1, "ready": True, "messages": 1, "inputs": 1, "error": ""}
-summary = {"now": 1, "traffic": [], "topics": [], "late": [], "left_out": [],
-           "inputs": [[1700000000000000000 + i, 1700000000000000000 + i] for i in range(400000)]}
-while True:
-    print(json.dumps(status), flush=True)
-    if select.select([0], [], [], 0.1)[0]:
-        if not sys.stdin.readline():
-            break
-        print(json.dumps({"summary": summary}), flush=True)
-"""
+    """A recorder that tells of 400,000 input messages, as after half an hour of an IMU."""
 
     def test_the_summary_is_read_whole(self):
-        folder = os.path.join(SCRATCH, "long_input")
-        os.makedirs(folder, exist_ok=True)
-        tool, recorder = (os.path.join(folder, name) for name in ("tzc-compare", "tzc-compare-recorder"))
-        shutil.copy(COMPARE, tool)
-        with open(recorder, "w") as file:
-            file.write(self.RECORDER.replace("INPUT", repr(recording())))
-        os.chmod(recorder, 0o755)
-        workspace = node_workspace("original", "")
+        tool, workspace = tool_with_stand_in("long_input", recording(), 400000), node_workspace("original", "")
         done = subprocess.run([tool, workspace, workspace, "--quiet", "--runs", "1", "--settle", "0.1", "--duration", "1",
                                "--command", "sleep 5"], env=environment(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               timeout=120, check=False)
@@ -365,33 +227,65 @@ while True:
 
 
 class Stopping(unittest.TestCase):
-    def interrupt(self, sig):
+    def start(self, tool, *arguments, ignored=()):
+        """Whatever this process ignores: a script's shell ignores SIGINT for what it starts with `&`."""
+        def ignore():
+            for which in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
+                signal.signal(which, signal.SIG_IGN if which in ignored else signal.SIG_DFL)
+
+        workspace = node_workspace("original", "")
+        process = subprocess.Popen([tool, workspace, workspace, *arguments], env=environment(), stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, preexec_fn=ignore)
+        self.addCleanup(process.stderr.close)
+        return process
+
+    def wait_until_it_says(self, words, tool):
+        for line in tool.stderr:
+            if words in line:
+                return
+        self.fail(f"it ended before it said {words}")
+
+    def interrupt(self, sig, command="sleep 1000 & rosrun topic_tools relay /in /out", duration="60", ignored=()):
         folder = os.path.join(SCRATCH, "stopped")
         shutil.rmtree(folder, ignore_errors=True)
-        workspace = node_workspace("original", "")
-        tool = subprocess.Popen([COMPARE, workspace, workspace, "--keep", folder, "--duration", "60", "--command",
-                                 "sleep 1000 & rosrun topic_tools relay /in /out"], env=environment(),
-                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        for line in tool.stderr:
-            if b"running" in line:
-                break
+        tool = self.start(COMPARE, "--keep", folder, "--duration", duration, "--command", command, ignored=ignored)
+        self.wait_until_it_says(b"running", tool)
         self.assertGreaterEqual(len(processes_of(folder)), 4, "roscore, rosmaster, recorder, relay, sleep")
         tool.send_signal(sig)
         return tool, folder
-
-    def assert_gone(self, folder, seconds):
-        deadline = time.monotonic() + seconds
-        while processes_of(folder) and time.monotonic() < deadline:
-            time.sleep(0.1)
-        self.assertEqual(processes_of(folder), [])
 
     def test_ctrl_c_leaves_nothing_behind(self):
         for end in (signal.SIGINT, signal.SIGQUIT):
             tool, folder = self.interrupt(end)
             self.assertIn(b"stopping what was started", tool.stderr.read())
             self.assertEqual(tool.wait(60), 130)
-            tool.stderr.close()
             self.assertEqual(processes_of(folder), [], "all is gone when it ends")
+
+    def test_a_hangup_that_is_ignored_stops_nothing(self):
+        """As under nohup. The run goes on to its own end, at which nothing was published."""
+        tool, folder = self.interrupt(signal.SIGHUP, duration="3", ignored=[signal.SIGHUP])
+        said = tool.stderr.read()
+        self.assertIn(b"published nothing", said)
+        self.assertNotIn(b"stopping what was started", said)
+        self.assertEqual(tool.wait(60), 2)
+        self.assertEqual(processes_of(folder), [])
+
+    def test_nodes_hear_the_signal_that_stops_them_where_the_tool_ignores_it(self):
+        """They inherit what is ignored. One that ignores SIGINT runs on for twenty seconds."""
+        tool, _ = self.interrupt(signal.SIGTERM, command="rosrun topic_tools relay /in /out & sleep 1000", ignored=[signal.SIGINT])
+        begin = time.monotonic()
+        tool.stderr.read()
+        self.assertEqual(tool.wait(60), 130)
+        self.assertLess(time.monotonic() - begin, 19)
+
+    def test_ctrl_c_ends_the_comparison(self):
+        tool = self.start(tool_with_stand_in("slow", slow_recording(), 0), "--runs", "1", "--settle", "0.1", "--duration", "1",
+                          "--command", "sleep 5")
+        self.wait_until_it_says(b"the port with the original", tool)
+        tool.send_signal(signal.SIGINT)
+        said = tool.stderr.read()
+        self.assertEqual(tool.wait(60), 130, said)
+        self.assertIn(b"tzc-compare: stopped", said)
 
 
 if __name__ == "__main__":

@@ -17,6 +17,10 @@ class Options(unittest.TestCase):
         for option in (["--quick"], ["--build-only"], ["--runs", "3"]):
             self.assertEqual(demo(*option), (2, f"error: {option[0]} goes with --red-light or --rotation\n"))
 
+    def test_of_the_pairs_need_that_there_is_no_application(self):
+        for options in (["--red-light", "--seconds", "3"], ["--seconds", "3", "--rotation"]):
+            self.assertEqual(demo(*options), (2, "error: --seconds goes without --red-light and --rotation\n"))
+
     def test_with_a_number_need_one(self):
         for number in ("0", "-1", "many"):
             status, output = demo("--red-light", "--runs", number)

@@ -62,6 +62,25 @@ TEST(Explain, what_a_subscriber_gets_from_publishers_without_a_page) {
   EXPECT_TRUE(explain({viewer}, "/viewer", "/depth").sentences.empty());
 }
 
+TEST(Explain, what_a_subscriber_gets_from_a_node_that_does_not_attach_the_topic) {
+  Node camera = camera_and_depth(), viewer;
+  viewer.name = "/viewer";
+  Subscription subscription;
+  subscription.topic = "/raw";
+  subscription.publisher = "/camera";
+  subscription.transport = Transport::tcpros;
+  viewer.subscriptions = {subscription};
+  const std::string sentence =
+      "/viewer gets /raw from /camera over TCPROS: /camera uses TZC and has not attached /raw. It advertises "
+      "it by nh.advertise: port that place (tzc-rewrite's report names it), or give what it returns to "
+      "tzc::attached there.";
+  EXPECT_THAT(explain({camera, viewer}, "/viewer", "/raw").sentences, ElementsAre(sentence));
+  camera.state = State::silent;
+  camera.age_s = 12;
+  EXPECT_THAT(explain({camera, viewer}, "/viewer", "/raw").sentences,
+              ElementsAre(sentence + " (/camera is silent: this is as of 12 s ago.)"));
+}
+
 TEST(Explain, what_a_full_page_left_out_is_not_known) {
   Node camera = camera_and_depth(), viewer;
   camera.left_out = 3;

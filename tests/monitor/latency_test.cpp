@@ -25,10 +25,15 @@ TEST(Latency, quantiles_are_the_ends_of_their_buckets) {
 TEST(Latency, the_last_bucket_has_no_end) {
   Latencies latencies{};
   latencies[22] = 99;
-  EXPECT_EQ(quantile_words(latencies, 0.99), "< 4.3 s");
+  EXPECT_EQ(latency_words(latencies), "< 4.3 s (99%: < 4.3 s)");
+  latencies[23] = 5;
+  EXPECT_EQ(latency_words(latencies), "< 4.3 s (99%: > 4.3 s)");
   latencies[23] = 901;
-  EXPECT_EQ(quantile_words(latencies, 0.99), "> 4.3 s");
-  EXPECT_EQ(quantile_words(latencies, 0.05), "< 4.3 s");
+  EXPECT_EQ(latency_words(latencies), "> 4.3 s (99%: > 4.3 s)");
+}
+
+TEST(Latency, of_no_message_is_none) {
+  EXPECT_EQ(latency_words(Latencies{}), "-");
 }
 
 TEST(Words, times_are_short) {

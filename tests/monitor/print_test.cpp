@@ -97,7 +97,19 @@ TEST(Table, shows_the_latencies_since_the_last_look_when_there_are_any) {
 TEST(Table, without_problems_has_no_list_of_them) {
   Node node = viewer();
   EXPECT_THAT(table({node}, false), Not(HasSubstr("PROBLEMS")));
-  EXPECT_THAT(table({node}, false), testing::StartsWith("1 node, 0 connections. No problem.\n\n  TOPIC"));
+  EXPECT_THAT(table({node}, false),
+              testing::StartsWith("1 node, 1 connection (1 shared). No problem.\n\n  TOPIC"));
+}
+
+TEST(Table, counts_subscriptions_that_no_publisher_tells_of) {
+  Node node = viewer();
+  node.subscriptions.push_back(node.subscriptions[0]);
+  node.subscriptions[1].publisher = "/unported";
+  node.subscriptions[1].transport = Transport::tcpros;
+  EXPECT_THAT(
+      table({node}, false),
+      testing::StartsWith("1 node, 2 connections (1 shared, 1 TCPROS). 1 problem: 1 TCPROS.\n\nPROBLEMS\n"
+                          "  TCPROS   /viewer gets /image from /unported over TCPROS: "));
 }
 
 TEST(Table, fits_a_terminal_of_100_columns_up_to_the_type) {

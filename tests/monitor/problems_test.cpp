@@ -29,11 +29,12 @@ struct Problems : testing::Test {
     camera.topics[0].connections.push_back(connection);
     return camera.topics[0].connections.back();
   }
-  std::vector<std::string> texts() const {
+  static std::vector<std::string> texts(const std::vector<Node>& nodes) {
     std::vector<std::string> found;
-    for (const Problem& problem : problems({camera})) found.push_back(problem.text);
+    for (const Problem& problem : problems(nodes)) found.push_back(problem.text);
     return found;
   }
+  std::vector<std::string> texts() const { return texts({camera}); }
 
   Node camera;
 };
@@ -91,19 +92,43 @@ TEST_F(Problems, lost_messages_have_their_cause) {
   connect("/slow").revoked_for_queue = 5;
   connect("/late").revoked_for_memory = 2;
   connect("/gone").revoked_at_end = 7;  // what a subscriber leaves behind is no problem
+  EXPECT_THAT(
+      texts(),
+      ElementsAre("/slow did not take 5 messages of /image from /camera in time: its queue was full.",
+                  "/late did not take 2 messages of /image from /camera in time: their memory was needed."));
+}
+
+TEST_F(Problems, lost_messages_with_two_causes_have_both) {
+  Connection& slow = connect("/slow");
+  slow.revoked_for_queue = 4;
+  slow.revoked_for_memory = 1;
   EXPECT_THAT(texts(),
-              ElementsAre("/slow did not take 5 messages of /image from /camera in time: its queue was full.",
-                          "/late did not take 2 messages of /image from /camera in time (best_effort needed "
-                          "their memory)."));
+              ElementsAre("/slow did not take 5 messages of /image from /camera in time: 4 because its queue "
+                          "was full, 1 because their memory was needed."));
+}
+
+// The cause of what was lost long ago says nothing about now.
+TEST_F(Problems, lost_messages_have_the_cause_of_those_since_the_last_look) {
+  Connection& slow = connect("/slow");
+  slow.revoked_for_queue = 5;
+  slow.revoked_for_memory = 40;
+  slow.lost_since = Losses{3, 0};
+  EXPECT_THAT(texts(),
+              ElementsAre("/slow did not take 3 messages of /image from /camera in time (45 since it "
+                          "connected): its queue was full."));
+  slow.lost_since = Losses{2, 1};
+  EXPECT_THAT(texts(),
+              ElementsAre("/slow did not take 3 messages of /image from /camera in time (45 since it "
+                          "connected): 2 because its queue was full, 1 because their memory was needed."));
 }
 
 TEST_F(Problems, lost_messages_of_long_ago_are_none) {
   Connection& slow = connect("/slow");
   slow.revoked_for_queue = 5;
-  slow.lost_since = 0;
+  slow.lost_since = Losses{};
   EXPECT_THAT(texts(), IsEmpty());
-  slow.lost_since = 1;
-  EXPECT_THAT(texts(), ElementsAre(HasSubstr("did not take 5 messages")));
+  slow.lost_since = Losses{1, 0};
+  EXPECT_THAT(texts(), ElementsAre(HasSubstr("did not take 1 messages")));
 }
 
 TEST_F(Problems, of_a_stopped_process_are_not_told_twice) {
@@ -126,6 +151,38 @@ TEST_F(Problems, of_connections_say_what_to_do_and_come_last) {
   EXPECT_THAT(found[1].text,
               HasSubstr("/camera sends /image to /rviz over TCPROS: the node at http://a:1/ does"));
   EXPECT_THAT(found[1].text, HasSubstr("port it, or start it with tzc-run"));
+}
+
+/// Of /viewer to /camera.
+Node viewer_of(const std::string& topic, Transport transport) {
+  Subscription subscription;
+  subscription.topic = topic;
+  subscription.publisher = "/camera";
+  subscription.transport = transport;
+  Node viewer;
+  viewer.name = "/viewer";
+  viewer.pid = 77;
+  viewer.subscriptions = {subscription};
+  return viewer;
+}
+
+// Nothing was wrong with a ported subscriber of an unported publisher.
+TEST_F(Problems, of_subscriptions_are_told_where_the_publisher_s_page_does_not) {
+  const Node viewer = viewer_of("/raw", Transport::tcpros);
+  const auto found = problems({camera, viewer});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].kind, ProblemKind::tcpros);
+  EXPECT_EQ(found[0].node, "/viewer");
+  EXPECT_THAT(found[0].text,
+              HasSubstr("/viewer gets /raw from /camera over TCPROS: /camera uses TZC and has not attached"));
+  EXPECT_THAT(texts({viewer}), ElementsAre(HasSubstr("there is no statistics page of /camera here")));
+}
+
+TEST_F(Problems, of_subscriptions_are_told_once) {
+  connect("/viewer", Transport::tcpros, "it has no TZC");
+  EXPECT_THAT(texts({camera, viewer_of("/image", Transport::tcpros)}),
+              ElementsAre("/camera sends /image to /viewer over TCPROS: it has no TZC."));
+  EXPECT_THAT(texts({viewer_of("/image", Transport::shared)}), IsEmpty());
 }
 
 }  // namespace

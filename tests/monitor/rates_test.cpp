@@ -112,7 +112,11 @@ TEST(Rates, tell_what_a_connection_lost_since_the_last_look) {
   now[0].topics[0].connections[0].revoked_for_memory = 1;
   now[0].topics[0].connections[0].revoked_at_end = 9;
   add_rates({before}, now);
-  EXPECT_EQ(now[0].topics[0].connections[0].lost_since, 3U);
+  const Connection& viewer = now[0].topics[0].connections[0];
+  ASSERT_TRUE(viewer.lost_since);
+  EXPECT_EQ(viewer.lost_since->for_queue, 2U);
+  EXPECT_EQ(viewer.lost_since->for_memory, 1U);
+  EXPECT_EQ(viewer.losses().sum(), 8U);
 }
 
 TEST(Filter, keeps_the_subscribers_of_a_topic) {
@@ -129,6 +133,25 @@ TEST(Filter, keeps_the_subscribers_of_a_topic) {
   EXPECT_EQ(nodes[0].subscriptions[0].topic, "/image");
   keep_topic("/other", nodes);
   EXPECT_TRUE(nodes.empty());
+}
+
+// Its page tells why they are not shared.
+TEST(Filter, keeps_nodes_that_publish_the_topic_without_TZC) {
+  Node viewer = sample(12, 160);
+  viewer.name = "/viewer";
+  viewer.topics.clear();
+  Subscription raw;
+  raw.topic = "/raw";
+  raw.publisher = "/camera";
+  viewer.subscriptions = {raw};
+  Node other = sample(12, 160);
+  other.name = "/other";
+  std::vector<Node> nodes{sample(12, 160), other, viewer};
+  keep_topic("/raw", nodes);
+  ASSERT_EQ(nodes.size(), 2U);
+  EXPECT_EQ(nodes[0].name, "/camera");
+  EXPECT_TRUE(nodes[0].topics.empty());
+  EXPECT_EQ(nodes[1].name, "/viewer");
 }
 
 TEST(Filter, keeps_a_topic_with_its_rates_and_only_nodes_that_have_it) {

@@ -64,6 +64,44 @@ TEST(Status, of_a_stopped_subscriber_is_an_error_of_its_own) {
   EXPECT_EQ(all[1].level, DiagnosticStatus::ERROR);
 }
 
+TEST(Status, has_what_each_subscription_counts) {
+  Subscription shared, plain;
+  shared.topic = plain.topic = "/image";
+  shared.publisher = "/camera";
+  shared.transport = Transport::shared;
+  shared.messages = 12;
+  shared.latencies[6] = 12;  // below 66 us
+  shared.held_messages = 2;
+  shared.lost = 3;
+  plain.publisher = "/unported";
+  plain.transport = Transport::tcpros;
+  plain.messages = 7;
+  Node viewer;
+  viewer.name = "/viewer";
+  viewer.subscriptions = {shared, plain};
+  const auto values = [&] { return statuses({viewer}, "robot").at(0).values; };
+  EXPECT_EQ(values().at(0).key, "/image from /camera");
+  EXPECT_EQ(values().at(0).value, "12 messages over shared, latency < 66 us (99%: < 66 us), holds 2, lost 3");
+  EXPECT_EQ(values().at(1).value, "7 messages over TCPROS");
+  viewer.subscriptions[0].latencies = {};
+  EXPECT_EQ(values().at(0).value, "12 messages over shared, latency -, holds 2, lost 3");
+}
+
+TEST(Status, of_a_subscription_that_stays_on_tcpros_is_ok_and_names_it) {
+  Node viewer;
+  viewer.name = "/viewer";
+  viewer.subscriptions.resize(1);
+  viewer.subscriptions[0].topic = "/image";
+  viewer.subscriptions[0].publisher = "/unported";
+  viewer.subscriptions[0].transport = Transport::tcpros;
+  const auto all = statuses({viewer}, "robot");
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].level, DiagnosticStatus::OK);
+  ASSERT_EQ(all[0].values.size(), 2U);
+  EXPECT_EQ(all[0].values[1].key, "TCPROS");
+  EXPECT_THAT(all[0].values[1].value, HasSubstr("/viewer gets /image from /unported over TCPROS"));
+}
+
 TEST(Status, of_a_connection_that_stays_on_tcpros_is_ok) {
   Node node = viewed_camera();
   node.topics[0].connections[0].transport = Transport::tcpros;

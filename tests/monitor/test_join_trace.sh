@@ -27,6 +27,8 @@ ln all link
 ends_with 2 'link is the output' link
 [ "$(cksum all)" = "$before" ] || { echo "WRONG: it wrote before it refused"; exit 1; }
 
+ends_with 2 'excludes' trace --why /viewer /image
+
 mkdir folder
 ends_with 2 'folder cannot be read' trace folder
 ends_with 2 'mem cannot be read' /proc/self/mem trace  # it opens, and reading fails

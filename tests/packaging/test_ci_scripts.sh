@@ -120,6 +120,15 @@ TZC_BUILD_COMMAND=false TZC_WORKSPACE=$scratch/ws "$ci/check.sh" 2>"$scratch/sai
 [ "$status" = 2 ] || wrong "a build that fails ends with $status"
 grep -q TZC_BUILD_COMMAND "$scratch/said" || wrong "a build that fails ends without a word: $(cat "$scratch/said")"
 
+# A setup file joins the workspaces that the job has sourced before it; catkin's forget them without that word.
+cat >"$scratch/setup.bash" <<'END'
+[ "${1:-}" = --extend ] || CMAKE_PREFIX_PATH=
+export CMAKE_PREFIX_PATH=/opt/tzc:$CMAKE_PREFIX_PATH
+END
+CMAKE_PREFIX_PATH=/the/job/s/own TZC_SETUP=$scratch/setup.bash TZC_BUILD_COMMAND='echo "$CMAKE_PREFIX_PATH" >prefixes' \
+  TZC_WORKSPACE=$scratch/ws "$ci/check.sh" >/dev/null || wrong "check.sh failed with a setup file"
+[ "$(<"$scratch/ws/prefixes")" = /opt/tzc:/the/job/s/own ] || wrong "check.sh builds among the prefixes $(<"$scratch/ws/prefixes")"
+
 # What is wrong with the script's own settings is an error, and no unported site.
 export CDPATH=$scratch
 mkdir -p "$scratch/empty"

@@ -302,23 +302,41 @@ class Commands(Folder):
         with open(log) as file:
             self.assertEqual(file.read(), "begun\n")
 
-    def test_a_signal_ends_what_was_started(self):
+    def start(self, log, ignored=()):
+        """A program that runs a command, and the number of what that has started."""
+        def ignore():  # and nothing else, whatever this process ignores
+            for which in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
+                signal.signal(which, signal.SIG_IGN if which in ignored else signal.SIG_DFL)
+
         program = ("import sys; from port_packages.command import ended_by_signals, run; ended_by_signals();"
                    "run(['sh', '-c', 'sleep 100 & echo $!; wait'], sys.argv[1])")
+        tool = subprocess.Popen([sys.executable, "-c", program, log], env=dict(os.environ, PYTHONPATH=sys.path[0]),
+                                preexec_fn=ignore)
+        text = ""
+        while not text.endswith("\n") and tool.poll() is None:
+            time.sleep(0.05)
+            if os.path.exists(log):
+                with open(log) as file:
+                    text = file.read()
+        return tool, int(text)
+
+    def test_a_signal_ends_what_was_started(self):
         log = os.path.join(self.path, "signal.log")
         for which in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
-            with subprocess.Popen([sys.executable, "-c", program, log], env=dict(os.environ, PYTHONPATH=sys.path[0])) as tool:
-                text = ""
-                while not text.endswith("\n") and tool.poll() is None:
-                    time.sleep(0.05)
-                    if os.path.exists(log):
-                        with open(log) as file:
-                            text = file.read()
-                tool.send_signal(which)
-                self.assertEqual(tool.wait(60), 128 + which)
+            tool, started = self.start(log)
+            tool.send_signal(which)
+            self.assertEqual(tool.wait(60), 128 + which)
             with self.subTest(which):
-                self.assert_ends(int(text))
+                self.assert_ends(started)
             os.remove(log)
+
+    def test_a_signal_that_is_ignored_ends_nothing(self):
+        """As under nohup."""
+        tool, started = self.start(os.path.join(self.path, "signal.log"), ignored=[signal.SIGHUP])
+        tool.send_signal(signal.SIGHUP)
+        tool.send_signal(signal.SIGTERM)
+        self.assertEqual(tool.wait(60), 128 + signal.SIGTERM)
+        self.assert_ends(started)
 
     def test_a_signal_waits_until_what_is_started_is_known(self):
         """The command sends it while its start is not yet over for this program."""

@@ -77,8 +77,9 @@ def signals_wait():
 
 
 def ended_by_signals():
-    """From now on these signals end the program through its exception handlers; a further one changes nothing."""
-    signals = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+    """From now on these signals end the program through its exception handlers; a further one changes nothing, nor does one that
+    is ignored already, as under nohup."""
+    signals = [which for which in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP) if signal.getsignal(which) != signal.SIG_IGN]
 
     def leave(number, _):
         for which in signals:

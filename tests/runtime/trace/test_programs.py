@@ -78,6 +78,14 @@ class Programs(unittest.TestCase):
         error = camera.communicate()[1].decode()
         self.assertEqual(error.count("TZC_TRACE: cannot write /no/such/folder/trace"), 1, error)
 
+    def test_a_full_disk_is_said_once_and_changes_nothing(self):
+        camera = self.start(CAMERA, "300", trace="/proc/%p/root/dev/full")
+        viewer = self.view(5, trace="")
+        camera.kill()
+        self.assertEqual(viewer.returncode, 0)
+        error = camera.communicate()[1].decode()
+        self.assertEqual(error.count("No space left on device; events are left out of the trace"), 1, error)
+
     def test_without_the_variable_there_is_no_thread_and_no_file(self):
         camera = self.start(CAMERA, "300", trace="")
         self.view(3, trace="")
