@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "edits/apply.h"
@@ -49,6 +50,18 @@ Expected<std::string> apply_edits(std::string_view content, const Edits& edits) 
     last = &edit;
   }
   return result.append(content.substr(at));
+}
+
+std::vector<std::pair<Edit, Edit>> overlaps(const Edits& edits) {
+  std::vector<std::pair<Edit, Edit>> found;
+  for (const auto& [file, of_file] : by_file(edits)) {
+    std::optional<Edit> widest;  // the one that ends last of those before
+    for (const Edit& edit : in_order(of_file)) {
+      if (widest && edit.offset < widest->offset + widest->length) found.emplace_back(*widest, edit);
+      if (!widest || edit.offset + edit.length >= widest->offset + widest->length) widest = edit;
+    }
+  }
+  return found;
 }
 
 std::map<std::string, Edits> by_file(const Edits& edits) {

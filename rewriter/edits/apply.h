@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "model/edit.h"
 #include "model/expected.h"
@@ -13,6 +15,9 @@ namespace tzc::rewriter {
 /// Applies the edits of one file. Insertions at one place keep their order, identical duplicates count once;
 /// edits that overlap or leave the content are an error that names the rules.
 Expected<std::string> apply_edits(std::string_view content, const Edits& edits);
+
+/// Edits of any files that change the same text in different ways, the later one second.
+std::vector<std::pair<Edit, Edit>> overlaps(const Edits& edits);
 
 /// The edits of one file as apply_edits applies them: by place, duplicates dropped.
 Edits in_order(const Edits& edits);

@@ -35,6 +35,7 @@ const std::set<std::string> owners = {"ros::NodeHandle::",
                                       "image_transport::SingleSubscriberPublisher::",
                                       "tzc::",
                                       "tzc::Publisher::",
+                                      "tzc::message_filters::",
                                       "tzc::image_transport::",
                                       "tzc::image_transport::Publisher::",
                                       "tzc::image_transport::CameraPublisher::"};
@@ -88,6 +89,17 @@ std::string message_of_template(const clang::FunctionDecl* function) {
   return first_message(made ? &made->getTemplateArgs() : template_arguments(function));
 }
 
+/// subscribe(options) as a template has it, with a variable or member of its own: not the one of an instance.
+bool is_of_template(const clang::Expr* options) {
+  const clang::Expr* written = options->IgnoreParenImpCasts();
+  const clang::DeclContext* context = nullptr;
+  if (const auto* variable = llvm::dyn_cast<clang::DeclRefExpr>(written))
+    context = variable->getDecl()->getDeclContext();
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(written))
+    context = member->getMemberDecl()->getDeclContext();
+  return context && context->isDependentContext();
+}
+
 class ApiCalls : public AstVisitor {
  public:
   ApiCalls(const Source& source, const std::set<std::string>& exported)
@@ -108,6 +120,8 @@ class ApiCalls : public AstVisitor {
     if (owners.count(owner) == 0) note_library_publish(call, function);
     const auto kind = kinds.find(function->getNameAsString());
     if (kind == kinds.end() || written(call) == 0) return true;
+    if (kind->second == SiteKind::subscribe && written(call) == 1 && is_of_template(call->getArg(0)))
+      return true;
     const bool is_ours =
         owner == "tzc::" || owner == "tzc::image_transport::";  // the publisher is the first argument
     if (is_ours && kind->second == SiteKind::publish)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "edits/apply.h"
 #include "edits/includes.h"
 #include "edits/line_endings.h"
 #include "model/codes.h"
@@ -16,12 +17,16 @@ std::size_t DemotionLoop::number_of_units(const Facts& facts) {
   return units.size();
 }
 
-void DemotionLoop::demote(ComponentId component, const Failure& failure) {
+const char* DemotionLoop::demotion_code(ComponentId component) const {
   const ComponentKind kind = components_[component].kind;
   const bool receives = kind == ComponentKind::subscription || kind == ComponentKind::filter;
+  return receives ? codes::TZC2005 : codes::TZC1009;
+}
+
+void DemotionLoop::demote(ComponentId component, const Failure& failure) {
   demotions_.emplace(component,
-                     Obstacle{receives ? codes::TZC2005 : codes::TZC1009,
-                              "ported, it would not compile: " + failure.error.text, failure.error.where});
+                     Obstacle{demotion_code(component), "ported, it would not compile: " + failure.error.text,
+                              failure.error.where});
 }
 
 DemotionLoop::Attempt DemotionLoop::planned(const Demotions& demotions) const {
@@ -137,6 +142,23 @@ bool DemotionLoop::demote_for_others(const Attempt& attempt) {
   return demotions_.size() > before;
 }
 
+/// Text that two components would change in different ways, as that of a template does which is two things to its instances.
+bool DemotionLoop::demote_overlapping(const Attempt& attempt) {
+  const std::size_t before = demotions_.size();
+  for (const auto& [first, second] : overlaps(attempt.result.plan.edits)) {
+    const std::string text = read_(second.file).value_or("");
+    const auto end = text.begin() + static_cast<long>(std::min(second.offset, text.size()));
+    const Location where{second.file, static_cast<unsigned>(std::count(text.begin(), end, '\n')) + 1, 1};
+    for (const Edit& edit : {first, second})
+      if (edit.component)
+        demotions_.emplace(
+            *edit.component,
+            Obstacle{demotion_code(*edit.component),
+                     "its port would change text that another one's changes otherwise", where});
+  }
+  return demotions_.size() > before;
+}
+
 /// All that a failing unit sees, so that a package with many errors ends, too.
 bool DemotionLoop::demote_all_of(const Attempt& failed) {
   const std::size_t before = demotions_.size();
@@ -162,6 +184,7 @@ Expected<DemotionLoop::Result> DemotionLoop::run() {
   for (;; ++round_) {
     Attempt attempt = planned(demotions_);
     const bool judged = options_.without_rules.count("verification") == 0;
+    if (demote_overlapping(attempt)) continue;
     if (judged && demote_for_others(attempt)) continue;
     if (Expected<void> done = verify(attempt, {}, Judge::both); !done) return done.error();
     if (attempt.failures.empty() || !judged) return std::move(attempt.result);

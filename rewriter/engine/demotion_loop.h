@@ -52,7 +52,9 @@ class DemotionLoop {
   Expected<std::optional<ComponentId>> culprit_of(const Failure& failure);
   Expected<bool> is_gone_without(const Failure& failure, const std::vector<ComponentId>& components);
   bool demote_for_others(const Attempt& attempt);
+  bool demote_overlapping(const Attempt& attempt);
   void demote(ComponentId component, const Failure& failure);
+  const char* demotion_code(ComponentId component) const;
   bool is_message(ComponentId component) const;
   std::vector<ComponentId> ported_components(const Attempt& attempt) const;
 

@@ -13,7 +13,9 @@
 #include "facts/escape/escape.h"
 #include "facts/escape/shared_mats.h"
 #include "facts/escape/threads.h"
+#include "facts/flow/call_effects.h"
 #include "facts/flow/exported_uses.h"
+#include "facts/sites/callback_parameter.h"
 #include "facts/sites/factories.h"
 #include "facts/sites/library_sites.h"
 #include "facts/sites/lock_guarded.h"
@@ -59,22 +61,34 @@ void note_overrides(const clang::CXXMethodDecl* method, const clang::CXXMethodDe
 
 /// Why the program may rely on the size or layout of the type: the memory is its own, or what lies there is not shown. Empty: it
 /// does not.
-std::string why_not_another_type(const clang::Expr* expr, const RuleSet& rules) {
+std::string why_not_another_type(const Unit& unit, const clang::Expr* expr) {
   const auto* made = llvm::dyn_cast<clang::CXXNewExpr>(expr);
   if (made && made->getOperatorNew() && made->getOperatorNew()->isReservedGlobalPlacementOperator())
     return "it is made in memory whose size the program has chosen";
   const auto* cast = llvm::dyn_cast<clang::ExplicitCastExpr>(expr);
-  const clang::QualType from = cast ? cast->getSubExprAsWritten()->getType() : clang::QualType();
-  const bool is_address = cast && !message_of(cast->getType()) && from->isScalarType();
-  return is_address && !from->isNullPtrType() && !carried_by(from, rules)
-             ? "it is cast from '" + from.getAsString() + "', which does not tell what lies there"
+  const clang::Expr* from = cast ? cast->getSubExprAsWritten() : nullptr;
+  const bool is_address = cast && !message_of(cast->getType()) && from->getType()->isScalarType();
+  return is_address && !is_null(unit, from) && !carried_by(from->getType(), unit.rules)
+             ? "it is " + cast_from(from->getType())
              : "";
 }
 
-/// make_shared<Image>(), publish<Image>(image)
-void retype(EntityTable& entities, const EntityId& id, llvm::ArrayRef<clang::TemplateArgumentLoc> written) {
-  for (const clang::TemplateArgumentLoc& argument : written)
-    if (argument.getTypeSourceInfo()) entities.retype(id, argument.getTypeSourceInfo()->getTypeLoc());
+std::string main_file(const Unit& unit) {
+  const clang::SourceManager& manager = unit.source.manager();
+  return unit.source.file_of(manager.getLocForStartOfFile(manager.getMainFileID()));
+}
+
+/// Whether the unit becomes a program of its own: a program has one main(), and may ignore another one in a shared library.
+bool makes_program(const Unit& unit, const clang::FunctionDecl* function) {
+  const clang::LangOptions& options = unit.ast().getLangOpts();
+  const bool is_for_library = options.PICLevel != 0 && !options.PIE;
+  return function->isMain() && function->isThisDeclarationADefinition() && !is_for_library;
+}
+
+/// Whether a function has to itself what it is given for a parameter of this type.
+bool is_own_message(clang::QualType parameter) {
+  const CallbackParameter given = callback_parameter_of(parameter);
+  return given.message && given.writes;
 }
 
 }  // namespace
@@ -82,6 +96,8 @@ void retype(EntityTable& entities, const EntityId& id, llvm::ArrayRef<clang::Tem
 void Collectors::declaration(const clang::VarDecl* variable) {
   if (!variable->getType()->isDependentType()) add(allocations_.of_declaration(variable));
   const EntityId id = entities_.declare(variable);
+  if (!id.empty() && llvm::isa<clang::ParmVarDecl>(variable))
+    facts_.add_parameter(id, is_own_message(variable->getType()));
   if (!id.empty() && variable->hasAttr<clang::CleanupAttr>())
     entities_.add_obstacle(id, codes::TZC1001, "a function is given it where its scope ends",
                            variable->getLocation());
@@ -89,6 +105,7 @@ void Collectors::declaration(const clang::VarDecl* variable) {
 }
 
 void Collectors::function(const clang::FunctionDecl* function) {
+  if (makes_program(unit_, function)) facts_.programs.insert(main_file(unit_));
   if (!llvm::isa<clang::CXXDestructorDecl>(function)) entities_.declare_result(function);
   if (std::optional<Factory> factory = factory_of(unit_, function))
     facts_.factories.emplace(entities_.result_id(function), std::move(*factory));
@@ -129,7 +146,7 @@ void Collectors::object(const clang::Expr* expr, const clang::TypeSourceInfo* ty
   const EntityId id = entities_.declare_temporary(expr);
   if (id.empty()) return;
   if (type) entities_.retype(id, type->getTypeLoc());
-  if (const std::string reason = why_not_another_type(expr, unit_.rules); !reason.empty())
+  if (const std::string reason = why_not_another_type(unit_, expr); !reason.empty())
     entities_.add_obstacle(id, entities_.is_message(id) ? codes::TZC1001 : codes::TZC1010, reason,
                            expr->getBeginLoc());
   const FlowEnd end = flow_.follow(expr, id);
@@ -253,6 +270,7 @@ void Collectors::rule_call(const clang::CXXMemberCallExpr* call, const MethodCal
       return;
     case MethodCall::Role::subscribe:
     case MethodCall::Role::subscribe_transport:
+      if (written_arguments(call) == 1 && are_of_pattern(call->getArg(0))) return;  // the instances subscribe
       add_site(facts_.subscribes, std::optional(subscribes_.of_call(call, rule)));
       return;
     case MethodCall::Role::builds_message:
@@ -327,10 +345,11 @@ void Collectors::early_calls(const clang::Stmt* stmt) {
 Facts Collectors::finish() {
   for (const auto& [where, part] : parts_) add(allocations_.of_part(part.second, part.first));
   for (AllocationDraft& draft : drafts_)
-    facts_.allocations.push_back(connected(unit_, entities_.facts(), std::move(draft), publishers_));
+    facts_.allocations.push_back(connected(unit_, std::move(draft), publishers_));
   facts_.hidden_code = hidden_.shown();
   static_cast<EntityFacts&>(facts_) = entities_.take();
   facts_.const_casts = flow_.const_casts();
+  if (facts_.programs.empty()) facts_.parts.insert(main_file(unit_));
   return std::move(facts_);
 }
 

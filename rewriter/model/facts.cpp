@@ -85,6 +85,21 @@ std::set<std::string> ClassFacts::with_bases(const std::string& record) const {
   return found;
 }
 
+bool UnitFacts::is_of_one_program(const std::string& file) const {
+  const auto units = units_of_file.find(file);
+  return programs.count(file) != 0 && parts.count(file) == 0 && units != units_of_file.end() &&
+         units->second == std::set<std::string>{file};
+}
+
+bool UnitFacts::share_a_process(const std::string& file, const std::string& other) const {
+  return file == other || !is_of_one_program(file) || !is_of_one_program(other);
+}
+
+void Facts::add_parameter(const EntityId& id, bool is_own) {
+  const auto [known, is_new] = own_parameters.emplace(id, is_own);
+  if (!is_new) known->second = known->second && is_own;
+}
+
 void Facts::refuse_unseen_functions() {
   for (const auto& [id, function] : parameters) {
     const auto entity = entities.find(id);
@@ -197,6 +212,9 @@ void Facts::merge(Facts&& other) {
   unite(bases, other.bases);
   unite(overrides, other.overrides);
   unite(units_of_file, other.units_of_file);
+  programs.merge(other.programs);
+  parts.merge(other.parts);
+  for (const auto& [id, is_own] : other.own_parameters) add_parameter(id, is_own);
   for (auto& [callback, use] : other.filter_callbacks) {
     FilterCallbackUse& known = filter_callbacks[callback];
     known.writes |= use.writes;

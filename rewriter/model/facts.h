@@ -38,6 +38,7 @@ enum class Form { itself, contained, elsewhere };
 struct MemberOf {
   std::string record;  ///< USR of the class
   bool is_private = false;
+  std::string scope;  ///< instead, of a global: the namespaces around it, "a::b"
 };
 
 /// TZC's class in place of another package's.
@@ -54,7 +55,7 @@ struct Entity {
   Storage storage = Storage::local;
   std::string type;       ///< "sensor_msgs/Image", empty for publishers
   std::string name;       ///< as written
-  MemberOf member_of;     ///< of a member
+  MemberOf member_of;     ///< of a member or global
   PortedClass ported_as;  ///< of a publisher or filter
   Form form = Form::elsewhere;
   bool ported = false;  ///< a publisher or filter that has TZC's class already
@@ -135,6 +136,7 @@ struct AllocationSite {
   std::set<EntityId> unnameable;          ///< those that this function names in a way that is not valid here
   bool is_early = false;  ///< it stands before the body of its function, and members may not be there yet
   std::string record;     ///< USR of the class whose `this` is available here
+  std::string scope;      ///< the namespaces around it
   EntityId function;      ///< result of the function around it
   std::string refusal;    ///< why there is no place for allocate, where it is something special
   Location where;
@@ -215,12 +217,16 @@ struct Publish : SiteFact {
   std::string object;  ///< "image", "*image": for allocate in front of the call; empty: a temporary
   std::vector<EntityId> messages;  ///< what the first argument denotes
   bool pcl = false;                ///< a cloud of PCL or a cv_bridge::CvImage is published as such
+  bool by_serializer = false;      ///< the latter, of which TZC has no form
   bool nested_only = false;
   bool twin = false;                   ///< a tzc:: message is published
   Attaching attaching;                 ///< to the topic of a publisher that keeps its class
   std::optional<LocalObject> part_of;  ///< none: of no object, or of one that lasts
   std::string library_class;           ///< of a library, which publishes for the package; empty: none does
 };
+
+/// What Subscribe::asked_transport says of ros::TransportHints().unreliable().
+constexpr const char* udpros = "UDPROS";
 
 struct Subscribe : SiteFact {
   std::optional<std::string> topic;
@@ -233,6 +239,7 @@ struct Subscribe : SiteFact {
   EntityId filter;                  ///< the filter object that must be ported with it
   std::string scope;                ///< USR of the class around it
   std::vector<Change> changes;
+  std::vector<Change> changes_if_kept;  ///< of the call, while its filter keeps its class
   std::string rule;
 
   /// Those that another instance, or unit, gives the same subscription.
@@ -300,7 +307,20 @@ struct ClassFacts {
   std::set<std::string> with_bases(const std::string& record) const;
 };
 
-struct Facts : EntityFacts, EscapeFacts, ThreadFacts, ClassFacts {
+/// Which units have the files of the package.
+struct UnitFacts {
+  std::map<std::string, std::set<std::string>> units_of_file;  ///< package file -> main files that include it
+  std::set<std::string>
+      programs;  ///< main files of units that define main(), and cannot be part of another program
+  std::set<std::string> parts;  ///< main files of the other units
+
+  /// Whether the file defines main() and nothing else is made of it.
+  bool is_of_one_program(const std::string& file) const;
+  /// Whether code of both files may run in one process: unless each of them is some program's own.
+  bool share_a_process(const std::string& file, const std::string& other) const;
+};
+
+struct Facts : EntityFacts, EscapeFacts, ThreadFacts, ClassFacts, UnitFacts {
   std::vector<AllocationSite> allocations;
   std::map<EntityId, Factory> factories;  ///< by their result
   std::map<SiteId, Advertise> advertises;
@@ -312,8 +332,11 @@ struct Facts : EntityFacts, EscapeFacts, ThreadFacts, ClassFacts {
   std::set<std::string> hidden_code;  ///< that is shown, by name
   std::set<std::string> bodies;       ///< USRs of the functions whose bodies were seen
   bool shadows_tzc = false;           ///< the package gives the name tzc to something of its own
-  std::map<std::string, std::set<std::string>> units_of_file;  ///< package file -> main files that include it
+  /// Of messages: whether the parameter's type gives the function one to itself, in each instance of a template.
+  std::map<EntityId, bool> own_parameters;
 
+  /// What one instance of a template, or unit, says of it.
+  void add_parameter(const EntityId& id, bool is_own);
   /// Leaves out what only hidden code would do of which no unit shows any. After all is merged.
   void leave_out_unshown_code();
   /// Says of a virtual function what its overrides do, too: a call of it may run any of them. After all is merged.

@@ -90,6 +90,7 @@ struct RuleSet {
   std::vector<const LibraryAdvertise*> advertisers;
   std::vector<const AttachedAdvertise*> attached;
   std::vector<const LibraryTransport*> transports;
+  std::vector<const MethodCall*> filters;  ///< of filters that cannot become TZC's
 
   const ClassRename* find_class(const std::string& name) const;
   /// The publisher or filter class that an earlier run wrote.
@@ -106,6 +107,10 @@ struct RuleSet {
   const LibraryTransport* find_transport(const std::string& publisher) const;
   /// The function that an earlier run wrote to advertise, publish or subscribe.
   const MethodCall* find_ported_function(const std::string& function) const;
+  /// The function that subscribes a filter of this class, which keeps it.
+  const MethodCall* find_filter_call(const std::string& filter) const;
+  /// Whether an earlier run wrote the function to subscribe such a filter.
+  bool is_filter_call(const std::string& function) const;
 };
 
 /// Every rule of the rewriter but those named.

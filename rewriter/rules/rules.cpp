@@ -18,8 +18,8 @@ const ClassRename* const classes[] = {
 };
 
 const LibraryCall* const calls[] = {
-    &rules::pcl_to_ros_msg, &rules::pcl_from_pcl, &rules::pcl_move_from_pcl,
-    &rules::fill_image,     &rules::clear_image,  &rules::add_point_field,
+    &rules::pcl_to_ros_msg, &rules::pcl_from_pcl,    &rules::pcl_move_from_pcl, &rules::fill_image,
+    &rules::clear_image,    &rules::add_point_field, &rules::pcl_from_ros_msg,  &rules::cv_copy_of_message,
 };
 
 const MethodCall* const methods[] = {
@@ -42,6 +42,8 @@ const AttachedAdvertise* const attached[] = {
 };
 
 const LibraryTransport* const transports[] = {&rules::attached_laser_advertise};
+
+const MethodCall* const filters[] = {&rules::kept_filter, &rules::kept_image_filter};
 
 template <class Rule, std::size_t count>
 std::vector<const Rule*> select(const Rule* const (&all)[count], const std::set<std::string>& without) {
@@ -89,8 +91,9 @@ std::set<std::string> RuleSet::replacing(const std::string& function) const {
   std::set<std::string> names;
   for (const LibraryCall* rule : calls)
     if (function == rule->function) names.insert(rule->rule);
-  for (const MethodCall* rule : methods)
-    if (function == std::string(rule->object) + "::" + rule->method) names.insert(rule->rule);
+  for (const std::vector<const MethodCall*>* some : {&methods, &filters})
+    for (const MethodCall* rule : *some)
+      if (function == std::string(rule->object) + "::" + rule->method) names.insert(rule->rule);
   return names;
 }
 
@@ -120,9 +123,22 @@ const MethodCall* RuleSet::find_ported_function(const std::string& function) con
   return nullptr;
 }
 
+const MethodCall* RuleSet::find_filter_call(const std::string& filter) const {
+  for (const MethodCall* rule : filters)
+    if (filter == rule->object) return rule;
+  return nullptr;
+}
+
+bool RuleSet::is_filter_call(const std::string& function) const {
+  for (const MethodCall* rule : filters)
+    if (function == rule->to) return true;
+  return false;
+}
+
 RuleSet all_rules(const std::set<std::string>& without) {
   return {select(classes, without),     select(calls, without),    select(methods, without),
-          select(advertisers, without), select(attached, without), select(transports, without)};
+          select(advertisers, without), select(attached, without), select(transports, without),
+          select(filters, without)};
 }
 
 }  // namespace tzc::rewriter

@@ -44,6 +44,11 @@ BoundAllocation by_node(const AllocationSite& site) {
   return {&site, "tzc::Publisher()", {"tzc::allocate"}, nullptr, true};
 }
 
+/// Whether names of a namespace mean the same in another one.
+bool lies_in(const std::string& scope, const std::string& outer) {
+  return outer.empty() || scope == outer || scope.rfind(outer + "::", 0) == 0;
+}
+
 /// A template has one text for all its instances: where one of them can name no publisher, none does.
 void unite_instances(std::vector<BoundAllocation>& allocations) {
   const auto place = [](const BoundAllocation& allocation) {
@@ -107,11 +112,13 @@ bool Binder::may_be_missing(const AllocationSite& site, const Entity& publisher)
 
 bool Binder::visible(const AllocationSite& site, const Entity& publisher) {
   if (site.unnameable.count(publisher.id) != 0 || may_be_missing(site, publisher)) return false;
+  const MemberOf& member = publisher.member_of;
   if (publisher.storage == Storage::member)
-    return !site.record.empty() && !publisher.member_of.record.empty() &&
-           facts_.with_bases(site.record).count(publisher.member_of.record) != 0;
+    return !site.record.empty() && !member.record.empty() &&
+           (member.is_private ? site.record == member.record
+                              : facts_.with_bases(site.record).count(member.record) != 0);
   return publisher.storage == Storage::global && publisher.where.file == site.where.file &&
-         publisher.where.line < site.where.line;
+         publisher.where.line < site.where.line && lies_in(site.scope, member.scope);
 }
 
 /// 2: the publisher is named together with the site's message, 1: with one that has to have its type, 0: neither.

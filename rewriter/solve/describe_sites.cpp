@@ -53,10 +53,20 @@ const Obstacle* obstacle_of_message(const Publish& fact) {
   return found == fact.obstacles.end() ? nullptr : &*found;
 }
 
+bool is_filter_of_messages(const Subscribe& fact) {
+  return fact.rule == "filter-subscriber";
+}
+
+bool is_through_filter(const Subscribe& fact) {
+  return is_filter_of_messages(fact) || fact.rule == "subscriber-filter";
+}
+
 /// A pcl::PointCloud or a cv_bridge::CvImage that is published as such.
-void describe_object_of_library(Site& site) {
+void describe_object_of_library(const Publish& fact, Site& site) {
   site.rule = "library-object";
-  site.reason = "its elements lie in memory of its library, and publishing copies them";
+  site.reason = fact.by_serializer ? "roscpp serializes it, and its elements are copied once more from "
+                                     "there; publish what toImageMsg() returns"
+                                   : "its elements lie in memory of its library, and publishing copies them";
 }
 
 class SiteDescriber {
@@ -92,6 +102,10 @@ class SiteDescriber {
   void describe_kept_publisher(const Publish& fact, const Decision* publisher, Site& site) const;
   void describe_kept_publisher(const Advertise& fact, const Decision& publisher, Site& site) const;
   bool publishes_without_copy(const Advertise& fact) const;
+  void describe_port(const Subscribe& fact, Site& site) const;
+  bool has_own_class(const SiteId& id, const Subscribe& fact) const;
+  bool shares_with_own_class(const Subscribe& fact) const;
+  Obstacle why_kept(const Subscribe& fact) const;
   std::optional<std::string> why_copied(const Subscribe& fact) const;
   std::string trust_of(const Publish& fact) const;
   template <class Id>
@@ -118,7 +132,7 @@ const Decision* SiteDescriber::decision_of(const Id& of) const {
 
 void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
   site.level = Level::one_copy;
-  if (fact.pcl) return describe_object_of_library(site);
+  if (fact.pcl) return describe_object_of_library(fact, site);
   site.rule = "stock-message";
   if (fact.twin) {
     site.level = Level::zero_copy;
@@ -270,6 +284,8 @@ std::optional<std::string> SiteDescriber::why_copied(const Subscribe& fact) cons
   if (received_.takes_own(fact)) return "the callback may write to the message, so it gets a copy of its own";
   if (received_.shares_with_one_that_takes_own(fact))
     return "another callback of the topic takes the message as its own, so all of them get copies";
+  if (shares_with_own_class(fact))
+    return "an unported filter of the topic may pass the message to a writer, so all callbacks get copies";
   if (received_.is_unknown(fact))
     return "the callback is not known here, and pages that it writes to are copied";
   if (const auto write = received_.to_elements(fact))
@@ -286,16 +302,51 @@ Site SiteDescriber::describe(const SiteId& id, const Subscribe& fact) const {
   } else if (decision.outcome == Outcome::refused) {
     refuse(site, decision.why_not, Level::plain);
   } else {
-    site.rule = fact.rule;
-    site.level = Level::shared;
-    if (fact.is_gathered)
-      copied(site, codes::TZC2010, "its elements have strings, so the message is made from the shared bytes");
-    else if (fact.converts)
-      copied(site, codes::TZC2010, "the callback takes a cloud of PCL, which is made from the shared bytes");
-    else if (const std::optional<std::string> why = why_copied(fact))
-      copied(site, codes::TZC2001, *why);
+    describe_port(fact, site);
   }
   return site;
+}
+
+void SiteDescriber::describe_port(const Subscribe& fact, Site& site) const {
+  const bool is_kept = is_through_filter(fact) && !is(decision_of(fact.filter), Outcome::ported);
+  site.rule = is_kept ? "kept-filter" : fact.rule;
+  site.level = Level::shared;
+  if (fact.is_gathered) {
+    copied(site, codes::TZC2010, "its elements have strings, so the message is made from the shared bytes");
+  } else if (fact.converts) {
+    copied(site, codes::TZC2010, "the callback takes a cloud of PCL, which is made from the shared bytes");
+  } else if (is_kept && is_filter_of_messages(fact)) {
+    const Obstacle why = why_kept(fact);
+    refuse(site, why, Level::copied);
+    site.reason += ", and message_filters' own class gets a copy, since it may pass it on to a writer";
+  } else if (const std::optional<std::string> why = why_copied(fact)) {
+    copied(site, codes::TZC2001, *why);
+  }
+}
+
+/// Why a filter does not get TZC's class.
+Obstacle SiteDescriber::why_kept(const Subscribe& fact) const {
+  const Decision* filter = decision_of(fact.filter);
+  if (is(filter, Outcome::refused)) return filter->why_not;
+  return {codes::TZC2009, "what holds the filter cannot be given another type", location_of(fact.where)};
+}
+
+/// Whether the filter is a message_filters::Subscriber after the port.
+bool SiteDescriber::has_own_class(const SiteId& id, const Subscribe& fact) const {
+  if (!is_filter_of_messages(fact)) return false;
+  const Component* filter = components_.of(fact.filter);
+  if (!filter || !solution_.ports(filter->id)) return true;
+  const bool is_ported_already = filter->entities.front()->ported;
+  return !is_ported_already && !is(decision_of(id), Outcome::ported);
+}
+
+/// All callbacks that a process has for a topic get one message.
+bool SiteDescriber::shares_with_own_class(const Subscribe& fact) const {
+  return std::any_of(facts_.subscribes.begin(), facts_.subscribes.end(), [&](const auto& item) {
+    const Subscribe& other = item.second;
+    return other.type == fact.type && fact.topic && other.topic == fact.topic &&
+           facts_.share_a_process(fact.where.file, other.where.file) && has_own_class(item.first, other);
+  });
 }
 
 void sort_by_place(std::vector<Site>& sites) {

@@ -55,8 +55,7 @@ class PortEditor {
     for (const GivenPublisher& given : solution_.factories) add_parameter(given);
     for (const auto& item : facts_.advertises) add_advertise(item.second);
     for (const Component& component : components_.all())
-      if (component.subscription && is_ported(component))
-        for (const Change& change : component.subscription->changes) add(change, component.id);
+      if (component.subscription && is_ported(component)) add_subscription(component);
     for (const Component& component : components_.all())
       if (component.publish_call && is_ported(component))
         for (const Change& change : component.publish_call->attaching.changes) add(change, component.id);
@@ -97,6 +96,7 @@ class PortEditor {
   }
   void add(const Change& change, ComponentId component);
   void add_declaration(const Entity& entity, ComponentId component);
+  void add_subscription(const Component& component);
   void add_cut(const EntityId& id, const Cut& cut);
   void add_allocation(const BoundAllocation& allocation);
   void add_call(const BoundAllocation& allocation, const InsertedAllocation& how);
@@ -125,6 +125,13 @@ void PortEditor::add(const Change& change, ComponentId component) {
 void PortEditor::add_declaration(const Entity& entity, ComponentId component) {
   if (separable_.count(entity.id) != 0) return;
   for (const Change& change : entity.changes) add(change, component);
+}
+
+void PortEditor::add_subscription(const Component& component) {
+  const Subscribe& site = *component.subscription;
+  for (const Change& change : site.changes) add(change, component.id);
+  if (ported(site.filter)) return;
+  for (const Change& change : site.changes_if_kept) add(change, component.id);
 }
 
 /// Begins a declaration of its own for a variable whose left neighbour has another fate.

@@ -4,8 +4,18 @@
 #include <algorithm>
 
 #include "model/codes.h"
+#include "model/erase_if.h"
 
 namespace tzc::rewriter {
+namespace {
+
+/// Each transport of image_transport has a topic of its own. roscpp subscribes to a topic once, by the hints of the callback that comes
+/// first, so one that asks for UDPROS may be given what another one shares.
+bool has_another_topic(const Subscribe& site) {
+  return !site.asked_transport.empty() && site.asked_transport != udpros;
+}
+
+}  // namespace
 
 ReceivedWrites::ReceivedWrites(const Facts& facts) : facts_(facts) {
   for (const Flow& flow : facts.flows) {
@@ -47,10 +57,30 @@ bool ReceivedWrites::is_unknown(const Subscribe& site) const {
          std::any_of(uses.begin(), uses.end(), [](const FilterCallbackUse* use) { return use->is_unknown; });
 }
 
-std::set<EntityId> ReceivedWrites::received(const Subscribe& site) const {
-  std::vector<EntityId> open = site.callbacks;
+/// The parameters that receive the message itself, and no copy that is their function's own.
+std::vector<EntityId> ReceivedWrites::shown_to(const Subscribe& site) const {
+  std::vector<EntityId> parameters = site.callbacks;
   for (const FilterCallbackUse* use : registered(site))
-    open.insert(open.end(), use->parameters.begin(), use->parameters.end());
+    parameters.insert(parameters.end(), use->parameters.begin(), use->parameters.end());
+  erase_if(parameters, [&](const EntityId& parameter) {
+    const auto known = facts_.own_parameters.find(parameter);
+    return known != facts_.own_parameters.end() && known->second;
+  });
+  return parameters;
+}
+
+/// No callback sees the message itself: each has a copy to itself, or an object that is made from it.
+bool ReceivedWrites::gives_copies_alone(const Subscribe& site) const {
+  return (takes_own(site) || site.converts) && !is_unknown(site) && shown_to(site).empty();
+}
+
+/// Whether the code may run where the subscription is.
+bool ReceivedWrites::meets(const Subscribe& site, const Location& code) const {
+  return facts_.share_a_process(site.where.file, code.file);
+}
+
+std::set<EntityId> ReceivedWrites::received(const Subscribe& site) const {
+  std::vector<EntityId> open = shown_to(site);
   std::set<EntityId> known;
   while (!open.empty()) {
     const EntityId one = open.back();
@@ -65,16 +95,18 @@ std::set<EntityId> ReceivedWrites::received(const Subscribe& site) const {
 std::optional<Obstacle> ReceivedWrites::write(const Subscribe& site, bool to_array) const {
   const std::set<EntityId> messages = received(site);
   for (const DataWrite& write : facts_.data_writes)
-    if (write.to_array == to_array && messages.count(write.message) != 0) return write.obstacle;
+    if (write.to_array == to_array && messages.count(write.message) != 0 && meets(site, write.obstacle.where))
+      return write.obstacle;
   return {};
 }
 
 std::optional<Obstacle> ReceivedWrites::to_message(const Subscribe& site) const {
+  if (gives_copies_alone(site)) return {};
   for (const EntityId& key : received(site)) {
     const auto entity = facts_.entities.find(key);
     if (entity == facts_.entities.end()) continue;
     for (const Obstacle& obstacle : entity->second.obstacles)
-      if (obstacle.code == codes::TZC2002) return obstacle;
+      if (obstacle.code == codes::TZC2002 && meets(site, obstacle.where)) return obstacle;
   }
   if (const std::optional<Obstacle> array = write(site, true)) return array;
   return untraced_cast(site);
@@ -86,7 +118,9 @@ std::optional<Obstacle> ReceivedWrites::to_message(const Subscribe& site) const 
 std::optional<Obstacle> ReceivedWrites::to_message_of_another(const Subscribe& site) const {
   for (const auto& item : facts_.subscribes) {
     const Subscribe& other = item.second;
-    if (&other == &site || other.type != site.type) continue;
+    if (&other == &site || other.type != site.type || has_another_topic(other) ||
+        !meets(site, location_of(other.where)))
+      continue;
     if (std::optional<Obstacle> write = to_message(other)) {
       write->reason += ", by a callback of another subscription to its type, which may have the same topic";
       return write;
@@ -98,7 +132,8 @@ std::optional<Obstacle> ReceivedWrites::to_message_of_another(const Subscribe& s
 bool ReceivedWrites::shares_with_one_that_takes_own(const Subscribe& site) const {
   return std::any_of(facts_.subscribes.begin(), facts_.subscribes.end(), [&](const auto& item) {
     const Subscribe& other = item.second;
-    return other.type == site.type && site.topic && other.topic == site.topic && takes_own(other);
+    return other.type == site.type && site.topic && other.topic == site.topic &&
+           meets(site, location_of(other.where)) && takes_own(other);
   });
 }
 
@@ -109,7 +144,7 @@ std::optional<Obstacle> ReceivedWrites::untraced_cast(const Subscribe& site) con
         !cast.messages.empty() &&
         std::all_of(cast.messages.begin(), cast.messages.end(),
                     [&](const EntityId& message) { return is_traced(message, !site.filter.empty(), seen); });
-    if (cast.type == site.type && !is_known) return cast.obstacle;
+    if (cast.type == site.type && !is_known && meets(site, cast.obstacle.where)) return cast.obstacle;
   }
   return {};
 }
@@ -134,7 +169,9 @@ std::optional<Obstacle> ReceivedWrites::to_elements(const Subscribe& site) const
     std::set<EntityId> seen;
     const auto message = facts_.entities.find(write.message);
     const bool is_of_type = message != facts_.entities.end() && message->second.type == site.type;
-    if (!write.to_array && is_of_type && !is_traced(write.message, true, seen)) return write.obstacle;
+    if (!write.to_array && is_of_type && meets(site, write.obstacle.where) &&
+        !is_traced(write.message, true, seen))
+      return write.obstacle;
   }
   return {};
 }

@@ -29,6 +29,9 @@ class ReceivedWrites {
 
  private:
   std::vector<const FilterCallbackUse*> registered(const Subscribe& site) const;
+  std::vector<EntityId> shown_to(const Subscribe& site) const;
+  bool gives_copies_alone(const Subscribe& site) const;
+  bool meets(const Subscribe& site, const Location& code) const;
   std::set<EntityId> received(const Subscribe& site) const;
   std::optional<Obstacle> write(const Subscribe& site, bool to_array) const;
   std::optional<Obstacle> untraced_cast(const Subscribe& site) const;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -27,18 +29,48 @@ std::vector<Together> groups_of(const Components& components) {
   return groups;
 }
 
+/// Why the port of one contradicts that of another; none: it does not.
+std::optional<Decision> contradicted(const Together& group, const Components& components,
+                                     const std::map<ComponentId, Decision>& decisions) {
+  std::map<std::tuple<std::string, unsigned, unsigned>, std::string> texts;
+  for (const ComponentId id : group) {
+    if (decisions.at(id).outcome != Outcome::ported) continue;
+    const Subscribe& site = *components[id].subscription;
+    for (const Change& change : site.changes) {
+      const Place& where = change.where;
+      const auto [known, is_new] =
+          texts.emplace(std::make_tuple(where.file, where.begin, where.end), change.text);
+      if (!is_new && known->second != change.text)
+        return refused({codes::TZC1007,
+                        "the instances of a template, or the ways in which the file is compiled, would need "
+                        "another call each",
+                        location_of(site.where)});
+    }
+  }
+  return {};
+}
+
+/// Why none of them can be ported; none: each can, or none was to be.
+std::optional<Decision> why_none(const Together& group, const Components& components,
+                                 const std::map<ComponentId, Decision>& decisions) {
+  const auto refused = std::find_if(group.begin(), group.end(), [&](ComponentId id) {
+    return decisions.at(id).outcome == Outcome::refused;
+  });
+  if (refused != group.end()) return decisions.at(*refused);
+  return contradicted(group, components, decisions);
+}
+
 /// Whether some were refused because of others.
-bool refuse_all_or_none(const Together& group, std::map<ComponentId, Decision>& decisions) {
-  const auto find = [&](Outcome outcome) {
-    return std::find_if(group.begin(), group.end(),
-                        [&](ComponentId id) { return decisions.at(id).outcome == outcome; });
-  };
-  const auto refused = find(Outcome::refused);
-  if (refused == group.end() || find(Outcome::ported) == group.end()) return false;
-  const Decision why = decisions.at(*refused);
+bool refuse_all_or_none(const Together& group, const Components& components,
+                        std::map<ComponentId, Decision>& decisions) {
+  const std::optional<Decision> why = why_none(group, components, decisions);
+  bool is_changed = false;
   for (const ComponentId id : group)
-    if (decisions.at(id).outcome == Outcome::ported) decisions.at(id) = why;
-  return true;
+    if (why && decisions.at(id).outcome == Outcome::ported) {
+      decisions.at(id) = *why;
+      is_changed = true;
+    }
+  return is_changed;
 }
 
 }  // namespace
@@ -47,7 +79,8 @@ void refuse_together(const Components& components, Solution& solution) {
   const std::vector<Together> groups = groups_of(components);
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
-    for (const Together& group : groups) is_changed |= refuse_all_or_none(group, solution.decisions);
+    for (const Together& group : groups)
+      is_changed |= refuse_all_or_none(group, components, solution.decisions);
   }
 }
 

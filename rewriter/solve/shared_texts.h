@@ -7,7 +7,7 @@
 namespace tzc::rewriter {
 
 /// One text subscribes for several instances of a template, and one filter for several calls: it is changed for all of them, or for
-/// none. Refuses the subscriptions that were to be ported beside one that was refused.
+/// none. Refuses the subscriptions that were to be ported beside one that was refused, and those that would change a text in several ways.
 void refuse_together(const Components& components, Solution& solution);
 
 }  // namespace tzc::rewriter

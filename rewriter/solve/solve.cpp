@@ -154,6 +154,7 @@ Decision Solver::decide_publisher(const Component& component) const {
     return refused({codes::TZC1015, "this run leaves everything on TCPROS", first.where});
   if (auto refusal = unwanted(component)) return *refusal;
   if (auto refusal = blocked(component)) return *refusal;
+  if (auto refusal = of_several_types(component)) return *refusal;
   if (sites_.advertised(component).empty()) return refused(not_advertised(first));
   if (sites_.published_by(component).empty() && all_publishers_known())
     return not_needed("nothing in the package publishes with it");
@@ -180,7 +181,8 @@ std::optional<Decision> Solver::contradicted(const Component& component) const {
 }
 
 Decision Solver::decide_filter(const Component& component) const {
-  return blocked(component).value_or(Decision{Outcome::ported, {}, {}});
+  if (auto refusal = blocked(component)) return *refusal;
+  return of_several_types(component).value_or(Decision{Outcome::ported, {}, {}});
 }
 
 /// A publisher all of whose messages are light stays as it is, unless others may publish with it.
@@ -290,7 +292,8 @@ Decision Solver::decide_subscription(const Component& component) const {
                         (options_.wanted && !options_.wanted(site_of(site, options_.packages)));
   if (!site.ported && left_out)
     return refused({codes::TZC2007, "left out by --only, --except or --level", location_of(site.where)});
-  if (!site.filter.empty()) {
+  // A filter that keeps its class needs a call that attaches shared memory, or has one by an earlier run.
+  if (!site.filter.empty() && !site.ported && site.changes_if_kept.empty()) {
     const Decision& filter = solution_.decisions.at(components_.of(site.filter)->id);
     if (filter.outcome == Outcome::refused) return refused(filter.why_not);
   }

@@ -50,31 +50,11 @@ std::vector<const clang::Expr*> origins_of(const clang::Expr* expr) {
   return {};
 }
 
-/// cv_image.toImageMsg(), and what an earlier run made of it
-bool builds_message(const Unit& unit, const clang::CallExpr* call) {
-  const clang::FunctionDecl* function = call->getDirectCallee();
-  if (!function) return false;
-  const std::string name = qualified_name_of(function);
-  return llvm::any_of(unit.rules.methods, [&](const MethodCall* rule) {
-    return rule->role == MethodCall::Role::builds_message &&
-           (name == rule->to || name == std::string(rule->object) + "::" + rule->method);
-  });
-}
-
 /// new Image, make_shared<Image>(), cv_image.toImageMsg()
 bool is_new(const Unit& unit, const clang::Expr* expr) {
   expr = expr->IgnoreUnlessSpelledInSource();
   const auto* call = llvm::dyn_cast<clang::CallExpr>(expr);
   return llvm::isa<clang::CXXNewExpr>(expr) || (call && (makes_object(call) || builds_message(unit, call)));
-}
-
-/// *pointer; null: it is no such expression.
-const clang::Expr* pointer_followed(const clang::Expr* expr) {
-  const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr);
-  if (op && op->getOpcode() == clang::UO_Deref) return op->getSubExpr()->IgnoreParenImpCasts();
-  const auto* call = llvm::dyn_cast<clang::CXXOperatorCallExpr>(expr);
-  const bool follows = call && call->getOperator() == clang::OO_Star && call->getNumArgs() == 1;
-  return follows ? call->getArg(0)->IgnoreParenImpCasts() : nullptr;
 }
 
 class GivenMessages {

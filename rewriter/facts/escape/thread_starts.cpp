@@ -62,6 +62,43 @@ bool is_in_what_runs_once(const Unit& unit, const clang::DynTypedNode& mention) 
          function->getNameAsString() == "onInit";
 }
 
+/// sub_, options_.sub: it lasts, and has one value at a time.
+bool is_one_that_lasts(const clang::Expr* target) {
+  target = target->IgnoreParenImpCasts();
+  if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(target)) {
+    const auto* variable = llvm::dyn_cast<clang::VarDecl>(name->getDecl());
+    return variable && variable->hasGlobalStorage();
+  }
+  const auto* member = llvm::dyn_cast<clang::MemberExpr>(target);
+  return member && (llvm::isa<clang::CXXThisExpr>(member->getBase()->IgnoreParenImpCasts()) ||
+                    (!member->isArrow() && is_one_that_lasts(member->getBase())));
+}
+
+/// sync_->registerCallback(...): a filter calls its callbacks one after the other.
+bool is_given_to_one_filter(const clang::Expr* expr) {
+  static const std::set<std::string> names = {"registerCallback", "setCallback"};
+  const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(expr);
+  const clang::CXXMethodDecl* method = call ? call->getMethodDecl() : nullptr;
+  if (!method || names.count(method->getNameAsString()) == 0) return false;
+  const clang::Expr* object = call->getImplicitObjectArgument()->IgnoreParenImpCasts();
+  const auto* arrow = llvm::dyn_cast<clang::CXXOperatorCallExpr>(object);
+  return is_one_that_lasts(arrow ? arrow->getArg(0) : object);
+}
+
+/// sub_ = nh.subscribe(...): the next call of its function ends what this one began.
+bool ends_the_one_before(const Unit& unit, const clang::Expr* call) {
+  if (is_given_to_one_filter(call)) return true;
+  const auto begin = clang::DynTypedNode::create(*call);
+  for (auto node = written_parent(unit.ast(), begin); node; node = written_parent(unit.ast(), *node)) {
+    if (const auto* variable = node->get<clang::VarDecl>()) return variable->hasGlobalStorage();
+    const auto* expr = node->get<clang::Expr>();
+    const auto* assigned = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(expr);
+    if (assigned) return assigned->getOperator() == clang::OO_Equal && is_one_that_lasts(assigned->getArg(0));
+    if (!expr || !(is_wrapping(expr) || llvm::isa<clang::CXXConstructExpr>(expr))) return false;
+  }
+  return false;
+}
+
 /// What gets a function or closure, bound or wrapped or as it is.
 struct Runner {
   bool has_one_thread = false;
@@ -76,9 +113,10 @@ Runner runner_of(const Unit& unit, const clang::Expr* handed) {
     if (is_wrapping(expr) || llvm::isa<clang::UnaryOperator, clang::ExplicitCastExpr>(expr)) continue;
     const clang::FunctionDecl* function = called_by(expr);
     if (!function) break;
-    const bool may_be_many = is_in_loop(unit, mention);
-    if (runs_one_at_a_time(qualified_name_of(function))) return {!may_be_many, false};
-    if (starts_thread(function)) return {!may_be_many && is_in_what_runs_once(unit, mention), true};
+    const bool runs_once = !is_in_loop(unit, mention) && is_in_what_runs_once(unit, mention);
+    if (runs_one_at_a_time(qualified_name_of(function)))
+      return {runs_once || (!is_in_loop(unit, mention) && ends_the_one_before(unit, expr)), false};
+    if (starts_thread(function)) return {runs_once, true};
     if (!only_wraps(function)) break;
   }
   return {};

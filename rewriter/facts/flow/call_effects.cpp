@@ -5,6 +5,7 @@
 #include "facts/syntax/bound_calls.h"
 #include "facts/syntax/call_place.h"
 #include "facts/syntax/calls.h"
+#include "facts/syntax/library_advertise.h"
 #include "facts/syntax/type_blind.h"
 #include "model/codes.h"
 
@@ -28,10 +29,6 @@ const clang::FunctionDecl* only_candidate(const clang::CallExpr* call) {
   const auto* names = llvm::dyn_cast<clang::UnresolvedLookupExpr>(call->getCallee()->IgnoreParenImpCasts());
   if (!names || names->getNumDecls() != 1) return nullptr;
   return llvm::dyn_cast<clang::FunctionDecl>((*names->decls_begin())->getUnderlyingDecl());
-}
-
-bool casts_const_away(const std::string& function) {
-  return function == "boost::const_pointer_cast" || function == "std::const_pointer_cast";
 }
 
 /// Templates of ROS that read a message of any type by its traits and serializer, which twins have, and keep nothing.
@@ -73,6 +70,11 @@ const clang::CXXConstructorDecl* only_constructor(const clang::CXXRecordDecl* re
 }
 
 }  // namespace
+
+void retype(EntityTable& entities, const EntityId& id, llvm::ArrayRef<clang::TemplateArgumentLoc> written) {
+  for (const clang::TemplateArgumentLoc& argument : written)
+    if (argument.getTypeSourceInfo()) entities.retype(id, argument.getTypeSourceInfo()->getTypeLoc());
+}
 
 bool serves_plain_field(const Unit& unit, const clang::Expr* cast) {
   for (const clang::DynTypedNode& node : ancestors(unit.ast(), *cast)) {
@@ -176,12 +178,16 @@ CallEffect CallEffects::into_swap(const EntityId& id, const clang::CallExpr* cal
   return CallEffect::done;
 }
 
+/// Another pointer to it, whose type the call names.
+CallEffect CallEffects::into_pointer_cast(const EntityId& id, const clang::CallExpr* call) {
+  if (removes_const(call) && !serves_plain_field(unit_, call))
+    entities_.add_obstacle(id, codes::TZC2002, "const is cast away from it", call->getBeginLoc());
+  retype(entities_, id, written_arguments_of(call));
+  return CallEffect::result;
+}
+
 CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr* call, const Passed& passed) {
   const std::string name = qualified_name_of(passed.function);
-  if (casts_const_away(name)) {
-    if (serves_plain_field(unit_, call)) return CallEffect::done;
-    entities_.add_obstacle(id, codes::TZC2002, "const is cast away from it", passed.where);
-  }
   if (swaps(name)) return into_swap(id, call);
   if (entities_.is_message(id) && reads_any_message(name, call)) return CallEffect::done;
   if (const LibraryCall* rule = unit_.rules.find_call(name, passed.argument)) {
@@ -233,6 +239,7 @@ CallEffect CallEffects::of_call(const EntityId& id, const clang::CallExpr* call,
     return CallEffect::done;
   }
   if (passes_through(function)) return CallEffect::result;
+  if (recasts_pointer(unit_, call)) return into_pointer_cast(id, call);
   if (const auto effect = into_bound(id, call, argument)) return *effect;
   const bool is_member_operator =
       llvm::isa<clang::CXXOperatorCallExpr>(call) && llvm::isa<clang::CXXMethodDecl>(function);

@@ -13,6 +13,9 @@ namespace tzc::rewriter {
 /// What a call does with a value: uses it and nothing more, or returns it.
 enum class CallEffect { done, result };
 
+/// Gives an entity the types that a call names: make_shared<Image>(), publish<Image>(image).
+void retype(EntityTable& entities, const EntityId& id, llvm::ArrayRef<clang::TemplateArgumentLoc> written);
+
 /// Whether a cast away from const serves only a field outside of the arrays: that part of a view is private
 /// memory.
 bool serves_plain_field(const Unit& unit, const clang::Expr* cast);
@@ -38,6 +41,7 @@ class CallEffects {
   std::optional<CallEffect> into_bound(const EntityId& id, const clang::Expr* call, unsigned argument);
   void into_new_object(const EntityId& id, const clang::CallExpr* call, unsigned argument);
   CallEffect into_swap(const EntityId& id, const clang::CallExpr* call);
+  CallEffect into_pointer_cast(const EntityId& id, const clang::CallExpr* call);
   void escape(const EntityId& id, const std::string& receiver, clang::SourceLocation where);
   void use_rule(const EntityId& id, const clang::CallExpr* call, const LibraryCall& rule);
   void publish_by_method(const EntityId& id, const clang::CallExpr* call);

@@ -154,7 +154,7 @@ void EntityTable::check_exported(Entity& entity, const clang::ValueDecl* decl) {
 
 void EntityTable::respell(Entity& entity, clang::TypeLoc written) const {
   if (entity.ported) return;
-  Respelling respelling = rewriter::respell(unit_, written);
+  Respelling respelling = rewriter::respell(unit_, written, entity.role);
   for (Change& change : respelling.changes) {
     const bool known = llvm::any_of(entity.changes, [&](const Change& c) {
       return c.where.file == change.where.file && c.where.begin == change.where.begin &&
@@ -191,6 +191,7 @@ EntityId EntityTable::declare(const clang::ValueDecl* decl) {
   Entity& entity = entity_at(id, *carried, [&](Entity& fresh) {
     fresh.storage = storage_of(decl);
     fresh.name = decl->getNameAsString();
+    if (fresh.storage == Storage::global) fresh.member_of.scope = namespaces_around(decl);
     fresh.where = unit_.location(decl->getLocation());
   });
   check_type(entity, *carried);

@@ -74,7 +74,7 @@ FlowSources SourceFinder::of_call(const clang::CallExpr* call) {
     return of(call->getArg(0));
   if (!function) return foreign();
   if (makes_object(call)) return one(entities_.declare_temporary(call));
-  if (passes_through(function)) return of(call->getArg(0));
+  if (passes_through(function) || recasts_pointer(unit_, call)) return of(call->getArg(0));
   const bool advertises = library_advertise_rule(unit_, call) || attaches_publisher(unit_, call);
   if (unit_.declares(function) && !advertises) return one(entities_.declare_result(function));
   if (advertises || unit_.rules.find_ported_function(qualified_name_of(function)))
@@ -110,8 +110,8 @@ FlowSources SourceFinder::of_parts(const clang::InitListExpr* list) {
 }
 
 FlowSources SourceFinder::of_cast(const clang::ExplicitCastExpr* cast) {
-  const bool from_nothing = !carries(cast->getSubExpr()->getType());
-  if (from_nothing && llvm::isa<clang::CStyleCastExpr>(cast)) return foreign();
+  const bool from_elsewhere = !carries(cast->getSubExpr()->getType()) && !is_null(unit_, cast->getSubExpr());
+  if (from_elsewhere && llvm::isa<clang::CStyleCastExpr>(cast)) return foreign();
   return one(entities_.declare_temporary(cast));
 }
 

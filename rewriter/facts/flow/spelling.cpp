@@ -30,12 +30,17 @@ std::string pointer_name(const std::string& twin, clang::QualType type) {
   return name + "<" + twin + (pointee.isConstQualified() ? " const>" : ">");
 }
 
-/// The ported name of a type that is written as one name; empty when there is none.
-std::optional<Spelling> ported_name(const Unit& unit, clang::QualType type) {
+/// The class that a type of something of this role is renamed to; null: none.
+const ClassRename* rename_of(const Unit& unit, clang::QualType type, EntityRole role) {
   const clang::CXXRecordDecl* record = type.getCanonicalType()->getAsCXXRecordDecl();
-  if (record)
-    if (const ClassRename* rename = unit.rules.find_class(qualified_name_of(record)))
-      return spelling_of(*rename, type);
+  const ClassRename* rename = record ? unit.rules.find_class(qualified_name_of(record)) : nullptr;
+  return rename && role_of(*rename) == role ? rename : nullptr;
+}
+
+/// The ported name of a type that is written as one name; empty when there is none.
+std::optional<Spelling> ported_name(const Unit& unit, clang::QualType type, EntityRole role) {
+  if (const ClassRename* rename = rename_of(unit, type, role)) return spelling_of(*rename, type);
+  if (role != EntityRole::message) return {};
   if (const auto message = message_of(type); message && !type->isReferenceType())
     return Spelling{twin_name(message->name), "message-type", {twin_header(message->name)}};
   const clang::QualType pointee = pointee_of(type);
@@ -74,6 +79,15 @@ std::string hidden_arguments(clang::QualType type, const clang::PrintingPolicy& 
   return message ? "<" + stock_name(message->name) + ">" : "";
 }
 
+/// typedef message_filters::Subscriber<M> Sub; of a class template, where the type is written once for all its instances.
+bool is_name_of_instance(clang::TypeLoc type) {
+  const auto name = type.getAs<clang::TypedefTypeLoc>();
+  for (const clang::DeclContext* context = name ? name.getTypedefNameDecl()->getDeclContext() : nullptr;
+       context; context = context->getParent())
+    if (llvm::isa<clang::ClassTemplateSpecializationDecl>(context)) return true;
+  return false;
+}
+
 /// Whether an expression names something of the package that may be ported: then its type changes with that.
 bool names_entity(const Unit& unit, const clang::Stmt* expr) {
   const clang::ValueDecl* decl = nullptr;
@@ -87,7 +101,7 @@ bool names_entity(const Unit& unit, const clang::Stmt* expr) {
 
 class Speller {
  public:
-  explicit Speller(const Unit& unit) : unit_(unit) {}
+  Speller(const Unit& unit, EntityRole role) : unit_(unit), role_(role) {}
 
   void respell(clang::TypeLoc type);
   Respelling result() && { return std::move(result_); }
@@ -103,6 +117,7 @@ class Speller {
   }
 
   const Unit& unit_;
+  const EntityRole role_;
   Respelling result_;
 };
 
@@ -114,10 +129,8 @@ void Speller::change_name(clang::SourceRange tokens, const Spelling& spelling) {
 }
 
 void Speller::respell_template(clang::TemplateSpecializationTypeLoc type, clang::SourceLocation begin) {
-  const clang::CXXRecordDecl* record = type.getType().getCanonicalType()->getAsCXXRecordDecl();
-  if (record)
-    if (const ClassRename* rename = unit_.rules.find_class(qualified_name_of(record)))
-      return change_name({begin, type.getTemplateNameLoc()}, spelling_of(*rename, type.getType()));
+  if (const ClassRename* rename = rename_of(unit_, type.getType(), role_))
+    return change_name({begin, type.getTemplateNameLoc()}, spelling_of(*rename, type.getType()));
   for (unsigned i = 0; i < type.getNumArgs(); ++i)
     if (clang::TypeSourceInfo* argument = type.getArgLoc(i).getTypeSourceInfo())
       respell(argument->getTypeLoc());
@@ -135,11 +148,18 @@ void Speller::respell_name(clang::TypeLoc type, clang::SourceRange tokens,
     return;
   }
   if (type.getAs<clang::TemplateTypeParmTypeLoc>()) return;
-  if (auto spelling = ported_name(unit_, type.getType()); spelling && !spelling->text.empty()) {
-    spelling->text += hidden_arguments(type.getType(), unit_.ast().getPrintingPolicy());
+  if (auto spelling = ported_name(unit_, type.getType(), role_); spelling && !spelling->text.empty()) {
+    const std::string arguments = hidden_arguments(type.getType(), unit_.ast().getPrintingPolicy());
+    if (!arguments.empty() && is_name_of_instance(type))
+      return obstruct(
+          codes::TZC1007,
+          "the name '" + unit_.source.text(tokens) + "' means another type in each instance of a template",
+          tokens.getBegin());
+    spelling->text += arguments;
     return change_name(tokens, *spelling);
   }
-  if (carried_by(type.getType(), unit_.rules) && !respell_qualifier(qualifier))
+  const auto carried = carried_by(type.getType(), unit_.rules);
+  if (carried && carried->role == role_ && !respell_qualifier(qualifier))
     obstruct(codes::TZC1005, "its type hides behind the name '" + unit_.source.text(tokens) + "'",
              tokens.getBegin());
 }
@@ -150,7 +170,8 @@ bool Speller::respell_qualifier(clang::NestedNameSpecifierLoc qualifier) {
   for (; qualifier; qualifier = qualifier.getPrefix()) {
     const clang::TypeLoc type = qualifier.getTypeLoc();
     if (type.isNull()) continue;
-    if (const auto message = message_of(type.getType())) {
+    const auto message = message_of(type.getType());
+    if (message && role_ == EntityRole::message) {
       if (!unit_.has_twin(message->name)) return false;
       change_name({qualifier.getBeginLoc(), type.getEndLoc()},
                   {twin_name(message->name), "message-type", {twin_header(message->name)}});
@@ -166,7 +187,8 @@ bool Speller::respell_qualifier(clang::NestedNameSpecifierLoc qualifier) {
 
 void Speller::respell_decltype(clang::DecltypeTypeLoc type) {
   const clang::Expr* operand = type.getUnderlyingExpr();
-  if (carried_by(type.getType(), unit_.rules) && !names_entity(unit_, operand))
+  const auto carried = carried_by(type.getType(), unit_.rules);
+  if (carried && carried->role == role_ && !names_entity(unit_, operand))
     obstruct(codes::TZC1005,
              "its type hides behind the name '" + unit_.source.text(type.getSourceRange()) + "'",
              type.getBeginLoc());
@@ -192,8 +214,8 @@ void Speller::respell(clang::TypeLoc type) {
 
 }  // namespace
 
-Respelling respell(const Unit& unit, clang::TypeLoc written) {
-  Speller speller(unit);
+Respelling respell(const Unit& unit, clang::TypeLoc written, EntityRole role) {
+  Speller speller(unit, role);
   speller.respell(written);
   return std::move(speller).result();
 }

@@ -16,6 +16,7 @@ struct Respelling {
   std::vector<Obstacle> obstacles;
 };
 
-Respelling respell(const Unit& unit, clang::TypeLoc written);
+/// Of something of that role: a pair of a publisher and a message is ported as the publisher, and the message stays in it.
+Respelling respell(const Unit& unit, clang::TypeLoc written, EntityRole role);
 
 }  // namespace tzc::rewriter

@@ -15,6 +15,12 @@ bool is_writable(clang::QualType type) {
   return !type.isNull() && !type.isConstQualified() && message_of(type);
 }
 
+constexpr const char* loses_its_const = "const is cast away from a message that may be this one";
+
+std::string cast_of_something(clang::QualType from) {
+  return "a message that may be this one is " + cast_from(from);
+}
+
 /// An object, or what a pointer points to.
 bool is_writable_message(const clang::Expr* expr) {
   const clang::QualType pointee = pointee_of(expr->getType());
@@ -42,6 +48,14 @@ std::array<const clang::FunctionDecl*, 2> functions_of(const clang::CXXForRangeS
 }
 
 }  // namespace
+
+FlowSources ValueFlow::sources_of(const clang::Expr* expr, EntityRole role) {
+  FlowSources sources = sources_.of(expr);
+  const auto has_other_role = [&](const EntityId& id) { return entities_[id].role != role; };
+  sources.foreign |= llvm::any_of(sources.entities, has_other_role);
+  llvm::erase_if(sources.entities, has_other_role);
+  return sources;
+}
 
 void ValueFlow::check_source_of(const clang::VarDecl* variable) {
   const EntityId id = entities_.declare(variable);
@@ -71,11 +85,12 @@ void ValueFlow::note_writable(const clang::ExplicitCastExpr* cast) {
     const clang::Expr* message = array && is_data_array(array->getType()) ? array->getBase() : from;
     if (message == from && serves_plain_field(unit_, cast)) return;
     const clang::Expr* of_type = carried_by(message->getType(), unit_.rules) ? message : cast;
-    return add_writable(of_type->getType(), sources_of(message).entities, cast->getBeginLoc());
+    return add_writable({of_type->getType(), sources_of(message).entities, loses_its_const},
+                        cast->getBeginLoc());
   }
   note_as_bytes(cast);
-  if (is_writable_message(cast) && !carried_by(from->getType(), unit_.rules))
-    add_writable(cast->getType(), {}, cast->getBeginLoc());
+  if (is_writable_message(cast) && !carried_by(from->getType(), unit_.rules) && !is_null(unit_, from))
+    add_writable({cast->getType(), {}, cast_of_something(from->getType())}, cast->getBeginLoc());
 }
 
 void ValueFlow::check_call(const clang::CallExpr* call) {
@@ -83,8 +98,11 @@ void ValueFlow::check_call(const clang::CallExpr* call) {
   const clang::FunctionDecl* function = call->getDirectCallee();
   if (!function || call->getNumArgs() != 1 || !is_writable_message(call)) return;
   const clang::Expr* from = call->getArg(0);
-  if (casts_pointer(function) && !is_writable_message(from) && !serves_plain_field(unit_, call))
-    add_writable(call->getType(), sources_of(from).entities, call->getBeginLoc());
+  if (!casts_pointer(function) || is_writable_message(from) || serves_plain_field(unit_, call)) return;
+  const bool is_message = carried_by(from->getType(), unit_.rules).has_value();
+  add_writable({call->getType(), sources_of(from).entities,
+                is_message ? loses_its_const : cast_of_something(from->getType())},
+               call->getBeginLoc());
 }
 
 /// memcpy(&image, &other, sizeof(image)): a pointer to a message is written to as bytes.
@@ -94,24 +112,22 @@ void ValueFlow::note_as_bytes(const clang::Expr* converted) {
   const bool is_bytes = !now.isNull() && !now.isConstQualified() && !now->isAnyPointerType();
   if (is_bytes && !pointer.isNull() && !pointer.isConstQualified() && pointer->isPointerType() &&
       is_writable(pointer->getPointeeType()))
-    add_writable(pointer, {}, converted->getBeginLoc());
+    add_writable({pointer, {}, loses_its_const}, converted->getBeginLoc());
 }
 
 /// Of a union, which may have been given a pointer to a const one.
 void ValueFlow::check_union(const clang::MemberExpr* member) {
   const auto* field = llvm::dyn_cast<clang::FieldDecl>(member->getMemberDecl());
   if (field && field->getParent()->isUnion() && is_writable(pointee_of(field->getType())))
-    add_writable(field->getType(), {}, member->getMemberLoc());
+    add_writable({field->getType(), {}, loses_its_const}, member->getMemberLoc());
 }
 
-void ValueFlow::add_writable(clang::QualType type, std::vector<EntityId> messages,
-                             clang::SourceLocation where) {
-  const std::optional<Carried> carried = carried_by(type, unit_.rules);
+void ValueFlow::add_writable(Writable writable, clang::SourceLocation where) {
+  const std::optional<Carried> carried = carried_by(writable.type, unit_.rules);
   if (carried && carried->message)
-    const_casts_.push_back(
-        {carried->message->name,
-         std::move(messages),
-         {codes::TZC2002, "const is cast away from a message that may be this one", unit_.location(where)}});
+    const_casts_.push_back({carried->message->name,
+                            std::move(writable.messages),
+                            {codes::TZC2002, std::move(writable.reason), unit_.location(where)}});
 }
 
 void ValueFlow::loop_over(const clang::CXXForRangeStmt* loop) {

@@ -16,6 +16,8 @@ class ValueFlow {
       : unit_(unit), entities_(entities), sources_(unit, entities), uses_(unit, entities) {}
 
   FlowSources sources_of(const clang::Expr* expr) { return sources_.of(expr); }
+  /// Those of them that are ported as something of that role. What is a part of another thing is none: it has come from elsewhere.
+  FlowSources sources_of(const clang::Expr* expr, EntityRole role);
   FlowEnd follow(const clang::Expr* leaf, const EntityId& id) { return uses_.follow(leaf, id); }
 
   /// A variable that starts with a message, or publisher, of code outside the package.
@@ -35,7 +37,13 @@ class ValueFlow {
  private:
   void note_writable(const clang::ExplicitCastExpr* cast);
   void note_as_bytes(const clang::Expr* converted);
-  void add_writable(clang::QualType type, std::vector<EntityId> messages, clang::SourceLocation where);
+  /// A message of the type, any or one of these, can be written to from here on.
+  struct Writable {
+    clang::QualType type;
+    std::vector<EntityId> messages;
+    std::string reason;
+  };
+  void add_writable(Writable writable, clang::SourceLocation where);
 
   const Unit& unit_;
   EntityTable& entities_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "facts/sites/containing_object.h"
+#include "facts/sites/taken_results.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/call_place.h"
 #include "facts/syntax/calls.h"
@@ -54,10 +55,41 @@ std::optional<unsigned> offset_of(const AllocationSite& site) {
   return changes.empty() ? std::nullopt : std::optional(changes[0].where.begin);
 }
 
+/// image.height, image->header.stamp: a field that holds no elements.
+bool names_plain_field(clang::ASTContext& ast, const clang::DeclRefExpr* reference) {
+  for (const clang::DynTypedNode& node : ancestors(ast, *reference)) {
+    if (const auto* member = node.get<clang::MemberExpr>()) {
+      const auto* field = llvm::dyn_cast<clang::FieldDecl>(member->getMemberDecl());
+      const auto* record = field ? field->getType()->getAsCXXRecordDecl() : nullptr;
+      if (field)
+        return field->getType()->isArithmeticType() ||
+               (record && qualified_name_of(record) == "std_msgs::Header_");
+    } else if (!node.get<clang::ImplicitCastExpr>() && !node.get<clang::CXXOperatorCallExpr>()) {
+      return false;
+    }
+  }
+  return false;
+}
+
+/// Whether something names a variable, but for its fields without elements.
+class Mention : public AstVisitor {
+ public:
+  Mention(clang::ASTContext& ast, const clang::VarDecl* variable) : ast_(ast), variable_(variable) {}
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
+    found = found || (reference->getDecl() == variable_ && !names_plain_field(ast_, reference));
+    return !found;
+  }
+  bool found = false;
+
+ private:
+  clang::ASTContext& ast_;
+  const clang::VarDecl* const variable_;
+};
+
 class Connector {
  public:
-  Connector(const Unit& unit, const EntityFacts& facts, const std::vector<PublisherMention>& mentions)
-      : unit_(unit), hoisting_(unit), facts_(facts), mentions_(mentions) {}
+  Connector(const Unit& unit, const std::vector<PublisherMention>& mentions)
+      : unit_(unit), hoisting_(unit), mentions_(mentions) {}
 
   /// Finds the site's publishers.
   void connect(AllocationDraft& draft) const {
@@ -82,15 +114,18 @@ class Connector {
     }
   }
 
-  /// For a local message before the publisher that is declared later in the same block.
+  /// For a local message before the publisher that is declared later in the same block. Whoever has filled the message, or has a
+  /// pointer to its elements, has named it.
   std::optional<InsertedAllocation> behind_publisher(const AllocationDraft& draft) const {
     const auto* how = std::get_if<InsertedAllocation>(&draft.site.how);
-    if (!how || !how->at) return {};
+    if (!how || !how->at || !draft.variable) return {};
     for (const PublisherMention& mention : mentions_) {
       if (mention.function != draft.function) continue;
-      const std::optional<Place> at = line_behind(mention);
-      if (!at || at->begin < how->at->begin || at->begin > mention.begin) continue;
-      if (is_filled_before(draft.site.entity, at->line)) return {};
+      const clang::Stmt* declaration = declaration_of(mention);
+      const std::optional<Place> at = line_behind(declaration);
+      if (!at || at->begin < how->at->begin || at->begin > mention.begin ||
+          !is_untouched_until(*draft.variable, declaration))
+        continue;
       InsertedAllocation moved = *how;
       moved.at = at;
       moved.indent = unit_.source.indent(*at);
@@ -101,23 +136,32 @@ class Connector {
   }
 
  private:
-  /// The end of the line that declares a local publisher.
-  std::optional<Place> line_behind(const PublisherMention& mention) const {
+  /// The statement that declares a local publisher; null: it is no such one.
+  const clang::Stmt* declaration_of(const PublisherMention& mention) const {
     const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(mention.object->IgnoreParenImpCasts());
     const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
-    if (!variable || !variable->isLocalVarDecl()) return {};
-    const clang::Stmt* statement = statement_around(unit_, *variable);
+    return variable && variable->isLocalVarDecl() ? statement_around(unit_, *variable) : nullptr;
+  }
+  std::optional<Place> line_behind(const clang::Stmt* statement) const {
     const auto behind = statement ? unit_.source.behind(statement->getSourceRange()) : std::nullopt;
     return behind ? unit_.source.line_end(*behind) : std::nullopt;
   }
-  bool is_filled_before(const EntityId& id, unsigned line) const {
-    return llvm::any_of(facts_.data_uses,
-                        [&](const DataUse& use) { return use.entity == id && use.where.line < line; });
+  /// Whether a later statement of the same block is reached without a use of the message but for fields that are no arrays.
+  bool is_untouched_until(const clang::VarDecl& message, const clang::Stmt* later) const {
+    const clang::Stmt* const first = statement_around(unit_, message);
+    const auto* block = first ? parent_as<clang::CompoundStmt>(unit_.ast(), *first) : nullptr;
+    if (!block || block != parent_as<clang::CompoundStmt>(unit_.ast(), *later)) return false;
+    Mention mention(unit_.ast(), &message);
+    const auto begin = std::find(block->body_begin(), block->body_end(), first);
+    const auto end = std::find(begin, block->body_end(), later);
+    for (auto statement = begin; statement != end; ++statement)
+      if (statement != begin) mention.TraverseStmt(*statement);
+    mention.TraverseStmt(const_cast<clang::Stmt*>(later));
+    return end != block->body_end() && !mention.found;
   }
 
   const Unit& unit_;
   Hoisting hoisting_;
-  const EntityFacts& facts_;
   const std::vector<PublisherMention>& mentions_;
 };
 
@@ -145,6 +189,7 @@ AllocationDraft draft_at(const Unit& unit, const EntityTable& entities, const En
   if (draft.function) {
     draft.site.is_early = is_before_body(unit, draft.function, where.getBeginLoc());
     if (!draft.site.is_early) draft.site.record = record_usr_of(draft.function);
+    draft.site.scope = namespaces_around(draft.function);
     draft.site.function = entities.result_id(draft.function);
   }
   return draft;
@@ -207,9 +252,14 @@ std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::
   if (id.empty() || !statement) return {};
   AllocationDraft draft = draft_at(unit_, entities_, id, *statement);
   draft.site.where = unit_.location(variable->getLocation());
+  draft.variable = variable;
   InsertedAllocation how;
   how.object = variable->getNameAsString();
   if (const clang::Expr* value = variable->getInit()) {
+    if (const std::vector<Change> moved = move_out_of_result(unit_, value); !moved.empty()) {
+      for (const Change& change : moved) entities_.add_use(id, change);
+      return {};
+    }
     const FlowSources sources = flow_.sources_of(value);
     if (is_result(sources) || (is_move(value) && !is_fresh(sources))) return {};
     how.filled = !is_fresh(sources) || is_copy(value);
@@ -235,24 +285,11 @@ bool is_always_made(const Unit& unit, const clang::Expr* made) {
   return true;
 }
 
-class Mention : public AstVisitor {
- public:
-  explicit Mention(const clang::VarDecl* variable) : variable_(variable) {}
-  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
-    found = found || reference->getDecl() == variable_;
-    return !found;
-  }
-  bool found = false;
-
- private:
-  const clang::VarDecl* const variable_;
-};
-
 /// auto image = make_shared<Image>(), other = std::move(image);
 bool is_used_behind(const Unit& unit, const clang::VarDecl* variable) {
   const auto* statement = parent_as<clang::DeclStmt>(unit.ast(), *variable);
   if (!statement) return false;
-  Mention mention(variable);
+  Mention mention(unit.ast(), variable);
   for (auto at = std::find(statement->decl_begin(), statement->decl_end(), variable);
        at != statement->decl_end(); ++at)
     if (*at != variable) mention.TraverseDecl(*at);
@@ -298,6 +335,7 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
   how.filled = source && source->isLValue();
   if (end.variable && !llvm::isa<clang::ParmVarDecl>(end.variable)) {
     how.object = "*" + end.variable->getNameAsString();
+    draft.variable = end.variable;
     place_behind(how, statement_around(unit_, *end.variable));
   } else if (end.target && end.statement) {
     how.object = "*" + unit_.text(end.target->IgnoreImpCasts());
@@ -343,15 +381,17 @@ std::optional<AllocationDraft> AllocationCollector::of_part(const clang::Expr* p
   return draft;
 }
 
-AllocationSite connected(const Unit& unit, const EntityFacts& facts, AllocationDraft draft,
+AllocationSite connected(const Unit& unit, AllocationDraft draft,
                          const std::vector<PublisherMention>& mentions) {
-  const Connector connector(unit, facts, mentions);
+  const Connector connector(unit, mentions);
   connector.connect(draft);
   if (!draft.site.publishers.empty()) return std::move(draft.site);
   if (const std::optional<InsertedAllocation> moved = connector.behind_publisher(draft)) {
-    draft.site.how = *moved;
-    draft.site.unnameable.clear();
-    connector.connect(draft);
+    AllocationDraft later = draft;
+    later.site.how = *moved;
+    later.site.unnameable.clear();
+    connector.connect(later);
+    if (!later.site.publishers.empty()) return std::move(later.site);
   }
   return std::move(draft.site);
 }

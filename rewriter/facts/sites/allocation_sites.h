@@ -14,7 +14,8 @@ namespace tzc::rewriter {
 /// An allocation site before it is known which publishers are available there.
 struct AllocationDraft {
   AllocationSite site;
-  const clang::FunctionDecl* function;  ///< around it
+  const clang::FunctionDecl* function;       ///< around it
+  const clang::VarDecl* variable = nullptr;  ///< that is declared with the message; null: none
 };
 
 /// The site of an entity, with its place and function.
@@ -49,9 +50,9 @@ class AllocationCollector {
   ValueFlow& flow_;
 };
 
-/// The site with the publishers of its function that are available there. It may move after a publisher that
-/// is declared later.
-AllocationSite connected(const Unit& unit, const EntityFacts& facts, AllocationDraft draft,
+/// The site with the publishers of its function that are available there. It may move after a publisher that is declared later in
+/// the same block, while nothing has touched the message's arrays.
+AllocationSite connected(const Unit& unit, AllocationDraft draft,
                          const std::vector<PublisherMention>& mentions);
 
 }  // namespace tzc::rewriter

@@ -8,6 +8,7 @@
 
 #include "facts/sites/later_writes.h"
 #include "facts/syntax/calls.h"
+#include "model/facts.h"
 #include "parse/names.h"
 
 namespace tzc::rewriter {
@@ -49,8 +50,7 @@ std::string asked_transport(llvm::ArrayRef<const clang::Expr*> arguments) {
       const std::optional<std::string> name = constant_string(initial_value(argument));
       if (name && *name != "raw") return "the transport '" + *name + "'";
     }
-    if (is_of_class(argument, "ros::TransportHints") && asks_for_udp(initial_value(argument)))
-      return "UDPROS";
+    if (is_of_class(argument, "ros::TransportHints") && asks_for_udp(initial_value(argument))) return udpros;
   }
   return "";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/sites/filter_sites.h"
 
+#include "facts/sites/argument_order.h"
 #include "facts/sites/asked_transport.h"
 #include "facts/sites/callback_functions.h"
 #include "facts/sites/callback_parameter.h"
@@ -53,7 +54,7 @@ Subscribe FilterCollector::site_of(const Construction& construction, const Entit
   const std::string name = qualified_name_of(construction.record);
   const ClassRename* rename = unit_.rules.find_class_or_ported(name);
   if (rename) site.rule = rename->rule;
-  site.ported = unit_.rules.find_ported_class(name) != nullptr;
+  site.ported = construction.is_attached || unit_.rules.find_ported_class(name) != nullptr;
   const auto* templated = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(construction.record);
   if (const clang::QualType type = first_argument(templated); !type.isNull())
     describe_type(site, type, unit_.ast().getPrintingPolicy());
@@ -61,7 +62,11 @@ Subscribe FilterCollector::site_of(const Construction& construction, const Entit
     if (!site.topic && !argument->getType()->isArithmeticType()) site.topic = constant_string(argument);
   site.asked_transport = asked_transport(construction.arguments);
   site.scope = scope_of(construction.expr);
-  if (filter.empty())
+  site.changes_if_kept = construction.changes_if_kept;
+  if (site.converts && !site.changes_if_kept.empty()) site.changes_if_kept[0].headers.push_back("tzc/pcl.h");
+  // A library's own, or a base: whatever others register with it.
+  site.is_unknown = filter.empty();
+  if (filter.empty() && site.changes_if_kept.empty() && !construction.is_attached)
     site.obstacles.push_back(
         {codes::TZC2009, "what holds the filter cannot be given another type", location_of(site.where)});
   return site;
@@ -76,13 +81,51 @@ std::string FilterCollector::scope_of(const clang::Expr* expr) const {
   return "";
 }
 
+EntityId FilterCollector::filter_of(const clang::Expr* object) {
+  const FlowSources sources = flow_.sources_of(object, EntityRole::filter);
+  return sources.entities.empty() ? EntityId() : sources.entities[0];
+}
+
 std::optional<Subscribe> FilterCollector::of_call(const clang::CXXMemberCallExpr* call) {
   if (call->getNumArgs() < 2) return {};
   const Receiver receiver = receiver_of(call);
   if (!receiver.expr) return {};
-  const FlowSources sources = flow_.sources_of(receiver.expr);
-  return site_of({call, call->getRecordDecl(), arguments_of(call)},
-                 sources.entities.empty() ? EntityId() : sources.entities[0]);
+  return site_of({call, call->getMethodDecl()->getParent(), arguments_of(call), false, changes_if_kept(call)},
+                 filter_of(receiver.expr));
+}
+
+/// The edits that have the call attach shared memory to its topic; empty: they cannot be made.
+std::vector<Change> FilterCollector::changes_if_kept(const clang::CXXMemberCallExpr* call) const {
+  const MethodCall* rule =
+      unit_.rules.find_filter_call(qualified_name_of(call->getMethodDecl()->getParent()));
+  const auto* callee = llvm::dyn_cast<clang::MemberExpr>(call->getCallee()->IgnoreParens());
+  // Subscriber<M>::subscribe(...) does not call what overrides it, perhaps the function around it.
+  if (!rule || !callee || callee->hasQualifier()) return {};
+  // Other instances may have another class there.
+  if (is_instance(enclosing_function(unit_.ast(), *call)) || order_matters(unit_, call)) return {};
+  return receiver_first(unit_, call, {rule->to, rule->rule, rule->header});
+}
+
+bool FilterCollector::attaches(const clang::CallExpr* call) const {
+  const clang::FunctionDecl* function = call->getNumArgs() >= 3 ? call->getDirectCallee() : nullptr;
+  return function && unit_.rules.is_filter_call(qualified_name_of(function));
+}
+
+std::optional<Subscribe> FilterCollector::of_attached(const clang::CallExpr* call) {
+  const clang::Expr* object = call->getArg(0);
+  const clang::CXXRecordDecl* record = object->getType()->getAsCXXRecordDecl();
+  if (!is_filter(record)) return {};
+  const EntityId filter = filter_of(object);
+  if (!filter.empty()) subscribe_by_method(filter, call);
+  return site_of({call, record, arguments_of(call).drop_front(), true}, filter);
+}
+
+/// tzc::message_filters::subscribe(filter, nh, "topic", 1) -> filter.subscribe(nh, "topic", 1), when the filter gets TZC's class.
+void FilterCollector::subscribe_by_method(const EntityId& filter, const clang::CallExpr* call) {
+  const std::vector<Change> changes = receiver_back(unit_, call, {"subscribe", "kept-filter", nullptr});
+  for (const Change& change : changes) entities_.add_use(filter, change);
+  if (changes.empty())
+    entities_.add_obstacle(filter, codes::TZC1006, "the call comes from a macro", call->getBeginLoc());
 }
 
 std::optional<Subscribe> FilterCollector::of_construction(const clang::CXXConstructExpr* construct) {
@@ -98,6 +141,7 @@ std::optional<Subscribe> FilterCollector::of_construction(const clang::CXXConstr
 }
 
 std::optional<Subscribe> FilterCollector::of_made(const clang::CallExpr* call, const EntityId& filter) {
+  if (attaches(call)) return of_attached(call);
   const clang::CXXRecordDecl* record = class_that_is_made(call);
   if (call->getNumArgs() < 2 || !is_filter(record)) return {};
   return site_of({call, record, arguments_of(call)}, filter);
@@ -118,8 +162,7 @@ std::optional<Subscribe> FilterCollector::of_emplaced(const clang::CXXMemberCall
     const clang::CXXRecordDecl* record = held.getAsType()->getAsCXXRecordDecl();
     const llvm::ArrayRef<const clang::Expr*> arguments = emplaced_from(call, i == 1);
     if (!is_filter(record) || arguments.size() < 2) continue;
-    const FlowSources sources = flow_.sources_of(call->getImplicitObjectArgument());
-    return site_of({call, record, arguments}, sources.entities.empty() ? EntityId() : sources.entities[0]);
+    return site_of({call, record, arguments}, filter_of(call->getImplicitObjectArgument()));
   }
   return {};
 }

@@ -3,8 +3,10 @@
 
 #include <clang/AST/ExprCXX.h>
 
+#include <map>
 #include <optional>
-#include <set>
+#include <string>
+#include <vector>
 
 #include "facts/flow/value_flow.h"
 
@@ -22,7 +24,7 @@ class FilterCollector {
   std::optional<Subscribe> of_call(const clang::CXXMemberCallExpr* call);
   /// Subscriber<M> filter(nh, "topic", 1)
   std::optional<Subscribe> of_construction(const clang::CXXConstructExpr* construct);
-  /// make_shared<Subscriber<M>>(nh, "topic", 1)
+  /// make_shared<Subscriber<M>>(nh, "topic", 1); or tzc::message_filters::subscribe(filter, nh, "topic", 1), which an earlier run wrote
   std::optional<Subscribe> of_made(const clang::CallExpr* call, const EntityId& filter);
   /// subscribers.emplace_back(nh, "topic", 1)
   std::optional<Subscribe> of_emplaced(const clang::CXXMemberCallExpr* call);
@@ -35,8 +37,15 @@ class FilterCollector {
     const clang::Expr* expr;
     const clang::CXXRecordDecl* record;  ///< the filter's class
     llvm::ArrayRef<const clang::Expr*> arguments;
+    bool is_attached = false;  ///< by an earlier run
+    std::vector<Change> changes_if_kept{};
   };
   Subscribe site_of(const Construction& construction, const EntityId& filter) const;
+  std::optional<Subscribe> of_attached(const clang::CallExpr* call);
+  void subscribe_by_method(const EntityId& filter, const clang::CallExpr* call);
+  std::vector<Change> changes_if_kept(const clang::CXXMemberCallExpr* call) const;
+  bool attaches(const clang::CallExpr* call) const;
+  EntityId filter_of(const clang::Expr* object);
   void note_callback(std::map<FilterCallback, FilterCallbackUse>& callbacks,
                      const clang::FunctionDecl* function, FilterCallback where) const;
   std::string scope_of(const clang::Expr* expr) const;

@@ -3,6 +3,7 @@
 
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/calls.h"
+#include "facts/syntax/library_advertise.h"
 #include "facts/syntax/message_type.h"
 #include "parse/ast_visitor.h"
 
@@ -84,6 +85,25 @@ std::optional<clang::QualType> options_message(const Unit& unit, const clang::Ex
     if (type) found = type;
   }
   return found;
+}
+
+std::string written_options_message(const Unit& unit, const clang::Expr* options) {
+  for (const clang::CallExpr* call : options_calls(unit, options))
+    for (const clang::TemplateArgumentLoc& argument : written_arguments_of(call)) {
+      if (argument.getArgument().getKind() != clang::TemplateArgument::Type) continue;
+      const clang::QualType type = argument.getArgument().getAsType();
+      if (message_of(type) && !type->isReferenceType() && !type.isConstQualified())
+        return unit.source.text(argument.getSourceRange());
+    }
+  return "";
+}
+
+bool are_of_pattern(const clang::Expr* options) {
+  options = options->IgnoreParenImpCasts();
+  const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(options);
+  const auto* member = llvm::dyn_cast<clang::MemberExpr>(options);
+  const clang::ValueDecl* decl = name ? name->getDecl() : member ? member->getMemberDecl() : nullptr;
+  return decl && decl->getDeclContext()->isDependentContext();
 }
 
 }  // namespace tzc::rewriter

@@ -63,7 +63,7 @@ bool describe_type(Publish& site, const Unit& unit, const clang::Expr* argument)
     site.pcl = true;
   } else if (is_cv_image(type)) {
     site.type = "sensor_msgs/Image";
-    site.pcl = true;
+    site.pcl = site.by_serializer = true;
   } else {
     site.type = type.getAsString();
     site.obstacles.push_back({codes::TZC1012, "the type of what is published is '" + site.type + "'",
@@ -76,9 +76,12 @@ void describe_message(Publish& site, const Unit& unit, ValueFlow& flow, const cl
   if (!describe_type(site, unit, argument)) return;
   const clang::QualType pointee = pointee_of(argument->getType());
   const bool is_message = message_of(pointee.isNull() ? argument->getType() : pointee).has_value();
-  const FlowSources sources = flow.sources_of(argument);
+  const FlowSources sources = flow.sources_of(argument, EntityRole::message);
   site.messages = sources.entities;
-  if (sources.foreign && is_message && site.has_data_part)
+  if (flow.sources_of(argument).entities.size() != sources.entities.size())
+    site.obstacles.push_back({codes::TZC1001, "it lies beside a publisher or filter in one pair or tuple",
+                              unit.location(argument->getBeginLoc())});
+  else if (sources.foreign && is_message && site.has_data_part)
     site.obstacles.push_back({codes::TZC1013, builder_of(argument) + " builds the message",
                               unit.location(argument->getBeginLoc())});
 }
@@ -110,7 +113,7 @@ std::optional<PublisherMention> describe_publisher(PublishCall& result, const Un
   Publish& site = result.site;
   const Receiver receiver = receiver_of(call);
   if (!receiver.expr) return {};
-  result.publishers = flow.sources_of(receiver.expr);
+  result.publishers = flow.sources_of(receiver.expr, EntityRole::publisher);
   if (!result.publishers.entities.empty()) site.publisher = result.publishers.entities[0];
   site.publisher_text = unit.text(receiver.expr) + (receiver.pointer ? "->" : ".");
   return PublisherMention{receiver.expr,
@@ -146,7 +149,7 @@ std::vector<EntityId> messages_among(const Unit& unit, ValueFlow& flow, const cl
   for (const clang::Expr* argument : call->arguments()) {
     const auto carried = carried_by(argument->getType(), unit.rules);
     if (!carried || carried->role != EntityRole::message) continue;
-    const FlowSources sources = flow.sources_of(argument);
+    const FlowSources sources = flow.sources_of(argument, EntityRole::message);
     messages.insert(messages.end(), sources.entities.begin(), sources.entities.end());
   }
   return messages;
@@ -183,7 +186,7 @@ Publish attached_publish(const Unit& unit, ValueFlow& flow, const clang::CallExp
   const clang::Expr* argument = written(call->getArg(1));
   describe_message(site, unit, flow, argument);
   describe_object(site, unit, argument);
-  const FlowSources publishers = flow.sources_of(call->getArg(0));
+  const FlowSources publishers = flow.sources_of(call->getArg(0), EntityRole::publisher);
   if (!publishers.entities.empty()) site.publisher = publishers.entities[0];
   return site;
 }
@@ -195,7 +198,7 @@ std::vector<PublisherMention> publisher_arguments(const Unit& unit, ValueFlow& f
   for (const clang::Expr* argument : call->arguments()) {
     const auto carried = carried_by(argument->getType(), unit.rules);
     if (!carried || carried->role != EntityRole::publisher) continue;
-    const FlowSources sources = flow.sources_of(argument);
+    const FlowSources sources = flow.sources_of(argument, EntityRole::publisher);
     if (sources.entities.empty()) continue;
     mentions.push_back({argument->IgnoreImplicit(), !pointee_of(argument->getType()).isNull(),
                         sources.entities[0], messages_among(unit, flow, call),

@@ -5,6 +5,7 @@
 #include "facts/sites/asked_transport.h"
 #include "facts/sites/callback_functions.h"
 #include "facts/sites/callback_parameter.h"
+#include "facts/syntax/ast_walk.h"
 #include "facts/syntax/call_place.h"
 #include "facts/syntax/calls.h"
 #include "model/codes.h"
@@ -19,14 +20,35 @@ void describe(Subscribe& site, const CallbackParameter& parameter) {
   site.converts = parameter.converts;
 }
 
+/// nh.subscribe(options): which message they are for, and how tzc::subscribe<M>(nh, options) names it. Instances of a template share the
+/// call, so it names what the template does.
+std::string describe_options(Subscribe& site, CallbackParameter& parameter, const Unit& unit,
+                             const clang::CallExpr* call) {
+  const clang::Expr* options = call->getArg(0);
+  const auto type = options_message(unit, options);
+  if (!type) return "";
+  parameter.message = message_of(*type);
+  const bool is_shared = is_instance(enclosing_function(unit.ast(), *call));
+  const std::string name =
+      is_shared ? written_options_message(unit, options) : stock_name(parameter.message->name);
+  if (name.empty())
+    site.obstacles.push_back({codes::TZC1007,
+                              "the template does not name the message that its instances' options are for",
+                              location_of(site.where)});
+  return name;
+}
+
 }  // namespace
 
-/// The parameters of the functions that the call is given.
+/// The parameters that receive the message, of the functions that the call is given. A camera's subscription has another one beside it.
 void SubscribeCollector::add_callbacks(Subscribe& site, const clang::CallExpr* call) {
   site.is_unknown = site.is_unknown || calls_unknown_functions(unit_, call);
   for (const clang::FunctionDecl* function : callback_functions(unit_, call))
-    for (const clang::ParmVarDecl* parameter : function->parameters())
+    for (const clang::ParmVarDecl* parameter : function->parameters()) {
+      const auto carried = carried_by(parameter->getType(), unit_.rules);
+      if (!carried || !carried->message || carried->message->name != site.type) continue;
       if (const EntityId id = entities_.declare(parameter); !id.empty()) site.callbacks.push_back(id);
+    }
 }
 
 Subscribe SubscribeCollector::site_at(const clang::CallExpr* call, const MethodCall& rule) const {
@@ -43,10 +65,7 @@ Subscribe SubscribeCollector::of_call(const clang::CXXMemberCallExpr* call, cons
   CallbackParameter parameter = callback_parameter_of(call);
   std::string written = written_template_arguments(unit_, call);
   if (!parameter.message && written_arguments(call) == 1)
-    if (const auto type = options_message(unit_, call->getArg(0))) {
-      parameter.message = message_of(*type);
-      written = stock_name(parameter.message->name);
-    }
+    written = describe_options(site, parameter, unit_, call);
   describe(site, parameter);
   add_callbacks(site, call);
   if (written_arguments(call) == 1) add_options(site, call->getArg(0));

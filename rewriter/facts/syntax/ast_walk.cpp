@@ -108,6 +108,16 @@ std::string record_usr_of(const clang::FunctionDecl* function) {
   return "";
 }
 
+std::string namespaces_around(const clang::Decl* decl) {
+  std::string names;
+  for (const clang::DeclContext* context = decl->getDeclContext(); context; context = context->getParent()) {
+    const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(context);
+    if (space && !space->isAnonymousNamespace())
+      names = space->getNameAsString() + (names.empty() ? "" : "::" + names);
+  }
+  return names;
+}
+
 const clang::Expr* converted(const clang::Expr* expr) {
   if (const auto* cast = llvm::dyn_cast<clang::CastExpr>(expr)) return cast->getSubExpr();
   if (const auto* full = llvm::dyn_cast<clang::FullExpr>(expr)) return full->getSubExpr();

@@ -70,6 +70,9 @@ bool is_instance(const clang::FunctionDecl* function);
 /// USR of the class whose `this` the function has, a lambda that of the function around it. Empty: none.
 std::string record_usr_of(const clang::FunctionDecl* function);
 
+/// The names of the namespaces around a declaration, "a::b"; those without a name need none.
+std::string namespaces_around(const clang::Decl* decl);
+
 /// Whether nothing uses the value of an expression: it is a statement of its own, or a part of one that has no value.
 bool is_statement(clang::ASTContext& ast, const clang::Expr& expr);
 

@@ -72,6 +72,18 @@ bool casts_pointer(const clang::FunctionDecl* function) {
   return function && function->getIdentifier() && function->getName().ends_with("_pointer_cast");
 }
 
+bool recasts_pointer(const Unit& unit, const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!casts_pointer(function) || unit.declares(function) || call->getNumArgs() != 1 ||
+      llvm::isa<clang::CXXMethodDecl>(function))
+    return false;
+  const auto from = carried_by(call->getArg(0)->getType(), unit.rules);
+  const auto to = carried_by(call->getType(), unit.rules);
+  if (!from || !to || from->role != to->role || from->rename != to->rename) return false;
+  if (!from->message || !to->message) return !from->message && !to->message;
+  return from->message->name == to->message->name;
+}
+
 bool makes_object(const clang::CallExpr* call) {
   static const std::set<std::string> names = {"boost::make_shared", "std::make_shared", "std::make_unique",
                                               "boost::make_unique"};
@@ -86,6 +98,24 @@ const clang::CXXRecordDecl* class_that_is_made(const clang::CallExpr* call) {
   if (!arguments || arguments->size() == 0 || (*arguments)[0].getKind() != clang::TemplateArgument::Type)
     return nullptr;
   return (*arguments)[0].getAsType()->getAsCXXRecordDecl();
+}
+
+bool builds_message(const Unit& unit, const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function) return false;
+  const std::string name = qualified_name_of(function);
+  return llvm::any_of(unit.rules.methods, [&](const MethodCall* rule) {
+    return rule->role == MethodCall::Role::builds_message &&
+           (name == rule->to || name == std::string(rule->object) + "::" + rule->method);
+  });
+}
+
+const clang::Expr* pointer_followed(const clang::Expr* expr) {
+  const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr);
+  if (op && op->getOpcode() == clang::UO_Deref) return op->getSubExpr()->IgnoreParenImpCasts();
+  const auto* call = llvm::dyn_cast<clang::CXXOperatorCallExpr>(expr);
+  const bool follows = call && call->getOperator() == clang::OO_Star && call->getNumArgs() == 1;
+  return follows ? call->getArg(0)->IgnoreParenImpCasts() : nullptr;
 }
 
 bool is_single_subscriber(const std::string& name) {
@@ -107,6 +137,19 @@ bool removes_const(const clang::ExplicitCastExpr* cast) {
   if (cast->isGLValue()) return loses_const(before, after);
   const clang::QualType from = pointee_of(before), to = pointee_of(after);
   return !before->isArrayType() && !from.isNull() && !to.isNull() && loses_const(from, to);
+}
+
+bool removes_const(const clang::CallExpr* pointer_cast) {
+  return loses_const(pointee_of(pointer_cast->getArg(0)->getType()), pointee_of(pointer_cast->getType()));
+}
+
+bool is_null(const Unit& unit, const clang::Expr* pointer) {
+  return pointer->isNullPointerConstant(unit.ast(), clang::Expr::NPC_ValueDependentIsNotNull) !=
+         clang::Expr::NPCK_NotNull;
+}
+
+std::string cast_from(clang::QualType type) {
+  return "cast from '" + type.getAsString() + "', which does not tell what lies there";
 }
 
 const clang::CallExpr* call_behind(const clang::Expr* value) {

@@ -143,11 +143,20 @@ class MadeVector {
                    .getCanonicalType()
                    .getUnqualifiedType() == element_of(made).getCanonicalType().getUnqualifiedType();
   }
-  /// vector(first, last)
+  /// vector(first, last), which may be pointers to anything: Array::assign reads its own elements before they move, and before it
+  /// writes there, if they are not smaller than those that it writes.
   bool copies_others(const clang::CXXConstructExpr* made) const {
+    if (!made->getConstructor()->getPrimaryTemplate()) return false;
     const clang::Expr* first = elements_of(made->getArg(0));
     const clang::Expr* last = elements_of(made->getArg(1));
-    return made->getConstructor()->getPrimaryTemplate() && first && last && is_owner(first) && is_owner(last);
+    return (first && last && is_owner(first) && is_owner(last)) ||
+           (is_large_pointer(made->getArg(0), made) && is_large_pointer(made->getArg(1), made));
+  }
+  bool is_large_pointer(const clang::Expr* expr, const clang::CXXConstructExpr* made) const {
+    const clang::QualType type = expr->IgnoreParenImpCasts()->getType();
+    const clang::QualType pointee = type->isPointerType() ? type->getPointeeType() : clang::QualType();
+    return !pointee.isNull() && !pointee->isDependentType() && !pointee->isIncompleteType() &&
+           unit_.ast().getTypeSize(pointee) >= unit_.ast().getTypeSize(element_of(made));
   }
   static bool is_counted(const clang::CXXConstructExpr* made) {
     return !made->getConstructor()->getPrimaryTemplate() &&

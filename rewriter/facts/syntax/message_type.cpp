@@ -179,10 +179,7 @@ std::optional<Carried> carried_at(clang::QualType type, const RuleSet& rules, un
   if (!record) return {};
   const std::string name = qualified_name_of(record);
   if (const ClassRename* rename = rules.find_class_or_ported(name)) {
-    const EntityRole role = rename->role == ClassRename::Role::publisher ? EntityRole::publisher
-                            : rename->role == ClassRename::Role::filter  ? EntityRole::filter
-                                                                         : EntityRole::message;
-    return Carried{role, {}, rename, name != rename->from};
+    return Carried{role_of(*rename), {}, rename, name != rename->from};
   }
   if (std::optional<MessageType> message = message_of(record)) {
     if (!message->has_data_part) return {};
@@ -225,6 +222,11 @@ bool is_part_of_service(const clang::ClassTemplateSpecializationDecl* message) {
 }
 
 }  // namespace
+
+EntityRole role_of(const ClassRename& rename) {
+  if (rename.role == ClassRename::Role::publisher) return EntityRole::publisher;
+  return rename.role == ClassRename::Role::filter ? EntityRole::filter : EntityRole::message;
+}
 
 std::optional<MessageType> message_of(const clang::CXXRecordDecl* record) {
   const auto* templated = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(record);

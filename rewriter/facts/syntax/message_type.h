@@ -33,6 +33,8 @@ struct Carried {
   bool ported = false;  ///< it is the class that `rename` writes
 };
 
+EntityRole role_of(const ClassRename& rename);
+
 /// The message struct that a record is, by the shape that gencpp gives it.
 std::optional<MessageType> message_of(const clang::CXXRecordDecl* record);
 

@@ -47,6 +47,15 @@ TEST(ApplyEdits, overlap_names_both_rules) {
 TEST(ApplyEdits, different_replacements_of_one_place_overlap) {
   EXPECT_NE(applied("abcd", {edit(0, 3, "x"), edit(0, 3, "y")}).find("overlap"), std::string::npos);
 }
+TEST(ApplyEdits, overlaps_are_found_in_all_files_and_duplicates_are_none) {
+  Edits edits = {edit(0, 3, "x"), edit(0, 3, "x"), edit(1, 1, "y"), edit(2, 0, "z"), edit(3, 1, "w")};
+  edits.push_back(edit(2, 2, "v"));
+  edits.back().file = "/p/b.cpp";
+  const auto found = overlaps(edits);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].first.text + found[0].second.text, "xy");
+  EXPECT_EQ(found[1].first.text + found[1].second.text, "xz");
+}
 TEST(ApplyEdits, insertion_inside_a_replacement_overlaps) {
   EXPECT_NE(applied("abcd", {edit(0, 3, "x"), edit(1, 0, "y")}).find("overlap"), std::string::npos);
 }

@@ -11,6 +11,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::Pair;
 using ::testing::UnorderedElementsAre;
 
 /// Each flow as "from > to: how".
@@ -74,6 +75,50 @@ TEST(Flow, casting_const_away_is_an_obstacle) {
   const Facts facts =
       facts_of("void f(const sensor_msgs::Image& in) { const_cast<sensor_msgs::Image&>(in).data.clear(); }");
   EXPECT_THAT(obstacles(facts, "in"), Contains("TZC2002"));
+}
+
+TEST(Flow, a_pointer_cast_leads_to_the_message_that_it_is_given) {
+  const Facts facts = facts_of(
+      "void f(ros::Publisher& pub, const sensor_msgs::ImagePtr& in) { "
+      "pub.publish(boost::const_pointer_cast<const sensor_msgs::Image>(in)); }");
+  EXPECT_THAT(published(facts), ElementsAre("in"));
+  EXPECT_THAT(obstacles(facts, "in"), IsEmpty());
+  EXPECT_THAT(facts.const_casts, IsEmpty());
+}
+
+TEST(Flow, a_pointer_cast_that_takes_const_away_is_an_obstacle) {
+  const Facts facts = facts_of(
+      "void f(const sensor_msgs::ImageConstPtr& in) { "
+      "boost::const_pointer_cast<sensor_msgs::Image>(in)->data.clear(); }");
+  EXPECT_THAT(obstacles(facts, "in"), Contains("TZC2002"));
+  ASSERT_EQ(facts.const_casts.size(), 1u);
+  EXPECT_EQ(facts.const_casts[0].messages.size(), 1u);
+}
+
+TEST(Flow, a_null_pointer_leads_to_no_message) {
+  const Facts facts = facts_of(
+      "void look(const sensor_msgs::ImagePtr&) {}\n"
+      "void look_at(const sensor_msgs::Image*) {}\n"
+      "void f() { look(sensor_msgs::ImagePtr(nullptr)); look_at((sensor_msgs::Image*)NULL); "
+      "look_at(static_cast<sensor_msgs::Image*>(0)); }");
+  EXPECT_THAT(facts.const_casts, IsEmpty());
+}
+
+TEST(Flow, what_a_void_pointer_leads_to_is_not_known) {
+  const Facts facts =
+      facts_of("void f(void* user) { static_cast<sensor_msgs::Image*>(user)->data.clear(); }");
+  ASSERT_EQ(facts.const_casts.size(), 1u);
+  EXPECT_EQ(facts.const_casts[0].obstacle.reason,
+            "a message that may be this one is cast from 'void *', which does not tell what lies there");
+}
+
+TEST(Flow, a_parameter_may_be_the_functions_own_message) {
+  const Facts facts = facts_of(
+      "void f(sensor_msgs::Image value, const sensor_msgs::ImagePtr& own, "
+      "const sensor_msgs::ImageConstPtr& shown) {}");
+  std::map<std::string, bool> own;
+  for (const auto& [id, is_own] : facts.own_parameters) own[facts.entities.at(id).name] = is_own;
+  EXPECT_THAT(own, UnorderedElementsAre(Pair("value", true), Pair("own", true), Pair("shown", false)));
 }
 
 TEST(Flow, a_choice_comes_from_both_of_its_values) {

@@ -37,6 +37,8 @@ std::string case_for(const RuleSet& rules, const std::string& rule) {
     if (rule == one->rule) written = std::string(one->to) + "(";
   for (const MethodCall* one : rules.methods)
     if (rule == one->rule) written = one->to;
+  for (const MethodCall* one : rules.filters)
+    if (rule == one->rule) written = one->to;
   for (const LibraryAdvertise* one : rules.advertisers)
     if (rule == one->rule) written = one->to;
   for (const std::string& path : tzc::test::GoldenCase::all(TZC_CASES, ".cpp")) {
@@ -52,6 +54,7 @@ std::vector<std::string> rule_names() {
   for (const ClassRename* one : rules.classes) names.push_back(one->rule);
   for (const LibraryCall* one : rules.calls) names.push_back(one->rule);
   for (const MethodCall* one : rules.methods) names.push_back(one->rule);
+  for (const MethodCall* one : rules.filters) names.push_back(one->rule);
   for (const LibraryAdvertise* one : rules.advertisers) names.push_back(one->rule);
   return names;
 }

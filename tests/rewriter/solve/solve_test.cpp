@@ -192,6 +192,70 @@ TEST(Solve, a_callback_that_casts_const_away_leaves_its_subscription_plain) {
   EXPECT_TRUE(node.edits().empty());
 }
 
+TEST(Solve, a_callback_that_casts_const_away_from_a_message_of_its_own_harms_nobody) {
+  FactsBuilder builder = FactsBuilder()
+                             .add(entity("own", EntityRole::message))
+                             .subscribe("own")
+                             .subscribe("")
+                             .obstacle("own", "TZC2002");
+  builder.facts.subscribes.begin()->second.writes = true;
+  EXPECT_TRUE(Solved(builder).edits().empty());
+  builder.facts.add_parameter(id("own"), true);
+  EXPECT_EQ(Solved(builder).level(SiteKind::subscribe), Level::copied);
+  EXPECT_EQ(Solved(builder).edits().size(), 2u);
+  builder.facts.add_parameter(id("own"), false);  // in another instance of a template
+  EXPECT_TRUE(Solved(builder).edits().empty());
+}
+
+/// A callback in node.cpp that casts const away, and a subscription in viewer.cpp.
+FactsBuilder two_files() {
+  FactsBuilder builder =
+      FactsBuilder().add(entity("in", EntityRole::message)).subscribe("in").obstacle("in", "TZC2002");
+  Subscribe viewer = builder.facts.subscribes.begin()->second;
+  viewer.callbacks.clear();
+  viewer.where.file = viewer.changes[0].where.file = "/p/viewer.cpp";
+  builder.facts.subscribes.emplace(viewer.id(), viewer);
+  builder.facts.units_of_file = {{"/p/node.cpp", {"/p/node.cpp"}}, {"/p/viewer.cpp", {"/p/viewer.cpp"}}};
+  return builder;
+}
+
+TEST(Solve, what_a_callback_does_matters_to_subscriptions_that_may_be_in_its_process) {
+  FactsBuilder builder = two_files();
+  EXPECT_TRUE(Solved(builder).edits().empty());
+  builder.facts.programs = {"/p/node.cpp", "/p/viewer.cpp"};
+  EXPECT_EQ(Solved(builder).edits().size(), 1u);
+}
+
+TEST(Solve, a_file_with_main_may_be_part_of_another_program) {
+  FactsBuilder builder = two_files();
+  builder.facts.programs = {"/p/node.cpp", "/p/viewer.cpp"};
+  FactsBuilder compiled_twice = builder;
+  compiled_twice.facts.parts = {"/p/viewer.cpp"};
+  EXPECT_TRUE(Solved(compiled_twice).edits().empty());
+  builder.facts.units_of_file["/p/node.cpp"].insert("/p/viewer.cpp");
+  EXPECT_TRUE(Solved(builder).edits().empty());
+}
+
+TEST(Solve, a_transport_with_a_topic_of_its_own_harms_nobody) {
+  FactsBuilder builder = two_files();
+  std::string& transport = builder.facts.subscribes.begin()->second.asked_transport;
+  transport = "the transport 'compressed'";
+  EXPECT_EQ(Solved(builder).edits().size(), 1u);
+  transport = udpros;
+  EXPECT_TRUE(Solved(builder).edits().empty());
+}
+
+TEST(Solve, subscriptions_that_would_change_one_text_in_two_ways_stay) {
+  FactsBuilder builder = FactsBuilder().subscribe("");
+  Subscribe other = builder.facts.subscribes.begin()->second;
+  other.type = "sensor_msgs/PointCloud2";
+  builder.facts.subscribes.emplace(other.id(), other);
+  EXPECT_EQ(Solved(builder).edits().size(), 2u);
+  builder.facts.subscribes.at(other.id()).changes[0].text = "tzc::subscribe<sensor_msgs::PointCloud2>(";
+  EXPECT_EQ(Solved(builder).site(SiteKind::subscribe).code, "TZC1007");
+  EXPECT_TRUE(Solved(builder).edits().empty());
+}
+
 TEST(Solve, a_subscription_shares_the_fate_of_its_filter) {
   FactsBuilder builder = FactsBuilder().add(entity("sub", EntityRole::filter)).subscribe("");
   builder.facts.subscribes.begin()->second.filter = id("sub");

@@ -94,6 +94,9 @@ inline CvImageConstPtr toCvShare(const sensor_msgs::Image&, const boost::shared_
                                  const std::string& = "") {
   return {};
 }
+inline CvImagePtr toCvCopy(const sensor_msgs::Image&, const std::string& = "") {
+  return {};
+}
 inline CvImagePtr toCvCopy(const sensor_msgs::ImageConstPtr&, const std::string& = "") {
   return {};
 }

@@ -9,5 +9,13 @@ sensor_msgs::ImagePtr to_image_msg(const ::cv_bridge::CvImage&, const P&) {
   return {};
 }
 inline void to_image_msg(const ::cv_bridge::CvImage&, sensor_msgs::Image&) {}
+inline ::cv_bridge::CvImagePtr toCvCopy(const sensor_msgs::Image&, const std::string& = "") {
+  return {};
+}
+template <class Image>
+auto toCvCopy(const boost::shared_ptr<Image>& image, const std::string& encoding = "")
+    -> decltype(toCvCopy(*image, encoding)) {
+  return {};
+}
 }  // namespace cv_bridge
 }  // namespace tzc

@@ -60,4 +60,11 @@ class SubscriberFilter : public ::image_transport::SubscriberFilter {
   using ::image_transport::SubscriberFilter::SubscriberFilter;
 };
 }  // namespace image_transport
+namespace message_filters {
+inline void subscribe(::image_transport::SubscriberFilter& filter, ::image_transport::ImageTransport& it,
+                      const std::string& topic, uint32_t queue,
+                      const ::image_transport::TransportHints& hints = ::image_transport::TransportHints()) {
+  filter.subscribe(it, topic, queue, hints);
+}
+}  // namespace message_filters
 }  // namespace tzc

@@ -8,5 +8,10 @@ template <class M>
 class Subscriber : public ::message_filters::Subscriber<M> {
   using ::message_filters::Subscriber<M>::Subscriber;
 };
+template <class M>
+void subscribe(::message_filters::Subscriber<M>& filter, ros::NodeHandle& nh, const std::string& topic,
+               uint32_t queue) {
+  filter.subscribe(nh, topic, queue);
+}
 }  // namespace message_filters
 }  // namespace tzc

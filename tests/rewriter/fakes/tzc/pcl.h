@@ -6,6 +6,8 @@ namespace tzc {
 namespace pcl {
 template <class T>
 void toROSMsg(const ::pcl::PointCloud<T>&, sensor_msgs::PointCloud2&) {}
+template <class T>
+void fromROSMsg(const sensor_msgs::PointCloud2&, ::pcl::PointCloud<T>&) {}
 }  // namespace pcl
 namespace pcl_conversions {
 inline void fromPCL(const ::pcl::PCLPointCloud2&, sensor_msgs::PointCloud2&) {}

@@ -21,7 +21,7 @@ class Node {
     scan.ranges = std::vector<float>(own.rbegin(), own.rend());
     pub_.publish(scan);
   }
-  void by_pointer(const float* first, int n) {
+  void by_pointer_to_smaller(const unsigned char* first, int n) {
     sensor_msgs::LaserScan scan;
     scan.ranges = std::vector<float>(first, first + n);
     pub_.publish(scan);

@@ -18,4 +18,9 @@ catkin_package(INCLUDE_DIRS include)
 include_directories(include)
 add_library(node src/node.cpp)
 //--- expected
-// subscribe src/node.cpp:4 sensor_msgs/Image plain 'image' TZC2009 what holds the filter cannot be given another type
+// subscribe src/node.cpp:4 sensor_msgs/Image copied 'image' TZC2009 what holds the filter cannot be given another type, and message_filters' own class gets a copy, since it may pass it on to a writer
+//
+// +++ src/node.cpp
+// +#include <tzc/message_filters.h>
+// -Node::Node() { ros::NodeHandle nh; subscribe(nh, "image", 1); }
+// +Node::Node() { ros::NodeHandle nh; tzc::message_filters::subscribe(*this, nh, "image", 1); }

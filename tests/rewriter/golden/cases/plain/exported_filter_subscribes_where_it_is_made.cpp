@@ -1,14 +1,15 @@
-// A public filter of an exported class.
+// A constructor subscribes a filter that keeps its class: there is no call that could attach its topic.
 #include <node/node.h>
 
-Node::Node() { ros::NodeHandle nh; sub_.subscribe(nh, "image", 1); }
+Node::Node(ros::NodeHandle& nh) : sub_(nh, "image", 1) {}
 //--- include/node/node.h
 #pragma once
 #include <message_filters/subscriber.h>
 #include <sensor_msgs/Image.h>
+
 class Node {
  public:
-  Node();
+  explicit Node(ros::NodeHandle& nh);
   message_filters::Subscriber<sensor_msgs::Image> sub_;
 };
 //--- CMakeLists.txt
