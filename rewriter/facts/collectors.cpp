@@ -194,6 +194,7 @@ void Collectors::call(const clang::CallExpr* call) {
   }
   add_site(facts_.subscribes,
            filters_.of_made(call, makes_object(call) ? entities_.declare_temporary(call) : EntityId()));
+  add_site(facts_.subscribes, filters_.of_attached(call));
   if (makes_object(call)) {
     note_given_publishers(unit_, flow_, {pointee_of(call->getType()), {call->getArgs(), call->getNumArgs()}},
                           facts_);

@@ -131,8 +131,15 @@ class Settings(CheckCase):
     CODE = 'constexpr Setting kSettings[] = {\n    {"policy", nullptr, read},\n    {"tries", "attempts",\n     read},\n};\n'
     PAGE = "| parameter | environment |\n| `policy` | `TZC_POLICY` | x |\n| `tries` | `TZC_TRIES` | y |\n| | `TZC_STATISTICS` | z |\n"
 
-    def tree(self, code=CODE, page=PAGE):
-        return {"runtime/roscpp/settings.cpp": code, "docs/configuration.md": page}
+    def tree(self, code=CODE, page=PAGE, bench=None):
+        return {"runtime/roscpp/settings.cpp": code, "docs/configuration.md": page,
+                "bench/environment.cpp": page if bench is None else bench}
+
+    def test_a_variable_that_the_benchmark_does_not_refuse(self):
+        self.assert_problem(settings.check, self.tree(bench=self.PAGE.replace("TZC_STATISTICS", "")), "TZC_STATISTICS must stand here")
+
+    def test_a_variable_that_there_is_not(self):
+        self.assert_problem(settings.check, self.tree(bench=self.PAGE + "TZC_GONE"), "TZC_GONE must stand here")
 
     def test_good(self):
         self.assert_clean(settings.check, self.tree())
@@ -148,7 +155,7 @@ class Settings(CheckCase):
         self.assert_problem(settings.check, self.tree(page=self.PAGE.replace("TZC_TRIES", "TZC_TRY")), "is TZC_TRIES, not TZC_TRY")
 
     def test_a_table_of_another_form(self):
-        self.assert_problem(settings.check, {"runtime/roscpp/settings.cpp": "", "docs/configuration.md": ""}, "no setting was found")
+        self.assert_problem(settings.check, self.tree(code="", page=""), "no setting was found")
 
 
 if __name__ == "__main__":

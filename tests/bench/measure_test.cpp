@@ -141,7 +141,7 @@ TEST(Measure, stops_those_that_have_started_where_no_more_can_be) {
     const bool failed = measure(contender, setup_for(4)).outcome == Outcome::failed;
     return failed && !has_children() ? 0 : 1;
   });
-  if (end.exited_with(not_possible)) GTEST_SKIP() << "no other user here";
+  if (end.exited_with(not_possible)) GTEST_SKIP() << tzc::test::why_not_possible;
   EXPECT_TRUE(end.exited_with(0)) << end.status;
   EXPECT_THAT(end.said, HasSubstr("made-up: cannot start a process: "));
 }

@@ -25,8 +25,11 @@ struct ProcessEnd {
   bool exited_with(int code) const { return WIFEXITED(status) && WEXITSTATUS(status) == code; }
 };
 
-/// The code with which a poor process exits that cannot be made poor on this machine.
+/// The code with which a poor process exits that cannot be made poor on this machine, and the reason.
 constexpr int not_possible = 77;
+constexpr char why_not_possible[] =
+    "root may not become another user here, as in a container without CAP_SETUID, and no limit of processes "
+    "binds root";
 
 /// The limit of processes does not bind root; what is killed by mistake should belong to nobody else.
 inline bool became_nobody() {

@@ -64,7 +64,7 @@ int interrupted_by(int signal, bool ignored) {
 
 TEST(InChild, says_why_no_process_can_be_started) {
   const ProcessEnd end = in_poor_process(0, [] { return fails_cleanly([] { in_child(wait_for_ever); }); });
-  if (end.exited_with(not_possible)) GTEST_SKIP() << "no other user here";
+  if (end.exited_with(not_possible)) GTEST_SKIP() << tzc::test::why_not_possible;
   EXPECT_TRUE(end.exited_with(expected)) << end.status;
   EXPECT_THAT(end.said, HasSubstr("cannot start a process: "));
 }
@@ -89,7 +89,7 @@ TEST(InChild, ends_a_child_whose_body_throws) {
 TEST(InChildren, leave_none_behind_where_one_cannot_be_started) {
   const ProcessEnd end = in_poor_process(
       2, [] { return fails_cleanly([] { in_children(5, [](std::size_t) { wait_for_ever(); }); }); });
-  if (end.exited_with(not_possible)) GTEST_SKIP() << "no other user here";
+  if (end.exited_with(not_possible)) GTEST_SKIP() << tzc::test::why_not_possible;
   EXPECT_TRUE(end.exited_with(expected)) << end.status;
 }
 
@@ -112,7 +112,7 @@ TEST(Stop, leaves_out_what_is_no_process) {
     stop({bystander});
     return runs && !has_children() ? expected : unexpected;
   });
-  if (end.exited_with(not_possible)) GTEST_SKIP() << "no other user here";
+  if (end.exited_with(not_possible)) GTEST_SKIP() << tzc::test::why_not_possible;
   EXPECT_TRUE(end.exited_with(expected)) << end.status;
 }
 

@@ -106,12 +106,9 @@ std::vector<Change> FilterCollector::changes_if_kept(const clang::CXXMemberCallE
   return receiver_first(unit_, call, {rule->to, rule->rule, rule->header});
 }
 
-bool FilterCollector::attaches(const clang::CallExpr* call) const {
-  const clang::FunctionDecl* function = call->getNumArgs() >= 3 ? call->getDirectCallee() : nullptr;
-  return function && unit_.rules.is_filter_call(qualified_name_of(function));
-}
-
 std::optional<Subscribe> FilterCollector::of_attached(const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getNumArgs() >= 3 ? call->getDirectCallee() : nullptr;
+  if (!function || !unit_.rules.is_filter_call(qualified_name_of(function))) return {};
   const clang::Expr* object = call->getArg(0);
   const clang::CXXRecordDecl* record = object->getType()->getAsCXXRecordDecl();
   if (!is_filter(record)) return {};
@@ -141,7 +138,6 @@ std::optional<Subscribe> FilterCollector::of_construction(const clang::CXXConstr
 }
 
 std::optional<Subscribe> FilterCollector::of_made(const clang::CallExpr* call, const EntityId& filter) {
-  if (attaches(call)) return of_attached(call);
   const clang::CXXRecordDecl* record = class_that_is_made(call);
   if (call->getNumArgs() < 2 || !is_filter(record)) return {};
   return site_of({call, record, arguments_of(call)}, filter);

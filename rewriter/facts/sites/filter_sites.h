@@ -24,8 +24,10 @@ class FilterCollector {
   std::optional<Subscribe> of_call(const clang::CXXMemberCallExpr* call);
   /// Subscriber<M> filter(nh, "topic", 1)
   std::optional<Subscribe> of_construction(const clang::CXXConstructExpr* construct);
-  /// make_shared<Subscriber<M>>(nh, "topic", 1); or tzc::message_filters::subscribe(filter, nh, "topic", 1), which an earlier run wrote
+  /// make_shared<Subscriber<M>>(nh, "topic", 1)
   std::optional<Subscribe> of_made(const clang::CallExpr* call, const EntityId& filter);
+  /// tzc::message_filters::subscribe(filter, nh, "topic", 1): an earlier run wrote it.
+  std::optional<Subscribe> of_attached(const clang::CallExpr* call);
   /// subscribers.emplace_back(nh, "topic", 1)
   std::optional<Subscribe> of_emplaced(const clang::CXXMemberCallExpr* call);
   /// What the callbacks that registerCallback() is given do with their messages.
@@ -41,10 +43,8 @@ class FilterCollector {
     std::vector<Change> changes_if_kept{};
   };
   Subscribe site_of(const Construction& construction, const EntityId& filter) const;
-  std::optional<Subscribe> of_attached(const clang::CallExpr* call);
   void subscribe_by_method(const EntityId& filter, const clang::CallExpr* call);
   std::vector<Change> changes_if_kept(const clang::CXXMemberCallExpr* call) const;
-  bool attaches(const clang::CallExpr* call) const;
   EntityId filter_of(const clang::Expr* object);
   void note_callback(std::map<FilterCallback, FilterCallbackUse>& callbacks,
                      const clang::FunctionDecl* function, FilterCallback where) const;
