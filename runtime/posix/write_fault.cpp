@@ -52,6 +52,13 @@ bool resolve(const Fault& fault) {
   return false;
 }
 
+/// A thread that is started here, of a pool perhaps, inherits what is blocked, and may write to what is watched later.
+void unblock_faults_once() {
+  static thread_local bool is_done = false;
+  if (!is_done) unblock_faults();
+  is_done = true;
+}
+
 }  // namespace
 
 bool watch_write_faults(const std::uint8_t* begin, std::size_t size, WriteFaultArea& area) {
@@ -77,7 +84,7 @@ void forget_write_faults(const std::uint8_t* begin) {
 }
 
 void keep_watching_write_faults() {
-  if (watched_end.load(std::memory_order_acquire) == 0) return;
+  if (watched_end.load(std::memory_order_acquire) == 0) return unblock_faults_once();
   stay_first(resolve);
   unblock_faults();
 }

@@ -29,7 +29,8 @@ bool watch_write_faults(const std::uint8_t* begin, std::size_t size, WriteFaultA
 /// No access is made there any more.
 void forget_write_faults(const std::uint8_t* begin);
 /// Looks whether other code has installed a handler since; ours is made the first again. Faults of the calling thread reach it from
-/// now on, too, should the thread block their signals. Two system calls, none before anything was watched. Thread-safe.
+/// now on, too, should the thread block their signals, and those that it starts. Two system calls; before anything is watched one, once
+/// on each thread. Thread-safe.
 void keep_watching_write_faults();
 
 }  // namespace posix

@@ -25,7 +25,8 @@ namespace access = roscpp_access;
 /// What may be left of a direct callback when roscpp has forgotten it.
 struct WaitingMessages {
   boost::weak_ptr<ros::SubscriptionQueue> queue;  ///< of its messages
-  std::uint64_t id = 0;                           ///< of the callback in callback queues
+  std::uint64_t id = 0;                           ///< of the callback in callback queues, an address
+  boost::weak_ptr<void> callback = {};            ///< what lies there: no later callback does meanwhile
 };
 
 /// Empty: it has been unsubscribed already.
@@ -36,7 +37,7 @@ WaitingMessages queue_of(const std::string& topic, const ros::SubscriptionCallba
     if (subscription->getName() != topic) continue;
     const boost::mutex::scoped_lock callbacks_lock(access::callbacks_mutex_(*subscription));
     for (const auto& one : access::callbacks_(*subscription))
-      if (one->helper_ == callback) return {one->subscription_queue_, removal_id(one)};
+      if (one->helper_ == callback) return {one->subscription_queue_, removal_id(one), one};
   }
   return {};
 }
@@ -50,8 +51,9 @@ struct WaitingEnd {
   template <class Impl>
   void operator()(Impl*) {
     impl.reset();
-    if (const auto queue = waiting.queue.lock())
-      queue->clear();  // under the mutex that a running callback has
+    const auto queue = waiting.queue.lock();
+    if (!queue) return;  // a call has it, so none runs
+    queue->clear();      // under the mutex that a running callback has
     ConcurrentCall::wait_for_end(waiting.id);
   }
 };

@@ -27,6 +27,11 @@ class Endings(Lives):
         self.assertEqual(self.events_of(self.node("ending", "ending", {"local": True})), self.EXPECTED)
 
 
+class Renewed(Lives):
+    def test_what_has_ended_does_not_wait_for_what_takes_its_place(self):
+        self.assertEqual(self.events_of(self.node("renewer", "renewer", {})), {"renewed": True})
+
+
 class GivenUp(Lives):
     def test_what_a_library_gives_up_is_no_longer_advertised(self):
         """A copy of its publisher, to which shared memory is attached, goes on living."""

@@ -43,6 +43,13 @@ class PrivateWrites(TopicCase):
         """As roscpp's spinners do on the threads that they make."""
         self.assert_draws(100000, self.draw(spinner="async"))
 
+    def test_on_a_thread_that_a_callback_started_before_anything_was_shared(self):
+        """It inherits the signals that the callback's thread blocks."""
+        pool = self.node("pool", "pool", {"count": 60})
+        self.start_talker(count=0, rate=50, bytes=100000)
+        self.assertEqual(pool.wait(90), 0, pool.tail())
+        self.assertEqual(Listener(pool).lines(), [{"event": "drawn", "happened": True}])
+
     def test_on_threads_of_a_spinner_that_waits(self):
         self.assert_draws(100000, self.draw(spinner="multi"))
 

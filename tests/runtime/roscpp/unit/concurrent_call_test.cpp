@@ -3,10 +3,12 @@
 #include "roscpp/subscribe/concurrent_call.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <future>
 #include <thread>
@@ -89,6 +91,22 @@ TEST(ConcurrentCall, that_unsubscribes_itself_waits_for_others_but_not_for_those
   runs.let_out();
   first.let_out();
   second.let_out();
+}
+
+struct LastUnsubscribe {
+  ~LastUnsubscribe() { ConcurrentCall::wait_for_end(one); }
+};
+
+[[noreturn]] void exit_in_a_call() {
+  alarm(60);  // who waits for himself waits for ever
+  static const LastUnsubscribe last;
+  const ConcurrentCall call(one);
+  std::exit(3);
+}
+
+TEST(ConcurrentCallDeathTest, does_not_wait_for_itself_when_it_ends_the_program) {
+  ::testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  EXPECT_EXIT(exit_in_a_call(), ::testing::ExitedWithCode(3), "");
 }
 
 }  // namespace
