@@ -155,11 +155,11 @@ class Array {
   void assign(std::initializer_list<T> values) { assign(values.begin(), values.end()); }
   allocator_type get_allocator() const noexcept { return allocator_type(); }
 
-  iterator begin() { return data(); }
-  const_iterator begin() const noexcept { return data(); }
+  TZC_ALWAYS_INLINE iterator begin() { return data(); }
+  TZC_ALWAYS_INLINE const_iterator begin() const noexcept { return data(); }
   const_iterator cbegin() const noexcept { return data(); }
-  iterator end() { return data() + size(); }
-  const_iterator end() const noexcept { return data() + size(); }
+  TZC_ALWAYS_INLINE iterator end() { return data() + size(); }
+  TZC_ALWAYS_INLINE const_iterator end() const noexcept { return data() + size(); }
   const_iterator cend() const noexcept { return data() + size(); }
   reverse_iterator rbegin() { return reverse_iterator(end()); }
   const_reverse_iterator rbegin() const noexcept { return const_reverse_iterator(end()); }
@@ -169,7 +169,7 @@ class Array {
   const_reverse_iterator crend() const noexcept { return const_reverse_iterator(begin()); }
 
   bool empty() const noexcept { return storage_.size() == 0; }
-  size_type size() const noexcept { return storage_.size(); }
+  TZC_ALWAYS_INLINE size_type size() const noexcept { return storage_.size(); }
   size_type max_size() const noexcept { return std::numeric_limits<difference_type>::max() / sizeof(T); }
   size_type capacity() const noexcept { return storage_.capacity(); }
   void reserve(size_type n) {
@@ -192,16 +192,16 @@ class Array {
     storage_.set_size(n);
   }
 
-  T& operator[](size_type i) { return data()[expected(i)]; }
-  const T& operator[](size_type i) const noexcept { return data()[expected(i)]; }
-  T& at(size_type i) { return data()[in_range(i)]; }
-  const T& at(size_type i) const { return data()[in_range(i)]; }
+  TZC_ALWAYS_INLINE T& operator[](size_type i) { return data()[expected(i)]; }
+  TZC_ALWAYS_INLINE const T& operator[](size_type i) const noexcept { return data()[expected(i)]; }
+  TZC_ALWAYS_INLINE T& at(size_type i) { return data()[in_range(i)]; }
+  TZC_ALWAYS_INLINE const T& at(size_type i) const { return data()[in_range(i)]; }
   T& front() { return (*this)[0]; }
   const T& front() const noexcept { return (*this)[0]; }
   T& back() { return (*this)[size() - 1]; }
   const T& back() const noexcept { return (*this)[size() - 1]; }
-  T* data() { return storage_.writable(); }
-  const T* data() const noexcept { return storage_.begin(); }
+  TZC_ALWAYS_INLINE T* data() { return storage_.writable(); }
+  TZC_ALWAYS_INLINE const T* data() const noexcept { return storage_.begin(); }
 
   void push_back(const T& value) { emplace_back(value); }
   template <class... Args>
@@ -285,9 +285,9 @@ class Array {
   iterator insert_range(const_iterator position, It first, It last, std::forward_iterator_tag);
 
   size_type checked(size_type n) const;
-  size_type in_range(size_type i) const;
+  TZC_ALWAYS_INLINE size_type in_range(size_type i) const;
   /// Ends the program where std::vector does: in code that is compiled with the C++ library's assertions (-D_GLIBCXX_ASSERTIONS).
-  size_type expected(size_type i) const noexcept;
+  TZC_ALWAYS_INLINE size_type expected(size_type i) const noexcept;
 
   detail::ArrayStorage<T> storage_;
 };

@@ -7,6 +7,15 @@
 #include <string>
 
 namespace tzc {
+namespace detail {
+
+/// The text is std::vector's, which programs log. No part of at(), which would be too large to be inlined.
+[[noreturn]] inline __attribute__((noinline)) void throw_out_of_range(std::size_t i, std::size_t size) {
+  throw std::out_of_range("vector::_M_range_check: __n (which is " + std::to_string(i) +
+                          ") >= this->size() (which is " + std::to_string(size) + ")");
+}
+
+}  // namespace detail
 
 /// As with std::vector, the elements stay where they are when there is room: pointers to them may be held.
 template <class T>
@@ -188,10 +197,8 @@ inline typename Array<T>::size_type Array<T>::expected(size_type i) const noexce
 }
 
 template <class T>
-typename Array<T>::size_type Array<T>::in_range(size_type i) const {
-  if (i >= size())  // the text is std::vector's, which programs log
-    throw std::out_of_range("vector::_M_range_check: __n (which is " + std::to_string(i) +
-                            ") >= this->size() (which is " + std::to_string(size()) + ")");
+inline typename Array<T>::size_type Array<T>::in_range(size_type i) const {
+  if (__builtin_expect(i >= size(), 0)) detail::throw_out_of_range(i, size());
   return i;
 }
 
