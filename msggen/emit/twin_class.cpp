@@ -32,6 +32,8 @@ class ClassEmitter {
         "  /// Copies everything, the data part too: explicit, like the reverse conversion.\n"
         "{from_stock}"
         "\n"
+        "{assignment}"
+        "\n"
         "{to_stock}"
         "{enumerators}"
         "\n"
@@ -47,8 +49,9 @@ class ClassEmitter {
         fmt::arg("package", message_.package), fmt::arg("constants", constants.definitions),
         fmt::arg("name", name_), fmt::arg("base", constants.base.empty() ? "" : " : " + constants.base),
         fmt::arg("typedefs", typedefs()), fmt::arg("from_stock", from_stock()),
-        fmt::arg("to_stock", to_stock()), fmt::arg("enumerators", integer_constants(message_)),
-        fmt::arg("fields", fields()), fmt::arg("aliases", aliases()), fmt::arg("operators", operators()));
+        fmt::arg("assignment", assignment()), fmt::arg("to_stock", to_stock()),
+        fmt::arg("enumerators", integer_constants(message_)), fmt::arg("fields", fields()),
+        fmt::arg("aliases", aliases()), fmt::arg("operators", operators()));
   }
 
  private:
@@ -110,6 +113,31 @@ class ClassEmitter {
     return fmt::format("  explicit {}(const {}& _stock){}{} {{{}}}\n", name_, stock_,
                        initializers.empty() ? "" : "\n      : ", fmt::join(initializers, ",\n        "),
                        body.empty() ? "" : "\n" + body + "  ");
+  }
+
+  // A template, so that `message = {}` still means an empty twin.
+  std::string assignment() {
+    std::string body;
+    for (const Field& f : message_.fields) body += field_from_stock(f);
+    return fmt::format(
+        "  /// The same, into an object that is there: a bound array copies into its publisher's memory.\n"
+        "  template <class _source>\n"
+        "  typename ::std::enable_if< ::std::is_same<_source, {stock}>::value, {name}&>::type operator=(\n"
+        "      const _source& _stock) {{\n"
+        "{body}"
+        "    return *this;\n"
+        "  }}\n",
+        fmt::arg("stock", stock_), fmt::arg("name", name_), fmt::arg("body", body));
+  }
+
+  std::string field_from_stock(const Field& f) {
+    const Part part = analysis_.part(f);
+    if (part == Part::mixed && f.array != ArrayKind::none) {
+      const std::string sized =
+          f.array == ArrayKind::variable ? fmt::format("    {0}.resize(_stock.{0}.size());\n", f.name) : "";
+      return sized + element_loop(fmt::format("{0}[_i] = _stock.{0}[_i]", f.name));
+    }
+    return fmt::format("    {0} = _stock.{0};\n", f.name);
   }
 
   // Into an object that is there: a message with large arrays of fixed length does not fit a stack.

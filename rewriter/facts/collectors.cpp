@@ -232,7 +232,7 @@ void Collectors::publish(const clang::CXXMemberCallExpr* call) {
   if (!published) return;
   if (published->publisher) publishers_.push_back(std::move(*published->publisher));
   for (const EntityId& chosen : published->publishers.entities)
-    entities_.add_flow(published->site.publisher, chosen, call->getExprLoc(), "one of several publishers");
+    entities_.add_flow(published->site.publisher, chosen, {call->getExprLoc(), "one of several publishers"});
   const auto* callee = llvm::dyn_cast<clang::MemberExpr>(call->getCallee()->IgnoreParens());
   if (callee && !published->site.messages.empty())
     retype(entities_, published->site.messages[0], callee->template_arguments());

@@ -74,6 +74,8 @@ struct Flow {
   EntityId from, to;
   Location where;
   std::string what;
+  /// A message is copied as a whole, and the copy may have another type than what it is made of: a ported one takes a stock one.
+  bool copies = false;
 };
 
 /// `Image a, b;`: where the declaration is cut when only one of two neighbours is ported.
@@ -106,6 +108,12 @@ struct PublisherName {
       callees;  ///< functions, none of which may take a lock, by USR; "": one that is not seen
 };
 
+/// A message that is made as a copy of another one can be made empty instead, and be assigned the other one.
+struct LaterCopy {
+  std::vector<Change> without;  ///< make it empty
+  std::string source;           ///< what it is assigned: "*in"
+};
+
 /// A statement that calls `allocate` is inserted.
 struct InsertedAllocation {
   std::optional<Place> at;  ///< insertion point; none: there is none
@@ -115,6 +123,7 @@ struct InsertedAllocation {
   std::optional<Place>
       opening;          ///< where a brace opens, for a statement that stands alone in place of a block
   bool filled = false;  ///< the message already has content there, which allocate would copy
+  std::optional<LaterCopy> copy;  ///< instead it can get its content behind allocate
 };
 
 /// A library call that makes the message is replaced by an adapter that is given the publisher.

@@ -12,13 +12,13 @@ namespace {
 
 bool is_filled(const AllocationSite& site) {
   const auto* inserted = std::get_if<InsertedAllocation>(&site.how);
-  return inserted && inserted->filled;
+  return inserted && inserted->filled && !(inserted->at && inserted->copy);
 }
 
 /// Whether there is a place for the edits that allocate.
 bool is_possible(const AllocationSite& site) {
   if (const auto* inserted = std::get_if<InsertedAllocation>(&site.how))
-    return inserted->at && !inserted->filled;
+    return inserted->at && (!inserted->filled || inserted->copy);
   if (const auto* adapter = std::get_if<AdapterAllocation>(&site.how)) return !adapter->changes.empty();
   return !std::get<FactoryAllocation>(site.how).changes.empty();
 }

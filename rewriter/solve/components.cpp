@@ -36,10 +36,46 @@ bool same_role(const Facts& facts, const EntityId& a, const EntityId& b) {
 void unite_flows(const Facts& facts, const Numbers& numbers, UnionFind& sets) {
   for (const Flow& flow : facts.flows) {
     const auto from = numbers.find(flow.from), to = numbers.find(flow.to);
-    if (from != numbers.end() && to != numbers.end() && same_role(facts, flow.from, flow.to))
+    if (!flow.copies && from != numbers.end() && to != numbers.end() && same_role(facts, flow.from, flow.to))
       sets.unite(from->second, to->second);
   }
 }
+
+/// Which copies of messages have to be ported together with what they are made of. A ported message can be assigned a stock one,
+/// not the reverse: so the two are separate where the original stays a stock one for certain, because something stands against it, or
+/// because nothing publishes it or copies a ported one into it.
+class Copies {
+ public:
+  Copies(const Facts& facts, const Numbers& numbers, UnionFind& sets) : sets_(sets) {
+    for (const Flow& flow : facts.flows) {
+      const auto from = numbers.find(flow.from), to = numbers.find(flow.to);
+      if (flow.copies && from != numbers.end() && to != numbers.end())
+        copies_.emplace(sets.find(from->second), sets.find(to->second));
+    }
+    for (const auto& [id, entity] : facts.entities)
+      if (!entity.obstacles.empty() && !entity.ported) stock_.insert(sets.find(numbers.at(id)));
+    for (const auto& item : facts.publishes)
+      for (const EntityId& message : item.second.messages)
+        if (const auto number = numbers.find(message); number != numbers.end())
+          reach(sets.find(number->second));
+  }
+
+  void unite() {
+    for (const auto& [from, to] : copies_)
+      if (reached_.count(from) != 0) sets_.unite(from, to);
+  }
+
+ private:
+  void reach(std::size_t set) {
+    if (stock_.count(set) != 0 || !reached_.insert(set).second) return;
+    for (auto copy = copies_.lower_bound({set, 0}); copy != copies_.end() && copy->first == set; ++copy)
+      reach(copy->second);
+  }
+
+  UnionFind& sets_;
+  std::set<std::pair<std::size_t, std::size_t>> copies_;  ///< from, to
+  std::set<std::size_t> stock_, reached_;
+};
 
 /// `Image a, b;` has one type for two variables, unless it can be cut.
 void unite_spellings(const Facts& facts, const Numbers& numbers, UnionFind& sets) {
@@ -143,6 +179,7 @@ void Components::add_entities(const Facts& facts, bool all_or_nothing) {
   UnionFind sets(numbers.size());
   if (all_or_nothing) unite_flows(facts, numbers, sets);
   unite_spellings(facts, numbers, sets);
+  if (all_or_nothing) Copies(facts, numbers, sets).unite();
   std::map<std::size_t, std::size_t> component_of_root;
   for (const auto& [id, entity] : facts.entities) {
     const auto [known, is_new] = component_of_root.emplace(sets.find(numbers.at(id)), components_.size());

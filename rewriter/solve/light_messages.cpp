@@ -47,6 +47,14 @@ bool publishes_light_message(const Publish& site, const Components& components, 
 LightMessages::LightMessages(const Facts& facts, const Components& components) {
   for (const DataUse& use : facts.data_uses)
     if (const Component* message = components.of(use.entity)) uses_[message->id].push_back(&use);
+  // Another message may give it any number of elements.
+  for (const Flow& flow : facts.flows) {
+    const Component* from = components.of(flow.from);
+    const Component* to = components.of(flow.to);
+    if (!flow.copies || !from || !to || from->id == to->id) continue;
+    uses_[to->id];
+    unbounded_.insert(to->id);
+  }
   for (const DataWrite& write :
        facts.data_writes)  // who casts the const of an array away may change its size
     if (const Component* message = components.of(write.message); message && write.to_array)

@@ -167,6 +167,10 @@ void PortEditor::add_call(const BoundAllocation& allocation, const InsertedAlloc
   std::vector<std::string> headers;
   if (allocation.is_of_node) headers.push_back("tzc/ros.h");
   const ComponentId component = components_.of(allocation.site->entity)->id;
+  if (how.copy) {
+    for (const Change& change : how.copy->without) add(change, component);
+    call += space + how.object + " = " + how.copy->source + ";";
+  }
   if (how.opening) add({*how.opening, "{ ", "allocate", {}}, component);
   add({*how.at, space + call + (how.opening ? " }" : ""), "allocate", headers}, component);
 }

@@ -2,7 +2,9 @@
 #include "facts/content/content_closures.h"
 
 #include "facts/syntax/ast_walk.h"
+#include "facts/syntax/message_parts.h"
 #include "facts/syntax/message_type.h"
+#include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -60,6 +62,17 @@ void any_given_to(const clang::LambdaExpr* lambda, ContentLog& log) {
     log.add(ContentEvent::Kind::any, any_message(message_reached(type)->name), lambda->getBeginLoc());
   }
 }
+
+class VariableFinder : public AstVisitor {
+ public:
+  bool VisitVarDecl(clang::VarDecl* variable) override {
+    const clang::QualType type = variable->getType();
+    if (variable->hasLocalStorage() && (message_reached(type) || is_name_of_array(type) || is_iterator(type)))
+      found.push_back(variable);
+    return true;
+  }
+  std::vector<const clang::VarDecl*> found;
+};
 
 }  // namespace
 
@@ -122,6 +135,16 @@ void ContentClosures::given_to(const clang::CallExpr* call) {
     for (const clang::Expr* source : sources)
       run(lambda->getCallOperator(), false, std::vector<const clang::Expr*>(parameters, source));
   }
+}
+
+std::vector<MessagePart> own_roots(const MessageParts& parts, const clang::LambdaExpr* lambda) {
+  VariableFinder finder;
+  for (clang::ParmVarDecl* parameter : lambda->getCallOperator()->parameters())
+    finder.TraverseDecl(parameter);
+  finder.TraverseStmt(lambda->getBody());
+  std::vector<MessagePart> roots;
+  for (const clang::VarDecl* variable : finder.found) roots.push_back(parts.root_of(variable));
+  return roots;
 }
 
 }  // namespace tzc::rewriter

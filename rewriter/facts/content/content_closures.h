@@ -37,4 +37,8 @@ class ContentClosures {
 /// The closures of a function that something else than a direct call may call.
 std::vector<const clang::LambdaExpr*> closures_called_elsewhere(const FunctionView& view);
 
+/// The roots of those of a closure's parameters and variables that hold or name messages: each call of it has its own. What it captures
+/// belongs to the closure itself.
+std::vector<MessagePart> own_roots(const MessageParts& parts, const clang::LambdaExpr* lambda);
+
 }  // namespace tzc::rewriter

@@ -49,6 +49,7 @@ class FlowBuilder {
         values_(values),
         own_reader_(context.unit, function.view, UnknownCalls(function.events)),
         reader_(&own_reader_),
+        parts_(context.unit, function.view),
         closures_(closures_called_elsewhere(function.view)) {}
   FlowBuilder(const FlowBuilder&) = delete;
   FlowBuilder& operator=(const FlowBuilder&) = delete;
@@ -96,6 +97,7 @@ class FlowBuilder {
   unsigned call_unknown(const IfShown& if_shown, unsigned at);
   Part anything(AnyCode& calls);
   void add_closures(Part any);
+  unsigned back_in_closure(unsigned behind);
   void append(ContentEvent event, unsigned at);
   Part body_of(const clang::FunctionDecl* closure);
   Part add_instance(const clang::CFG& cfg, const clang::FunctionDecl* closure);
@@ -104,11 +106,13 @@ class FlowBuilder {
   const DecidedValues& values_;
   ContentReader own_reader_;
   ContentReader* reader_;  ///< of the function, or of the instance of a generic closure that is being added
+  const MessageParts parts_;
   ContentFlow flow_;
   std::vector<Given> given_;                        ///< of the closures around, the innermost last
   std::set<const clang::FunctionDecl*> open_;       ///< which are being added
   std::vector<const clang::LambdaExpr*> closures_;  ///< that an unknown call may run
   UnknownCode unknown_;
+  std::vector<MessagePart> own_roots_;  ///< of the closure that is being added as what unknown code runs
   std::map<std::pair<const clang::FunctionDecl*, std::vector<Given>>, Part> shared_;
 };
 
@@ -244,11 +248,25 @@ unsigned FlowBuilder::call_unknown(const IfShown& if_shown, unsigned at) {
   connect(at, begin);
   connect(at, behind);
   connect(begin, any.entry);
-  connect(any.exit, behind);
+  connect(any.exit, unknown_.open ? back_in_closure(behind) : behind);
   unknown_.behind = behind;
   unknown_.last = if_shown;
   unknown_.any = either(unknown_.any, if_shown);
   return behind;
+}
+
+/// Where unknown code goes on in the closure that has called it. It comes from any call of any closure, whose variables are not
+/// those that this one goes on with.
+unsigned FlowBuilder::back_in_closure(unsigned behind) {
+  const unsigned back = new_block();
+  for (const MessagePart& root : own_roots_) {
+    ContentEvent reset;
+    reset.kind = ContentEvent::Kind::reset;
+    reset.part = root;
+    append(std::move(reset), back);
+  }
+  connect(back, behind);
+  return back;
 }
 
 /// Each call has a graph of its own, in which the closures call one another: with one for all of them, paths would lead from one
@@ -271,9 +289,14 @@ FlowBuilder::Part FlowBuilder::anything(AnyCode& calls) {
 }
 
 void FlowBuilder::add_closures(Part any) {
-  const std::vector<Given> around = std::exchange(given_, {});
+  const std::vector<Given> around = given_;
   const std::set<const clang::FunctionDecl*> open = std::exchange(open_, {});
   for (const clang::LambdaExpr* lambda : closures_) {
+    // Another call of it than that which is being added, if one is: with variables of its own.
+    own_roots_ = own_roots(parts_, lambda);
+    Given own;
+    for (const MessagePart& root : own_roots_) own.emplace_back(root, root + "'");
+    given_ = {std::move(own)};
     const Part part = body_of(lambda->getCallOperator());
     connect(any.entry, part.entry);
     connect(part.exit, any.entry);

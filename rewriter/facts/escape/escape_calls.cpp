@@ -379,7 +379,7 @@ void CallSteps::check_taken(const clang::Expr* value, bool swapped) {
     const std::vector<EntityId> other = context_.sources_of(array->getBase());
     for (const EntityId& mine : at_.messages)
       for (const EntityId& key : other)
-        context_.entities.add_flow(mine, key, value->getBeginLoc(), "array exchanged");
+        context_.entities.add_flow(mine, key, {value->getBeginLoc(), "array exchanged"});
     if (!other.empty()) return;
   }
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(written);

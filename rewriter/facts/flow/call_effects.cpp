@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/flow/call_effects.h"
 
+#include "facts/flow/message_copies.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/bound_calls.h"
 #include "facts/syntax/call_place.h"
@@ -136,7 +137,7 @@ CallEffect CallEffects::into_package(const EntityId& id, const Passed& passed) {
     entities_.add_obstacle(id, codes::TZC1001, "'" + name + "' asks for its type", passed.where);
   const EntityId received = entities_.declare(parameter);
   if (!received.empty())
-    entities_.add_flow(id, received, passed.where, "passed to '" + name + "'");
+    entities_.add_flow(id, received, {passed.where, "passed to '" + name + "'"});
   else if (!parameter->getType()->isScalarType())
     entities_.add_obstacle(id, codes::TZC1001, "it is converted when passed to '" + name + "'", passed.where);
   return CallEffect::done;
@@ -155,7 +156,7 @@ CallEffect CallEffects::into_method(const EntityId& id, const clang::CXXMemberCa
   if (carried_by(container->getType(), unit_.rules)) {
     const FlowSources sources = sources_.of(container);
     for (const EntityId& target : sources.entities)
-      entities_.add_flow(id, target, call->getBeginLoc(), "stored by '" + name + "'");
+      entities_.add_flow(id, target, {call->getBeginLoc(), "stored by '" + name + "'"});
     if (!sources.foreign) return CallEffect::done;
   }
   escape(id, object + "::" + name, call->getBeginLoc());
@@ -174,7 +175,7 @@ std::optional<CallEffect> CallEffects::into_bound(const EntityId& id, const clan
 CallEffect CallEffects::into_swap(const EntityId& id, const clang::CallExpr* call) {
   for (const clang::Expr* argument : call->arguments())
     for (const EntityId& other : sources_.of(argument).entities)
-      entities_.add_flow(id, other, call->getBeginLoc(), "swapped");
+      entities_.add_flow(id, other, {call->getBeginLoc(), "swapped"});
   return CallEffect::done;
 }
 
@@ -210,7 +211,8 @@ CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr*
 /// make_shared<Image>(image), make_shared<ImagePtr>(image), make_shared<Viewer>(image)
 void CallEffects::into_new_object(const EntityId& id, const clang::CallExpr* call, unsigned argument) {
   if (const EntityId made = entities_.declare_temporary(call); !made.empty())
-    return entities_.add_flow(id, made, call->getBeginLoc(), "copied into a new object");
+    return entities_.add_flow(
+        id, made, {call->getBeginLoc(), "copied into a new object", later_copy(unit_, call).has_value()});
   const clang::CXXRecordDecl* record = pointee_of(call->getType())->getAsCXXRecordDecl();
   const clang::CXXConstructorDecl* constructor = only_constructor(record, call->getNumArgs());
   const bool is_package = record && unit_.source.in_package(record->getLocation());

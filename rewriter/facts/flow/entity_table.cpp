@@ -127,8 +127,8 @@ void EntityTable::connect_overrides(const EntityId& id, const clang::FunctionDec
   for (const clang::CXXMethodDecl* base : method->overridden_methods()) {
     if (!unit_.source.in_package(base->getLocation())) continue;
     const EntityId other = parameter < 0 ? declare_result(base) : declare(base->getParamDecl(parameter));
-    add_flow(id, other, function->getLocation(), "overrides a function");
-    add_flow(other, id, function->getLocation(), "is overridden");
+    add_flow(id, other, {function->getLocation(), "overrides a function"});
+    add_flow(other, id, {function->getLocation(), "is overridden"});
   }
 }
 
@@ -265,10 +265,9 @@ void EntityTable::retype(const EntityId& id, clang::TypeLoc written) {
   if (entity != facts_.entities.end()) respell(entity->second, written);
 }
 
-void EntityTable::add_flow(const EntityId& from, const EntityId& to, clang::SourceLocation where,
-                           const std::string& what) {
+void EntityTable::add_flow(const EntityId& from, const EntityId& to, const Passage& passage) {
   if (from.empty() || to.empty() || from == to) return;
-  facts_.flows.push_back({from, to, unit_.location(where), what});
+  facts_.flows.push_back({from, to, unit_.location(passage.where), passage.what, passage.copies});
 }
 
 void EntityTable::add_obstacle(const EntityId& id, const Obstacle& obstacle) {

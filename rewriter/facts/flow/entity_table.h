@@ -16,6 +16,13 @@
 
 namespace tzc::rewriter {
 
+/// How a value goes from one entity to another, as of Flow.
+struct Passage {
+  clang::SourceLocation where;
+  std::string what;
+  bool copies = false;
+};
+
 /// The entities of a unit and the flows between them. Only this class writes them; its functions ignore empty
 /// ids.
 class EntityTable {
@@ -33,8 +40,7 @@ class EntityTable {
 
   /// Adds the edits that give the written type its ported spelling, or the obstacles.
   void retype(const EntityId& id, clang::TypeLoc written);
-  void add_flow(const EntityId& from, const EntityId& to, clang::SourceLocation where,
-                const std::string& what);
+  void add_flow(const EntityId& from, const EntityId& to, const Passage& passage);
   void add_obstacle(const EntityId& id, const Obstacle& obstacle);
   void add_obstacle(const EntityId& id, const char* code, const std::string& reason,
                     clang::SourceLocation where);

@@ -5,6 +5,7 @@
 
 #include "facts/flow/array_bounds.h"
 #include "facts/flow/generic_callables.h"
+#include "facts/flow/message_copies.h"
 #include "facts/flow/overwrites.h"
 #include "facts/flow/stock_vectors.h"
 #include "facts/syntax/ast_walk.h"
@@ -138,7 +139,9 @@ bool UseFollower::into_decl(const clang::Decl* decl) {
                ? false
                : refuse(codes::TZC1001, "it becomes part of '" + value->getNameAsString() + "'");
   end_.variable = variable;
-  entities_.add_flow(id_, target, at_->getBeginLoc(), "initialises '" + value->getNameAsString() + "'");
+  const bool copies = variable && later_copy(unit_, variable);
+  entities_.add_flow(id_, target,
+                     {at_->getBeginLoc(), "initialises '" + value->getNameAsString() + "'", copies});
   return false;
 }
 
@@ -151,8 +154,8 @@ bool UseFollower::into_initializer(const clang::CXXConstructorDecl* constructor)
     if (manager.isBeforeInTranslationUnit(here, range.getBegin()) ||
         manager.isBeforeInTranslationUnit(range.getEnd(), here))
       continue;
-    entities_.add_flow(id_, entities_.declare(initializer->getMember()), here,
-                       "initialises '" + initializer->getMember()->getNameAsString() + "'");
+    entities_.add_flow(id_, entities_.declare(initializer->getMember()),
+                       {here, "initialises '" + initializer->getMember()->getNameAsString() + "'"});
   }
   return false;
 }
@@ -162,8 +165,8 @@ bool UseFollower::into_return(const clang::ReturnStmt* statement) {
   if (!function) return false;
   const EntityId target = entities_.declare_result(function);
   if (!target.empty())
-    entities_.add_flow(id_, target, at_->getBeginLoc(),
-                       "returned from '" + function->getNameAsString() + "'");
+    entities_.add_flow(id_, target,
+                       {at_->getBeginLoc(), "returned from '" + function->getNameAsString() + "'"});
   return false;
 }
 
@@ -193,8 +196,9 @@ bool UseFollower::into_expression(const clang::Expr* parent) {
     return choice->getCond() == at_ ? false : go_on(choice);
   if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(parent)) return into_list(list);
   if (llvm::isa<clang::CXXNewExpr>(parent)) {
-    entities_.add_flow(id_, entities_.declare_temporary(parent), at_->getBeginLoc(),
-                       "copied into a new object");
+    entities_.add_flow(
+        id_, entities_.declare_temporary(parent),
+        {at_->getBeginLoc(), "copied into a new object", later_copy(unit_, parent).has_value()});
     return false;
   }
   if (llvm::isa<clang::CXXStdInitializerListExpr>(parent)) return go_on(parent);
@@ -247,17 +251,18 @@ bool UseFollower::into_list(const clang::InitListExpr* list) {
   if (record)
     for (const clang::FieldDecl* field : record->fields())
       if (index < list->getNumInits() && list->getInit(index++) == at_) {
-        entities_.add_flow(id_, entities_.declare(field), at_->getBeginLoc(),
-                           "becomes a part of an aggregate");
+        entities_.add_flow(id_, entities_.declare(field),
+                           {at_->getBeginLoc(), "becomes a part of an aggregate"});
         return false;
       }
   return refuse(codes::TZC1001, "it becomes part of an aggregate");
 }
 
-/// What is assigned must be understood too: else the value may be one that cannot be ported.
-void UseFollower::check_source(const clang::Expr* value) {
+/// What is assigned must be understood too: else the value may be one that cannot be ported. A message that is copied from a library
+/// is a stock one, which a ported one can be assigned; it may be of any size.
+void UseFollower::check_source(const clang::Expr* value, bool copies) {
   if (!sources_.of(value).foreign) return;
-
+  if (copies) return entities_.add_data_use(id_, value->getBeginLoc());
   const std::string text = unit_.text(value);
   if (entities_.is_message(id_))
     refuse(codes::TZC1013, "'" + text + "' is a message that " + builder_of(value) + " builds");
@@ -266,7 +271,8 @@ void UseFollower::check_source(const clang::Expr* value) {
 }
 
 void UseFollower::assign(const clang::Expr* target, const clang::Expr* value, const clang::Expr* statement) {
-  if (at_ == target) return check_source(value);
+  const bool copies = is_copied_by_assignment(target, value);
+  if (at_ == target) return check_source(value, copies);
   end_.target = target;
   end_.statement = statement;
   const bool is_filter = entities_[id_].role == EntityRole::filter;  // may be kept as one of its bases
@@ -277,7 +283,7 @@ void UseFollower::assign(const clang::Expr* target, const clang::Expr* value, co
   }
   const FlowSources targets = sources_.of(target);
   for (const EntityId& to : targets.entities)
-    entities_.add_flow(id_, to, at_->getBeginLoc(), "assigned to '" + unit_.text(target) + "'");
+    entities_.add_flow(id_, to, {at_->getBeginLoc(), "assigned to '" + unit_.text(target) + "'", copies});
   if (targets.foreign && !message_of(at_->getType()))  // a message is copied
     refuse(entities_.is_message(id_) ? codes::TZC1001 : codes::TZC1010,
            "it is assigned to '" + unit_.text(target) + "', and nothing shows where that is");
@@ -336,8 +342,8 @@ bool UseFollower::into_constructor(const clang::CXXConstructExpr* construct) {
   note_generic_code(construct);
   if (effects_.of_constructor(id_, construct, index) == CallEffect::done) return false;
   if (!llvm::isa<clang::CXXTemporaryObjectExpr>(construct)) return go_on(construct);
-  entities_.add_flow(id_, entities_.declare_temporary(construct), at_->getBeginLoc(),
-                     "copied into a temporary");
+  entities_.add_flow(id_, entities_.declare_temporary(construct),
+                     {at_->getBeginLoc(), "copied into a temporary"});
   if (leads_to_the_same(at_, construct)) handle_ = construct;
   return false;
 }
@@ -347,7 +353,7 @@ bool UseFollower::into_cast(const clang::ExplicitCastExpr* cast) {
   if (!carried_by(cast->getType(), unit_.rules))
     return refuse(codes::TZC1001, "it is cast to '" + cast->getType().getAsString() + "'");
   const EntityId target = entities_.declare_temporary(cast);
-  entities_.add_flow(id_, target, at_->getBeginLoc(), "cast");
+  entities_.add_flow(id_, target, {at_->getBeginLoc(), "cast"});
   if (leads_to_the_same(at_, cast)) handle_ = cast;
   return false;
 }

@@ -50,7 +50,7 @@ class UseFollower {
   void note_generic_code(const Call* call);
   bool refuse(const char* code, const std::string& reason);
   void assign(const clang::Expr* target, const clang::Expr* value, const clang::Expr* statement);
-  void check_source(const clang::Expr* value);
+  void check_source(const clang::Expr* value, bool copies = false);
 
   const Unit& unit_;
   EntityTable& entities_;

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "facts/flow/message_copies.h"
 #include "facts/syntax/calls.h"
 #include "model/codes.h"
 
@@ -62,6 +63,7 @@ void ValueFlow::check_source_of(const clang::VarDecl* variable) {
   if (id.empty() || !variable->getInit() || variable->isCXXForRangeDecl() || variable->isImplicit()) return;
   if (llvm::isa<clang::ParmVarDecl>(variable) || variable->getInit()->isTypeDependent()) return;
   if (!sources_of(variable->getInit()).foreign) return;
+  if (later_copy(unit_, variable)) return entities_.add_data_use(id, variable->getLocation());
   entities_.add_obstacle(id, entities_.is_message(id) ? codes::TZC1013 : codes::TZC1017,
                          "it starts as '" + unit_.text(variable->getInit()) + "', which " +
                              builder_of(variable->getInit()) + " builds",
@@ -134,10 +136,10 @@ void ValueFlow::loop_over(const clang::CXXForRangeStmt* loop) {
   const EntityId variable = loop->getLoopVariable() ? entities_.declare(loop->getLoopVariable()) : EntityId();
   if (variable.empty() || !loop->getRangeInit()) return;
   for (const EntityId& id : sources_of(loop->getRangeInit()).entities)
-    entities_.add_flow(id, variable, loop->getForLoc(), "looped over");
+    entities_.add_flow(id, variable, {loop->getForLoc(), "looped over"});
   for (const clang::FunctionDecl* function : functions_of(loop))
     if (unit_.declares(function))
-      entities_.add_flow(entities_.declare_result(function), variable, loop->getForLoc(), "looped over");
+      entities_.add_flow(entities_.declare_result(function), variable, {loop->getForLoc(), "looped over"});
 }
 
 }  // namespace tzc::rewriter

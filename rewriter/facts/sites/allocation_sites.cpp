@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "facts/flow/message_copies.h"
 #include "facts/sites/containing_object.h"
-#include "facts/sites/taken_results.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/call_place.h"
 #include "facts/syntax/calls.h"
@@ -115,10 +115,10 @@ class Connector {
   }
 
   /// For a local message before the publisher that is declared later in the same block. Whoever has filled the message, or has a
-  /// pointer to its elements, has named it.
+  /// pointer to its elements, has named it. What a copy is made of may change meanwhile.
   std::optional<InsertedAllocation> behind_publisher(const AllocationDraft& draft) const {
     const auto* how = std::get_if<InsertedAllocation>(&draft.site.how);
-    if (!how || !how->at || !draft.variable) return {};
+    if (!how || !how->at || how->copy || !draft.variable) return {};
     for (const PublisherMention& mention : mentions_) {
       if (mention.function != draft.function) continue;
       const clang::Stmt* declaration = declaration_of(mention);
@@ -206,7 +206,9 @@ void AllocationCollector::place_behind(InsertedAllocation& how, const clang::Stm
     how.own_line = false;
     return;
   }
-  how.indent = unit_.source.indent(*how.at);
+  const clang::Stmt* labelled = statement;
+  while (const auto* label = llvm::dyn_cast<clang::SwitchCase>(labelled)) labelled = label->getSubStmt();
+  how.indent = unit_.source.indent(unit_.source.before(labelled->getBeginLoc()).value_or(*how.at));
   const std::optional<Place> end = unit_.source.line_end(*how.at);
   how.own_line = end.has_value();
   if (end) how.at = end;
@@ -224,13 +226,6 @@ bool AllocationCollector::is_result(const FlowSources& sources) const {
 }
 
 namespace {
-
-/// Image image = *made(): the elements are a copy's, of whatever it was made from.
-bool is_copy(const clang::Expr* value) {
-  const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(value->IgnoreImplicit());
-  return construct && construct->getConstructor()->isCopyConstructor() && construct->getNumArgs() > 0 &&
-         construct->getArg(0)->isLValue();
-}
 
 /// Image image = std::move(other): the elements are the other's, with the memory that they have there.
 bool is_move(const clang::Expr* value) {
@@ -262,7 +257,8 @@ std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::
     }
     const FlowSources sources = flow_.sources_of(value);
     if (is_result(sources) || (is_move(value) && !is_fresh(sources))) return {};
-    how.filled = !is_fresh(sources) || is_copy(value);
+    how.filled = !is_fresh(sources) || copied_by(value);
+    if (how.filled) how.copy = later_copy(unit_, variable);
   }
   place_behind(how, statement_around(unit_, *variable));
   draft.site.how = how;
@@ -303,17 +299,6 @@ bool is_in_initializer_list(const Unit& unit, const clang::Expr* made) {
   return false;
 }
 
-/// The message that new or make_shared makes the object from: M(std::move(other)), or a call that returns one. Null: none.
-const clang::Expr* made_from(const clang::Expr* expr) {
-  const auto* call = llvm::dyn_cast<clang::CallExpr>(expr);
-  const auto* made = llvm::dyn_cast<clang::CXXNewExpr>(expr);
-  const clang::Expr* value = made ? made->getInitializer() : nullptr;
-  if (const auto* construct = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(value))
-    value = construct->getNumArgs() == 1 ? construct->getArg(0) : nullptr;
-  if (call && call->getNumArgs() == 1) value = call->getArg(0);
-  return value && message_of(value->getType().getNonReferenceType()) ? value : nullptr;
-}
-
 }  // namespace
 
 /// Whether the object gets another message's elements, to which the program may have pointers; they stay where they lie. A copy has
@@ -333,6 +318,7 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
   InsertedAllocation how;
   const clang::Expr* source = made_from(expr);
   how.filled = source && source->isLValue();
+  if (how.filled) how.copy = later_copy(unit_, expr);
   if (end.variable && !llvm::isa<clang::ParmVarDecl>(end.variable)) {
     how.object = "*" + end.variable->getNameAsString();
     draft.variable = end.variable;

@@ -34,6 +34,10 @@ void require_no_silent_copies() {
                 "explicit");
   static_assert(std::is_constructible<Twin, Stock>::value && std::is_constructible<Stock, Twin>::value,
                 "possible");
+  static_assert(std::is_assignable<Twin&, Stock>::value && !std::is_assignable<Stock&, Twin>::value,
+                "a stock message can be assigned, and nothing that becomes one");
+  Twin empty;
+  empty = {};
   static_assert(std::is_same<typename Twin::ConstPtr, boost::shared_ptr<const Twin>>::value, "as in roscpp");
 }
 

@@ -65,7 +65,7 @@ void check_traits() {
 }
 
 /// stock -> twin -> wire is roscpp's own serialization; wire -> twin -> stock is what it was; so is the
-/// printed text.
+/// printed text. Assigned to a twin, a stock message replaces all that this one had.
 template <class Twin, class Stock>
 void check_wire(const Stock& stock, Bytes bytes) {
   const Twin twin(stock);
@@ -73,6 +73,11 @@ void check_wire(const Stock& stock, Bytes bytes) {
   const Twin read = from_wire<Twin>(bytes);
   expect_same(static_cast<Stock>(read), bytes);
   EXPECT_EQ(printed(read), printed(stock));
+  Twin assigned(stock);
+  assigned = Stock();
+  EXPECT_EQ(wire_bytes(assigned), wire_bytes(Stock()));
+  assigned = stock;
+  EXPECT_EQ(wire_bytes(assigned), bytes);
 }
 
 /// Blocks in memory of exactly their size, so that a sanitizer sees the first byte read beyond.

@@ -10,6 +10,10 @@ struct CameraInfo {
   typedef boost::shared_ptr<CameraInfo const> ConstPtr;
   CameraInfo() = default;
   explicit CameraInfo(const Stock&) {}
+  template <class S>
+  typename std::enable_if<std::is_same<S, Stock>::value, CameraInfo&>::type operator=(const S&) {
+    return *this;
+  }
   explicit operator Stock() const { return Stock(); }
   ::std_msgs::Header header;
   uint32_t height = 0, width = 0;

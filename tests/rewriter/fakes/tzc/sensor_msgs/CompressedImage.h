@@ -10,6 +10,10 @@ struct CompressedImage {
   typedef boost::shared_ptr<CompressedImage const> ConstPtr;
   CompressedImage() = default;
   explicit CompressedImage(const Stock&) {}
+  template <class S>
+  typename std::enable_if<std::is_same<S, Stock>::value, CompressedImage&>::type operator=(const S&) {
+    return *this;
+  }
   explicit operator Stock() const { return Stock(); }
   ::std_msgs::Header header;
   std::string format;

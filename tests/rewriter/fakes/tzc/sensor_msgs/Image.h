@@ -10,6 +10,10 @@ struct Image {
   typedef boost::shared_ptr<Image const> ConstPtr;
   Image() = default;
   explicit Image(const Stock&) {}
+  template <class S>
+  typename std::enable_if<std::is_same<S, Stock>::value, Image&>::type operator=(const S&) {
+    return *this;
+  }
   explicit operator Stock() const { return Stock(); }
   ::std_msgs::Header header;
   uint32_t height = 0, width = 0;

@@ -10,6 +10,10 @@ struct LaserScan {
   typedef boost::shared_ptr<LaserScan const> ConstPtr;
   LaserScan() = default;
   explicit LaserScan(const Stock&) {}
+  template <class S>
+  typename std::enable_if<std::is_same<S, Stock>::value, LaserScan&>::type operator=(const S&) {
+    return *this;
+  }
   explicit operator Stock() const { return Stock(); }
   ::std_msgs::Header header;
   float angle_min = 0, angle_max = 0;

@@ -17,6 +17,10 @@ struct PointCloud {
   typedef boost::shared_ptr<PointCloud const> ConstPtr;
   PointCloud() = default;
   explicit PointCloud(const Stock&) {}
+  template <class S>
+  typename std::enable_if<std::is_same<S, Stock>::value, PointCloud&>::type operator=(const S&) {
+    return *this;
+  }
   explicit operator Stock() const { return Stock(); }
   ::std_msgs::Header header;
   ::tzc::Array<::geometry_msgs::Point> points;

@@ -10,6 +10,10 @@ struct PointCloud2 {
   typedef boost::shared_ptr<PointCloud2 const> ConstPtr;
   PointCloud2() = default;
   explicit PointCloud2(const Stock&) {}
+  template <class S>
+  typename std::enable_if<std::is_same<S, Stock>::value, PointCloud2&>::type operator=(const S&) {
+    return *this;
+  }
   explicit operator Stock() const { return Stock(); }
   ::std_msgs::Header header;
   uint32_t height = 0, width = 0;

@@ -10,6 +10,10 @@ struct ScanRequest {
   typedef boost::shared_ptr<ScanRequest const> ConstPtr;
   ScanRequest() = default;
   explicit ScanRequest(const Stock&) {}
+  template <class S>
+  typename std::enable_if<std::is_same<S, Stock>::value, ScanRequest&>::type operator=(const S&) {
+    return *this;
+  }
   explicit operator Stock() const { return Stock(); }
   ::tzc::Array<uint8_t> data;
 };

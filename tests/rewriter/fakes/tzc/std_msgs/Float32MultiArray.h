@@ -10,6 +10,10 @@ struct Float32MultiArray {
   typedef boost::shared_ptr<Float32MultiArray const> ConstPtr;
   Float32MultiArray() = default;
   explicit Float32MultiArray(const Stock&) {}
+  template <class S>
+  typename std::enable_if<std::is_same<S, Stock>::value, Float32MultiArray&>::type operator=(const S&) {
+    return *this;
+  }
   explicit operator Stock() const { return Stock(); }
   ::tzc::Array<float> data;
 };

@@ -11,6 +11,10 @@ struct DisparityImage {
   typedef boost::shared_ptr<DisparityImage const> ConstPtr;
   DisparityImage() = default;
   explicit DisparityImage(const Stock&) {}
+  template <class S>
+  typename std::enable_if<std::is_same<S, Stock>::value, DisparityImage&>::type operator=(const S&) {
+    return *this;
+  }
   explicit operator Stock() const { return Stock(); }
   ::std_msgs::Header header;
   ::tzc::sensor_msgs::Image image;

@@ -10,6 +10,10 @@ struct Marker {
   typedef boost::shared_ptr<Marker const> ConstPtr;
   Marker() = default;
   explicit Marker(const Stock&) {}
+  template <class S>
+  typename std::enable_if<std::is_same<S, Stock>::value, Marker&>::type operator=(const S&) {
+    return *this;
+  }
   explicit operator Stock() const { return Stock(); }
   ::std_msgs::Header header;
   int type = 0;

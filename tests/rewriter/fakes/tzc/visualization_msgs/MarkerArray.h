@@ -11,6 +11,10 @@ struct MarkerArray {
   typedef boost::shared_ptr<MarkerArray const> ConstPtr;
   MarkerArray() = default;
   explicit MarkerArray(const Stock&) {}
+  template <class S>
+  typename std::enable_if<std::is_same<S, Stock>::value, MarkerArray&>::type operator=(const S&) {
+    return *this;
+  }
   explicit operator Stock() const { return Stock(); }
   typedef std::vector< ::tzc::visualization_msgs::Marker> _markers_type;
   _markers_type markers;

@@ -37,6 +37,4 @@ int main() {
 // +    tzc::sensor_msgs::Image out;
 // +    pub_.allocate(out);
 // -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);
-// -  sensor_msgs::Image last_;
 // +  tzc::Publisher pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1);
-// +  tzc::sensor_msgs::Image last_;

@@ -64,8 +64,6 @@ void run(ros::NodeHandle& nh) {
 // -  explicit Copied(ros::NodeHandle& nh) : pub_(nh.advertise<sensor_msgs::Image>("copied", 1)) {}
 // +  explicit Copied(ros::NodeHandle& nh) : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh, "copied", 1)) {}
 // -  ros::Publisher pub_;
-// -  sensor_msgs::Image frame_;
-// -  std::map<int, sensor_msgs::Image> frames_;
 // +  tzc::Publisher pub_;
-// +  tzc::sensor_msgs::Image frame_;
+// -  std::map<int, sensor_msgs::Image> frames_;
 // +  std::map<int, tzc::sensor_msgs::Image> frames_;

@@ -28,6 +28,15 @@ struct AskResponse {
       : view(_stock.view),
         found(_stock.found) {}
 
+  /// The same, into an object that is there: a bound array copies into its publisher's memory.
+  template <class _source>
+  typename ::std::enable_if< ::std::is_same<_source, ::demo::AskResponse>::value, AskResponse&>::type operator=(
+      const _source& _stock) {
+    view = _stock.view;
+    found = _stock.found;
+    return *this;
+  }
+
   explicit operator ::demo::AskResponse() const {
     ::demo::AskResponse _stock;
     _copy_to(_stock);

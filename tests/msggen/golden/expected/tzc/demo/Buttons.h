@@ -29,6 +29,16 @@ struct Buttons {
         pressed(_stock.pressed.begin(), _stock.pressed.end()),
         since(_stock.since.begin(), _stock.since.end()) {}
 
+  /// The same, into an object that is there: a bound array copies into its publisher's memory.
+  template <class _source>
+  typename ::std::enable_if< ::std::is_same<_source, ::demo::Buttons>::value, Buttons&>::type operator=(
+      const _source& _stock) {
+    array = _stock.array;
+    pressed = _stock.pressed;
+    since = _stock.since;
+    return *this;
+  }
+
   explicit operator ::demo::Buttons() const {
     ::demo::Buttons _stock;
     _copy_to(_stock);

@@ -27,6 +27,15 @@ struct Channel {
       : name(_stock.name),
         values(_stock.values.begin(), _stock.values.end()) {}
 
+  /// The same, into an object that is there: a bound array copies into its publisher's memory.
+  template <class _source>
+  typename ::std::enable_if< ::std::is_same<_source, ::demo::Channel>::value, Channel&>::type operator=(
+      const _source& _stock) {
+    name = _stock.name;
+    values = _stock.values;
+    return *this;
+  }
+
   explicit operator ::demo::Channel() const {
     ::demo::Channel _stock;
     _copy_to(_stock);

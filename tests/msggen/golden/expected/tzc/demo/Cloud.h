@@ -34,6 +34,19 @@ struct Cloud {
         channels(_stock.channels.begin(), _stock.channels.end()),
         notes(_stock.notes) {}
 
+  /// The same, into an object that is there: a bound array copies into its publisher's memory.
+  template <class _source>
+  typename ::std::enable_if< ::std::is_same<_source, ::demo::Cloud>::value, Cloud&>::type operator=(
+      const _source& _stock) {
+    header = _stock.header;
+    origin = _stock.origin;
+    points = _stock.points;
+    channels.resize(_stock.channels.size());
+    for (::std::size_t _i = 0; _i < channels.size(); ++_i) channels[_i] = _stock.channels[_i];
+    notes = _stock.notes;
+    return *this;
+  }
+
   explicit operator ::demo::Cloud() const {
     ::demo::Cloud _stock;
     _copy_to(_stock);

@@ -61,6 +61,23 @@ struct Corners_ : CornersConstants_<void> {
     for (::std::size_t _i = 0; _i < both.size(); ++_i) both[_i] = ::tzc::demo::Channel(_stock.both[_i]);
   }
 
+  /// The same, into an object that is there: a bound array copies into its publisher's memory.
+  template <class _source>
+  typename ::std::enable_if< ::std::is_same<_source, ::demo::Corners>::value, Corners_&>::type operator=(
+      const _source& _stock) {
+    fixed = _stock.fixed;
+    for (::std::size_t _i = 0; _i < both.size(); ++_i) both[_i] = _stock.both[_i];
+    one = _stock.one;
+    Corners = _stock.Corners;
+    none = _stock.none;
+    nothing = _stock.nothing;
+    Stock = _stock.Stock;
+    i = _stock.i;
+    stream = _stock.stream;
+    message = _stock.message;
+    return *this;
+  }
+
   explicit operator ::demo::Corners() const {
     ::demo::Corners _stock;
     _copy_to(_stock);

@@ -33,6 +33,18 @@ struct Picture {
         encoding(_stock.encoding),
         data(_stock.data.begin(), _stock.data.end()) {}
 
+  /// The same, into an object that is there: a bound array copies into its publisher's memory.
+  template <class _source>
+  typename ::std::enable_if< ::std::is_same<_source, ::demo::Picture>::value, Picture&>::type operator=(
+      const _source& _stock) {
+    header = _stock.header;
+    height = _stock.height;
+    width = _stock.width;
+    encoding = _stock.encoding;
+    data = _stock.data;
+    return *this;
+  }
+
   explicit operator ::demo::Picture() const {
     ::demo::Picture _stock;
     _copy_to(_stock);

@@ -26,6 +26,15 @@ struct Shop {
       : Stock(_stock.Stock),
         prices(_stock.prices.begin(), _stock.prices.end()) {}
 
+  /// The same, into an object that is there: a bound array copies into its publisher's memory.
+  template <class _source>
+  typename ::std::enable_if< ::std::is_same<_source, ::demo::Shop>::value, Shop&>::type operator=(
+      const _source& _stock) {
+    Stock = _stock.Stock;
+    prices = _stock.prices;
+    return *this;
+  }
+
   explicit operator ::demo::Shop() const {
     ::demo::Shop _stock;
     _copy_to(_stock);

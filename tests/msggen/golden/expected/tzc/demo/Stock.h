@@ -31,6 +31,16 @@ struct Stock_ {
     for (::std::size_t _i = 0; _i < labels.size(); ++_i) labels[_i] = ::tzc::demo::Picture(_stock.labels[_i]);
   }
 
+  /// The same, into an object that is there: a bound array copies into its publisher's memory.
+  template <class _source>
+  typename ::std::enable_if< ::std::is_same<_source, ::demo::Stock>::value, Stock_&>::type operator=(
+      const _source& _stock) {
+    shelf = _stock.shelf;
+    for (::std::size_t _i = 0; _i < labels.size(); ++_i) labels[_i] = _stock.labels[_i];
+    prices = _stock.prices;
+    return *this;
+  }
+
   explicit operator ::demo::Stock() const {
     ::demo::Stock _stock;
     _copy_to(_stock);

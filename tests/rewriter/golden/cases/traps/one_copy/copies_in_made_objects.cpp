@@ -70,8 +70,8 @@ int main() {
 //--- expected
 // advertise src/node.cpp:10 sensor_msgs/Image one_copy 'made'
 // publish src/node.cpp:14 sensor_msgs/Image one_copy 'made' TZC1020 it starts as a copy of another message
-// advertise src/node.cpp:23 sensor_msgs/Image one_copy 'before'
-// publish src/node.cpp:28 sensor_msgs/Image one_copy 'before' TZC1020 it starts as a copy of another message
+// advertise src/node.cpp:23 sensor_msgs/Image zero_copy 'before'
+// publish src/node.cpp:28 sensor_msgs/Image zero_copy 'before'
 // advertise src/node.cpp:37 sensor_msgs/Image one_copy 'optional'
 // publish src/node.cpp:42 sensor_msgs/Image one_copy 'optional' TZC1013 it starts as 'std::make_optional<sensor_msgs::Image>(image)', which code outside the package builds
 // advertise src/node.cpp:51 sensor_msgs/Image one_copy 'plain'
@@ -79,12 +79,17 @@ int main() {
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  explicit MadeToBePublished(ros::NodeHandle& nh) : pub_(nh.advertise<sensor_msgs::Image>("made", 1)) {}
 // +  explicit MadeToBePublished(ros::NodeHandle& nh) : pub_(tzc::advertise<sensor_msgs::Image>(nh, "made", 1)) {}
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;
 // -  explicit MadeBefore(ros::NodeHandle& nh) : pub_(nh.advertise<sensor_msgs::Image>("before", 1)) {}
-// +  explicit MadeBefore(ros::NodeHandle& nh) : pub_(tzc::advertise<sensor_msgs::Image>(nh, "before", 1)) {}
+// +  explicit MadeBefore(ros::NodeHandle& nh) : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh, "before", 1)) {}
+// -    sensor_msgs::ImagePtr copy(new sensor_msgs::Image(image));
+// +    tzc::sensor_msgs::ImagePtr copy(new tzc::sensor_msgs::Image());
+// +    pub_.allocate(*copy);
+// +    *copy = image;
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;
 // -  explicit MadeOptional(ros::NodeHandle& nh) : pub_(nh.advertise<sensor_msgs::Image>("optional", 1)) {}

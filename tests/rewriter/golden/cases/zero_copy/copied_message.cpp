@@ -18,12 +18,17 @@ class Node {
   sensor_msgs::Image last_;
 };
 //--- expected
-// advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:11 sensor_msgs/Image one_copy 'image' TZC1020 it starts as a copy of another message
+// advertise src/node.cpp:7 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:11 sensor_msgs/Image zero_copy 'image'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
 // -  Node() { pub_ = nh_.advertise<sensor_msgs::Image>("image", 10); }
-// +  Node() { pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "image", 10); }
+// +  Node() { pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10); }
+// -    sensor_msgs::Image out = last_;
+// +    tzc::sensor_msgs::Image out;
+// +    pub_.allocate(out);
+// +    out = last_;
 // -  ros::Publisher pub_;
 // +  tzc::Publisher pub_;

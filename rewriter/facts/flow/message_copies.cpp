@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/flow/message_copies.h"
+
+#include <clang/AST/ExprCXX.h>
+#include <clang/AST/Stmt.h>
+
+#include "facts/syntax/ast_walk.h"
+#include "facts/syntax/calls.h"
+#include "facts/syntax/message_parts.h"
+#include "facts/syntax/message_type.h"
+
+namespace tzc::rewriter {
+namespace {
+
+bool is_message_object(const clang::Expr* expr) {
+  return expr->isLValue() && message_of(expr->getType());
+}
+
+/// From behind a variable's name to its semicolon: ` = *in`, `(*in)`.
+std::optional<Place> initializer_of(const Unit& unit, const clang::VarDecl* variable,
+                                    const clang::DeclStmt* statement) {
+  const std::optional<Place> name = unit.source.place(variable->getLocation());
+  const std::optional<Place> end = unit.source.behind(statement->getSourceRange());
+  if (!name || !end || name->file != end->file) return {};
+  Place place = *name;
+  place.begin = name->end;
+  place.end = end->end;
+  const std::string text = unit.source.text(place);
+  if (text.empty() || text.back() != ';') return {};
+  --place.end;
+  return place;
+}
+
+/// `auto out = *in;` has to name the type when nothing is left that tells it.
+std::optional<Change> named_type(const Unit& unit, const clang::VarDecl* variable) {
+  const auto deduced = variable->getTypeSourceInfo()->getTypeLoc().getAs<clang::AutoTypeLoc>();
+  const std::optional<Place> place =
+      deduced.isNull() ? std::nullopt : unit.source.place(deduced.getNameLoc());
+  const std::string message = message_of(variable->getType())->name;
+  return place ? std::optional(Change{*place, twin_name(message), "message-type", {twin_header(message)}})
+               : std::nullopt;
+}
+
+}  // namespace
+
+const clang::Expr* copied_by(const clang::Expr* initializer) {
+  const clang::Expr* made = initializer->IgnoreImplicit();
+  while (const auto* named = llvm::dyn_cast<clang::CXXFunctionalCastExpr>(made))
+    made = named->getSubExpr()->IgnoreImplicit();
+  const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(made);
+  if (!construct || construct->getNumArgs() == 0) return nullptr;
+  const clang::Expr* source = construct->getArg(0);
+  if (construct->getConstructor()->isCopyConstructor() && is_message_object(source)) return source;
+  // Before C++17 the temporary is moved, as the program may leave out.
+  const bool moves = construct->getConstructor()->isCopyOrMoveConstructor() && source->isPRValue();
+  return moves || construct->isElidable() ? copied_by(source) : nullptr;
+}
+
+std::vector<Change> move_out_of_result(const Unit& unit, const clang::Expr* initializer) {
+  const clang::Expr* message = copied_by(initializer);
+  if (!message) return {};
+  message = message->IgnoreImpCasts();
+  const clang::Expr* pointer = pointer_followed(message->IgnoreParens());
+  const auto* call =
+      pointer ? llvm::dyn_cast<clang::CallExpr>(pointer->IgnoreParens()->IgnoreImplicit()) : nullptr;
+  const auto where =
+      call && builds_message(unit, call) ? unit.source.place(message->getSourceRange()) : std::nullopt;
+  if (!where) return {};
+  const Place begin{where->file, where->begin, where->begin, where->line, where->column};
+  const Place end{where->file, where->end, where->end, where->line, where->column};
+  return {{begin, "std::move(", "message-type", {}}, {end, ")", "message-type", {}}};
+}
+
+std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* variable) {
+  if (!variable->hasLocalStorage() || llvm::isa<clang::ParmVarDecl>(variable) || !variable->getInit() ||
+      variable->getType().isConstQualified() || variable->getType()->isReferenceType() ||
+      !message_of(variable->getType()))
+    return {};
+  const auto* statement = parent_as<clang::DeclStmt>(unit.ast(), *variable);
+  const clang::Expr* source = copied_by(variable->getInit());
+  if (!source || !statement || !statement->isSingleDecl() || !unit.source.place(source->getSourceRange()) ||
+      !move_out_of_result(unit, variable->getInit()).empty())
+    return {};
+  const std::optional<Place> initializer = initializer_of(unit, variable, statement);
+  if (!initializer) return {};
+  LaterCopy copy{{{*initializer, "", "later-copy", {}}}, unit.text(source)};
+  if (!variable->getTypeSourceInfo()->getTypeLoc().getContainedAutoTypeLoc()) return copy;
+  const std::optional<Change> type = named_type(unit, variable);
+  if (!type) return {};
+  copy.without.push_back(*type);
+  return copy;
+}
+
+const clang::Expr* made_from(const clang::Expr* expr) {
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(expr);
+  const auto* made = llvm::dyn_cast<clang::CXXNewExpr>(expr);
+  const clang::Expr* value = made ? made->getInitializer() : nullptr;
+  if (const auto* construct = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(value))
+    value = construct->getNumArgs() == 1 ? construct->getArg(0) : nullptr;
+  if (call && call->getNumArgs() == 1) value = call->getArg(0);
+  return value && message_of(value->getType().getNonReferenceType()) ? value : nullptr;
+}
+
+std::optional<LaterCopy> later_copy(const Unit& unit, const clang::Expr* made) {
+  const clang::Expr* source = made_from(made);
+  if (!source || !is_message_object(source)) return {};
+  const std::optional<Place> place = unit.source.place(source->getSourceRange());
+  if (!place) return {};
+  return LaterCopy{{{*place, "", "later-copy", {}}}, unit.text(source)};
+}
+
+bool is_copied_by_assignment(const clang::Expr* target, const clang::Expr* value) {
+  return is_message_object(value) && message_of(target->getType());
+}
+
+}  // namespace tzc::rewriter

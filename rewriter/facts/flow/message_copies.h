@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Messages that are made as copies of others: `M out = *in;`, `make_shared<M>(*in)`. The copy is another object with elements of
+// its own, so it may be ported while the other one stays as it is: it starts empty and is assigned.
+
+#include <clang/AST/Decl.h>
+#include <clang/AST/Expr.h>
+
+#include <optional>
+#include <vector>
+
+#include "facts/syntax/unit.h"
+#include "model/facts.h"
+
+namespace tzc::rewriter {
+
+/// What a message is copied from that starts so: `M out = *in;`, `M out = M(*in);`. Null: it starts otherwise.
+const clang::Expr* copied_by(const clang::Expr* initializer);
+
+/// `Image image = *cv_image.toImageMsg();` with a move in place of the copy: the pointer ends with the statement, and nobody else has one.
+/// Empty: a message does not start so, or a macro writes it.
+std::vector<Change> move_out_of_result(const Unit& unit, const clang::Expr* initializer);
+
+/// Of a local variable. None: it does not start as a copy, or cannot be written otherwise (const, several variables, a macro).
+std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* variable);
+
+/// Of new M(*in) and make_shared<M>(*in), likewise.
+std::optional<LaterCopy> later_copy(const Unit& unit, const clang::Expr* made);
+
+/// The message that new or make_shared makes the object from: M(std::move(other)), or a call that returns one. Null: none.
+const clang::Expr* made_from(const clang::Expr* expr);
+
+/// Whether the value is a message that an assignment to another one, `target = value`, copies.
+bool is_copied_by_assignment(const clang::Expr* target, const clang::Expr* value);
+
+}  // namespace tzc::rewriter
