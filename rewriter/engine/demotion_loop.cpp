@@ -23,10 +23,13 @@ const char* DemotionLoop::demotion_code(ComponentId component) const {
   return receives ? codes::TZC2005 : codes::TZC1009;
 }
 
+/// The error's own place is one of the ported text, which nobody will see.
 void DemotionLoop::demote(ComponentId component, const Failure& failure) {
-  demotions_.emplace(component,
-                     Obstacle{demotion_code(component), "ported, it would not compile: " + failure.error.text,
-                              failure.error.where});
+  Location where = failure.error.where;
+  if (failure.origin.first != 0 && !failure.origin.has(where.line))
+    where = {where.file, failure.origin.first, 1};
+  demotions_.emplace(component, Obstacle{demotion_code(component),
+                                         "ported, it would not compile: " + failure.error.text, where});
 }
 
 DemotionLoop::Attempt DemotionLoop::planned(const Demotions& demotions) const {

@@ -2,6 +2,7 @@
 #include "tool/build_folder.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -127,6 +128,16 @@ std::string find_configured_dir(const PackagePlace& package, const std::string& 
   const std::vector<fs::path> folders = given_candidates(given, package.name);
   const auto found = std::find_if(folders.begin(), folders.end(), configures);
   return found == folders.end() ? "" : canonical_path(*found);
+}
+
+Expected<void> check_exports(const std::string& configured_dir, const PackagePlace& package) {
+  static const std::set<std::string> off = {"", "0", "OFF", "NO", "FALSE", "N"};
+  std::string value = CmakeCache::nearest(configured_dir).value("CMAKE_EXPORT_COMPILE_COMMANDS");
+  std::transform(value.begin(), value.end(), value.begin(), [](unsigned char c) { return std::toupper(c); });
+  if (has_database(configured_dir) || off.count(value) == 0) return {};
+  return Error{
+      "was configured without compile commands, so that nothing tells how the package's files are compiled",
+      configured_dir, how_to_make_one(package.dir)};
 }
 
 }  // namespace tzc::rewriter

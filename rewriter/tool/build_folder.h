@@ -24,4 +24,8 @@ Expected<std::string> find_build_dir(const PackagePlace& package, const std::str
 std::string find_configured_dir(const PackagePlace& package, const std::string& given,
                                 const std::vector<std::string>& arguments);
 
+/// Whether CMake was told to write compile commands there: it writes no file when it compiles nothing. An error that says how to tell
+/// it so otherwise.
+Expected<void> check_exports(const std::string& configured_dir, const PackagePlace& package);
+
 }  // namespace tzc::rewriter

@@ -57,7 +57,9 @@ Expected<void> find_build(PackagePort& port, const PackagePlace& place, const Op
     port.has_units = true;
     return {};
   }
-  if (find_configured_dir(place, options.build_dir, options.packages).empty()) return build_dir.error();
+  const std::string configured = find_configured_dir(place, options.build_dir, options.packages);
+  if (configured.empty()) return build_dir.error();
+  if (Expected<void> exports = check_exports(configured, place); !exports) return exports.error();
   append(port.result.report.notes, sources);
   return {};
 }

@@ -36,8 +36,10 @@ std::string closing_line(const Options& options, const std::vector<PackagePort>&
                          const Outcome& outcome) {
   const std::vector<BuiltPackage> changed = changed_packages(ports);
   const bool open = std::any_of(ports.begin(), ports.end(), has_refusal);
-  if (changed.empty())
-    return open ? "no change; some sites stay on TCPROS\n" : "nothing to port" + unread(ports) + "\n";
+  if (changed.empty() && open) return "no change; some sites stay on TCPROS\n";
+  if (changed.empty() && outcome.status == Status::failed)
+    return "nothing to port in what was analysed; the errors say what was not\n";
+  if (changed.empty()) return "nothing to port" + unread(ports) + "\n";
   switch (options.action) {
     case Action::apply:
       return next_steps(changed) +

@@ -8,8 +8,11 @@
 
 namespace tzc::rewriter {
 
+/// How a run ends.
+enum Status { nothing_left = 0, work_left = 1, failed = 2 };
+
 struct Outcome {
-  int status = 0;    ///< how the run is going to end
+  Status status = nothing_left;
   std::string undo;  ///< the command that takes back what was written; empty: none
 };
 

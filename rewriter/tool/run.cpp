@@ -32,8 +32,6 @@
 namespace tzc::rewriter {
 namespace {
 
-enum Status { nothing_left = 0, work_left = 1, failed = 2 };
-
 class Run {
  public:
   Run(const Options& options, const Engine& engine)
@@ -234,7 +232,7 @@ class Run {
   }
 
   /// Status 2 means that nothing was written, so a failure after a write ends with 1.
-  int status() const {
+  Status status() const {
     const bool wrote = finished_another_run_ || (writer_ && writer_->has_written());
     if (failed_) return wrote ? work_left : failed;
     if (options_.action == Action::apply || options_.action == Action::out_dir)

@@ -90,6 +90,16 @@ TEST(ConfiguredFolder, is_one_whose_cache_names_the_package) {
   folder.write("ws/build/CMakeFiles/TargetDirectories.txt", "");
   EXPECT_EQ(find_configured_dir(demo, "", {}), folder / "ws/build");
   EXPECT_EQ(find_configured_dir(demo, folder / "ws/build/compile_commands.json", {}), folder / "ws/build");
+  const auto exports = [&](const std::string& value) {
+    folder.write("ws/build/CMakeCache.txt", named + (folder / "ws/src/demo") + "\n" + value);
+    return static_cast<bool>(check_exports(folder / "ws/build", demo));
+  };
+  EXPECT_FALSE(exports("")) << "its targets may compile anything";
+  EXPECT_FALSE(exports("CMAKE_EXPORT_COMPILE_COMMANDS:BOOL=off\n"));
+  EXPECT_TRUE(exports("CMAKE_EXPORT_COMPILE_COMMANDS:BOOL=ON\n"));
+  EXPECT_TRUE(exports("CMAKE_EXPORT_COMPILE_COMMANDS:UNINITIALIZED=1\n"));
+  folder.write("ws/build/compile_commands.json", "[]");
+  EXPECT_TRUE(exports(""));
 }
 
 }  // namespace

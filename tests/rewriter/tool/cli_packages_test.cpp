@@ -10,6 +10,7 @@ namespace {
 
 using nlohmann::json;
 using test::Cli;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -38,6 +39,19 @@ TEST_F(Cli, no_compile_commands) {
   const auto result = ws.rewrite({});
   EXPECT_EQ(result.status, 2);
   EXPECT_THAT(result.errors, HasSubstr("-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"));
+}
+
+TEST_F(Cli, configured_without_compile_commands) {
+  std::filesystem::remove(ws.folder() / "ws/build/compile_commands.json");
+  ws.folder().write("ws/build/CMakeCache.txt",
+                    "demo_SOURCE_DIR:STATIC=" + (ws.folder() / "ws/src/demo") + "\n");
+  ws.folder().write("ws/build/CMakeFiles/TargetDirectories.txt", "");
+  for (const std::vector<std::string>& action : {std::vector<std::string>{}, {"--check"}}) {
+    const auto result = ws.rewrite(action);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_THAT(result.errors, AllOf(HasSubstr("was configured without compile commands"),
+                                     HasSubstr("-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")));
+  }
 }
 
 TEST_F(Cli, compile_commands_of_something_else) {
@@ -73,6 +87,15 @@ TEST_F(Cli, every_package_below_a_folder) {
   ws.rewrite({});
   EXPECT_EQ(ws.run({"--apply", ws.folder() / "ws/src"}).status, 0);
   EXPECT_TRUE(is_ported());
+}
+
+TEST_F(Cli, nothing_to_port_is_not_said_of_what_was_not_analysed) {
+  ws.plan()["edits"] = json::array();
+  ws.plan()["sites"] = json::array();
+  const auto result = ws.rewrite({"--check", "--only", "topic=/nope"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.output,
+              HasSubstr("nothing to port in what was analysed; the errors say what was not\n"));
 }
 
 TEST_F(Cli, a_package_without_cpp_needs_no_compile_commands) {
