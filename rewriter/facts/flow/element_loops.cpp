@@ -16,6 +16,7 @@
 #include <llvm/ADT/SmallPtrSet.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "facts/syntax/calls.h"
 #include "facts/syntax/message_type.h"
@@ -50,6 +51,18 @@ bool has_kept_its_value(const Unit& unit, const ResizedArray& array) {
   if (array.is_fresh || constant_integer(unit, size)) return true;
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(size);
   return reference && reference->getType().isConstQualified();
+}
+
+/// Whether a vector of so many elements can be: another size may be too many, and std::length_error would show whoever catches it
+/// what is not written yet. The array has its own size by now, in memory that is there, and a sister's elements are not so much
+/// larger that as many of them would pass its limit. A number that the compiler knows is compared with no limit but a modest one.
+bool is_known_to_fit(const Unit& unit, const clang::Expr* size, const ResizedArray& array) {
+  constexpr std::uint64_t modest = std::uint64_t{1} << 32;
+  clang::Expr::EvalResult value;
+  if (!size->isValueDependent() && size->EvaluateAsInt(value, unit.ast()))
+    return !value.Val.getInt().isNegative() && value.Val.getInt().getLimitedValue() <= modest;
+  const std::string text = text_of(unit, size);
+  return !text.empty() && text == text_of(unit, array.size) && has_kept_its_value(unit, array);
 }
 
 /// Another array of the same message.
@@ -216,12 +229,12 @@ bool ranges_over(const Unit& unit, const clang::CXXForRangeStmt* loop, const Res
 
 }  // namespace
 
-bool resizes_sister(const Unit& unit, const clang::Stmt* statement, const clang::Expr* array) {
+bool resizes_sister(const Unit& unit, const clang::Stmt* statement, const ResizedArray& array) {
   const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(statement);
   const clang::CXXMethodDecl* method = call ? call->getMethodDecl() : nullptr;
   return method && method->getIdentifier() && method->getName() == "resize" && written_arguments(call) == 1 &&
-         is_sister(unit, call->getImplicitObjectArgument(), array) &&
-         NumberValues(unit, Calls::sizes).is_number(call->getArg(0));
+         is_sister(unit, call->getImplicitObjectArgument(), array.object) &&
+         is_known_to_fit(unit, call->getArg(0), array);
 }
 
 bool writes_each_element(const Unit& unit, const clang::Stmt* statement, const ResizedArray& array) {

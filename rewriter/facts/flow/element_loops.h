@@ -17,8 +17,8 @@ struct ResizedArray {
   bool is_fresh;              ///< nothing has run since but resizes of sister arrays
 };
 
-/// scan.intensities.resize(n), behind a resize of scan.ranges: it leaves what the size is made of alone.
-bool resizes_sister(const Unit& unit, const clang::Stmt* statement, const clang::Expr* array);
+/// scan.intensities.resize(n), behind scan.ranges.resize(n): it leaves what the size is made of alone, and comes back.
+bool resizes_sister(const Unit& unit, const clang::Stmt* statement, const ResizedArray& array);
 
 /// Whether the statement is a loop that gives each element a value, reads none, comes to its end, and runs no other code.
 bool writes_each_element(const Unit& unit, const clang::Stmt* statement, const ResizedArray& array);

@@ -10,8 +10,10 @@
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/call_place.h"
 #include "facts/syntax/calls.h"
+#include "facts/syntax/known_functions.h"
 #include "facts/syntax/library_calls.h"
 #include "facts/syntax/number_values.h"
+#include "facts/syntax/package_types.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -61,25 +63,48 @@ bool is_stable(const Unit& unit, const clang::Expr* size) {
   return variable && variable->getType().isConstQualified();
 }
 
-bool changes_something(const clang::Stmt* stmt) {
-  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(stmt)) return op->isAssignmentOp();
-  const auto* op = llvm::dyn_cast<clang::UnaryOperator>(stmt);
-  return (op && op->isIncrementDecrementOp()) || llvm::isa<clang::CXXNewExpr, clang::CXXDeleteExpr>(stmt);
+/// std::string, std::vector<float>: its end runs no code of the package, and shows nothing.
+bool ends_quietly(const Unit& unit, clang::QualType type) {
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  return record && is_owner_class(qualified_name_of(record)) && !involves_package(unit, type);
+}
+
+bool is_quiet_call(const Unit& unit, const clang::CallExpr* call) {
+  const clang::FunctionDecl* callee = call->getDirectCallee();
+  return callee && comes_back(callee) &&
+         calls_no_package_code(unit, callee, {call->getArgs(), call->getNumArgs()});
+}
+
+/// Whether an expression, its operands aside, only computes. What is not named here may throw (typeid(*p), new int[n]), leave the function
+/// by a statement (({ return; })), change something, or run code at its end.
+bool only_computes(const Unit& unit, const clang::Stmt* stmt) {
+  if (const auto* op = llvm::dyn_cast<clang::BinaryOperator>(stmt)) return !op->isAssignmentOp();
+  if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(stmt))
+    return !op->isIncrementDecrementOp() && op->getOpcode() != clang::UO_Coawait;
+  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) return is_quiet_call(unit, call);
+  if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt))
+    return made->getConstructor()->isTrivial();
+  if (const auto* temporary = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(stmt))
+    return ends_quietly(unit, temporary->getType());
+  // To a pointer, it gives null where the object is of another class; to a reference, it throws.
+  if (llvm::isa<clang::CXXDynamicCastExpr>(stmt)) return llvm::cast<clang::Expr>(stmt)->isPRValue();
+  return llvm::isa<clang::DeclRefExpr, clang::MemberExpr, clang::CXXThisExpr, clang::CastExpr,
+                   clang::ParenExpr, clang::FullExpr, clang::MaterializeTemporaryExpr,
+                   clang::AbstractConditionalOperator, clang::OpaqueValueExpr, clang::ArraySubscriptExpr,
+                   clang::CXXDefaultArgExpr, clang::SubstNonTypeTemplateParmExpr, clang::InitListExpr,
+                   clang::UnaryExprOrTypeTraitExpr, clang::ImplicitValueInitExpr,
+                   clang::CXXScalarValueInitExpr, clang::CXXNullPtrLiteralExpr, clang::CXXBoolLiteralExpr,
+                   clang::IntegerLiteral, clang::FloatingLiteral, clang::CharacterLiteral,
+                   clang::StringLiteral>(stmt);
 }
 
 /// Whether evaluating it twice gives the same, cannot leave the function before the array is written, which would show what
 /// was not written, and runs no code that may read the array by another name.
 bool is_plain_value(const Unit& unit, const clang::Stmt* stmt) {
   if (!stmt) return true;
-  if (changes_something(stmt) || llvm::isa<clang::CXXThrowExpr, clang::LambdaExpr>(stmt)) return false;
-  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) {
-    const clang::FunctionDecl* callee = call->getDirectCallee();
-    if (!callee || !comes_back(callee) ||
-        !calls_no_package_code(unit, callee, {call->getArgs(), call->getNumArgs()}))
-      return false;
-  }
-  const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt);
-  if (made && !made->getConstructor()->isTrivial()) return false;
+  if (!only_computes(unit, stmt)) return false;
+  if (const auto* argument = llvm::dyn_cast<clang::CXXDefaultArgExpr>(stmt))
+    return is_plain_value(unit, argument->getExpr());
   return llvm::all_of(stmt->children(),
                       [&](const clang::Stmt* child) { return is_plain_value(unit, child); });
 }
@@ -183,7 +208,7 @@ std::optional<Change> without_zero_fill(const Unit& unit, const clang::CXXMember
     if (behind_it && (overwrites(unit, statement, array, size, bytes, is_stable(unit, resize->getArg(0))) ||
                       writes_each_element(unit, statement, resized)))
       return Change{*behind, ", tzc::uninitialized", uninitialized_rule, {}};
-    const bool is_sister = resizes_sister(unit, statement, object);
+    const bool is_sister = resizes_sister(unit, statement, resized);
     if (behind_it && !is_sister && !is_harmless(unit, statement, object)) return {};
     behind_it |= statement == resize;
     is_fresh = statement == resize || (is_fresh && is_sister);
