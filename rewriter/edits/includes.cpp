@@ -21,6 +21,7 @@ struct Include {
   std::size_t branch;      ///< the innermost one around it: index in Scan::branches
 };
 
+/// A line with those that it goes on in.
 struct Line {
   std::size_t begin, end;  ///< end: behind the newline
   std::string text;        ///< without white space and comments at both ends
@@ -31,12 +32,28 @@ std::size_t mark_of(const std::string& content) {
   return content.rfind("\xef\xbb\xbf", 0) == 0 ? 3 : 0;
 }
 
+/// Whether the line goes on in the next one: in a directive or a comment, and as compilers read it, blanks behind a backslash aside.
+bool goes_on(const std::string& content, std::size_t begin, std::size_t newline) {
+  const std::size_t last = content.find_last_not_of(std::string("\0 \t\v\f\r", 6), newline - 1);
+  if (newline == begin || last == std::string::npos || last < begin) return false;
+  return content[last] == '\\' || (last >= begin + 2 && content.compare(last - 2, 3, "\?\?/") == 0);
+}
+
+/// Behind the line that begins at `at`.
+std::size_t end_of_line(const std::string& content, std::size_t at) {
+  for (;;) {
+    const std::size_t newline = content.find('\n', at);
+    if (newline == std::string::npos) return content.size();
+    if (!goes_on(content, at, newline)) return newline + 1;
+    at = newline + 1;
+  }
+}
+
 std::vector<Line> lines_of(const std::string& content) {
   const std::string code = without_comments(content);  // as long as the content
   std::vector<Line> lines;
   for (std::size_t at = mark_of(content); at < content.size();) {
-    std::size_t end = content.find('\n', at);
-    end = end == std::string::npos ? content.size() : end + 1;
+    const std::size_t end = end_of_line(content, at);
     const std::size_t first = code.find_first_not_of(" \t\r\n", at);
     const bool is_empty = first >= end;
     const std::size_t last = is_empty ? 0 : code.find_last_not_of(" \t\r\n", end - 1);
@@ -90,13 +107,11 @@ Scan scan(const std::string& content) {
     result.branches[open.back()].end = at;
     open.pop_back();
   };
-  bool guard_seen = false, code_seen = false, continues = false;
+  bool guard_seen = false, code_seen = false;
   const std::vector<Line> lines = lines_of(content);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string& text = lines[i].text;
-    const bool continued = continues;  // a line of the directive above it
-    const std::string directive = continued ? "" : directive_of(text);
-    continues = (continued || !directive.empty()) && !text.empty() && text.back() == '\\';
+    const std::string directive = directive_of(text);
     if (starts_with(directive, "if")) {
       const bool guard =
           !guard_seen && open.size() == 1 && starts_with(directive, "ifndef") && is_guard(lines, i);
@@ -111,8 +126,8 @@ Scan scan(const std::string& content) {
     if (starts_with(directive, "include")) result.all.insert(header_of(directive));
     if (starts_with(directive, "include") && !code_seen)
       result.includes.push_back({header_of(directive), lines[i].begin, lines[i].end, open.back()});
-    if (directive.empty() && !text.empty() && !continued) code_seen = true;
-    if (!code_seen && open.size() == 1 && !continues) result.top = lines[i].end;
+    if (directive.empty() && !text.empty()) code_seen = true;
+    if (!code_seen && open.size() == 1) result.top = lines[i].end;
   }
   return result;
 }
@@ -176,6 +191,13 @@ std::size_t position_for(const Scan& scan, const std::string& header) {
   return scan.includes.empty() ? scan.top : scan.includes.back().end;
 }
 
+/// Behind what begins on the line in front of `at` and ends on another one: a comment, as far as the rest of its last line.
+std::size_t outside_comments(const std::string& content, std::size_t at) {
+  while (at < content.size() && without_comments(content.substr(0, at) + "x").back() != 'x')
+    at = end_of_line(content, at);
+  return at;
+}
+
 /// Where a condition includes ros/ros.h and all that is ported, as in sources for ROS 1 and ROS 2, TZC's header belongs there, too.
 void keep_those_around(Scan& scan, const Edits& edits, const std::string& file) {
   const auto has_all = [&](const Branch& branch) {
@@ -201,7 +223,7 @@ std::optional<Edit> include_edit(const std::string& file, const std::string& con
   keep_those_around(found, edits, file);
   Edit edit;
   edit.file = file;
-  edit.offset = position_for(found, header);
+  edit.offset = outside_comments(content, position_for(found, header));
   edit.text = "#include <" + header + ">\n";
   if (edit.offset > mark_of(content) && content[edit.offset - 1] != '\n') edit.text = "\n" + edit.text;
   edit.rule = "include";

@@ -17,6 +17,17 @@ std::string canonical(llvm::StringRef path) {
   return result;
 }
 
+/// What compilers take for white space, and leave out between a backslash and the end of its line.
+constexpr llvm::StringRef blanks("\0 \t\v\f", 5);
+
+/// Whether the rest of a line is a comment that ends with it. One whose line ends in a backslash, or in the trigraph that stands for it,
+/// goes on in the next line: what is inserted between them would become part of it, and that line would become code. Clang ends
+/// a line at a carriage return alone, gcc does not.
+bool is_whole_comment(llvm::StringRef rest) {
+  if (rest.contains('\r') || rest.ends_with("\\") || rest.ends_with("\?\?/")) return false;
+  return rest.starts_with("//") || (rest.starts_with("/*") && rest.find("*/", 2) == rest.size() - 2);
+}
+
 }  // namespace
 
 Source::Source(clang::ASTContext& ast, FolderSet packages)
@@ -108,13 +119,10 @@ std::optional<Place> Source::behind(clang::SourceRange tokens) const {
 }
 
 std::optional<Place> Source::line_end(const Place& place) const {
-  const llvm::StringRef content = buffer(place);
-  const llvm::StringRef line =
-      content.substr(place.end).take_until([](char c) { return c == '\n' || c == '\r'; });
-  const llvm::StringRef rest = line.trim();
-  const bool comment =
-      rest.starts_with("//") || (rest.starts_with("/*") && rest.find("*/") == rest.size() - 2);
-  if (!rest.empty() && !comment) return {};
+  llvm::StringRef line = buffer(place).substr(place.end).take_until([](char c) { return c == '\n'; });
+  line.consume_back("\r");
+  const llvm::StringRef rest = line.trim(blanks);
+  if (!rest.empty() && !is_whole_comment(rest)) return {};
   Place end = place;
   end.begin = end.end = place.end + static_cast<unsigned>(line.rtrim(" \t").size());
   return end;

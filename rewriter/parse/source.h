@@ -34,7 +34,7 @@ class Source {
 
   /// The end of a statement: behind its semicolon.
   std::optional<Place> behind(clang::SourceRange tokens) const;
-  /// The end of the line, when nothing but a comment stands between the place and it.
+  /// The end of the line, when nothing but a comment that ends there stands between the place and it.
   std::optional<Place> line_end(const Place& place) const;
   /// The white space in front of the first character of the place's line.
   std::string indent(const Place& place) const;

@@ -105,6 +105,21 @@ TEST(Include, what_is_in_a_string_is_no_comment) {
             "#include \"/*.h\"\n#include <ros/ros.h>  // */\n#include <tzc/ros.h>\nint x;\n");
 }
 
+TEST(Include, stands_behind_a_comment_that_goes_on) {
+  for (const char* comment :
+       {"// C:\\share\\\n#define IT 1\n", "// \\ \n#include <no.h>\n", "// why\?\?/\nis that\n",
+        "// a \\\r\n   b \\\r\n   c\r\n", "/* a\n b */\n", "/* a\n b\n*/ // c \\\n d\n", "\\\n\n"}) {
+    const std::string line = std::string("#include <ros/ros.h>  ") + comment;
+    EXPECT_EQ(with("tzc/ros.h", line + "int x;\n"), line + "#include <tzc/ros.h>\nint x;\n");
+  }
+}
+
+TEST(Include, of_several_headers_stands_behind_a_directive_of_several_lines) {
+  const std::string top = "#include <a.h>\n#define TWO(x) \\\n  x; \\\n  x\n";
+  EXPECT_EQ(with("tzc/ros.h", top + "#include <ros/ros.h>\nint x;\n"),
+            top + "#include <ros/ros.h>\n#include <tzc/ros.h>\nint x;\n");
+}
+
 TEST(Include, is_not_written_twice) {
   EXPECT_EQ(with("tzc/ros.h", "#include <tzc/ros.h>\n"), "#include <tzc/ros.h>\n");
 }
