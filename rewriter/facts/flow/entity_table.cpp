@@ -104,6 +104,8 @@ void EntityTable::check_signature(Entity& entity, const clang::FunctionDecl* fun
     for (const clang::CXXMethodDecl* base : method->overridden_methods())
       if (!unit_.source.in_package(base->getLocation()))
         add(entity, {codes::TZC1005, name + " overrides a function of another package", where});
+  if (has_symbol_without_types(function))
+    add(entity, {codes::TZC1005, "the symbol of " + name + " does not tell its types", where});
   const clang::FunctionDecl* first = function->getFirstDecl();
   if (first->getAccess() == clang::AS_private && !(method && method->isVirtual()))
     note_friends(facts_, entity.id, friends_of(unit_, first));
@@ -141,6 +143,8 @@ void EntityTable::check_exported(Entity& entity, const clang::ValueDecl* decl) {
   const bool lasts = field || (variable->hasGlobalStorage() && !variable->isStaticLocal());
   if (lasts && decl->getAccess() == clang::AS_private)
     note_friends(facts_, entity.id, friends_of(unit_, decl));
+  if (variable && has_symbol_without_types(variable))
+    add(entity, {codes::TZC1005, "the symbol of '" + entity.name + "' does not tell its type", entity.where});
   const bool is_inner = decl->getAccess() == clang::AS_private && !(field && unit_.layouts_stay);
   if (!lasts || is_inner) return;
   for (const clang::Decl* declaration : decl->redecls())

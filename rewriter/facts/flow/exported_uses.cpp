@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/flow/exported_uses.h"
 
+#include <clang/AST/Attr.h>
 #include <clang/AST/DeclFriend.h>
 #include <clang/AST/DeclTemplate.h>
 #include <clang/AST/ExprCXX.h>
@@ -135,6 +136,28 @@ std::set<std::string> friends_of(const Unit& unit, const clang::Decl* member) {
   for (const clang::FriendDecl* declaration : record->friends())
     if (!is_of_library(unit, declaration)) friends.insert(usr_of_friend(declaration));
   return friends;
+}
+
+namespace {
+
+/// extern "C" says nothing of members, nor of what only its own file can name.
+bool has_c_linkage(const clang::DeclaratorDecl* decl) {
+  if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(decl)) return function->isExternC();
+  const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
+  return variable && variable->isExternC();
+}
+
+/// Of another declaration of the same, too: a header has it, the definition need not repeat it.
+bool names_its_symbol(const clang::DeclaratorDecl* decl) {
+  return llvm::any_of(decl->redecls(), [](const clang::Decl* declaration) {
+    return declaration->hasAttr<clang::AsmLabelAttr>() || declaration->hasAttr<clang::AliasAttr>();
+  });
+}
+
+}  // namespace
+
+bool has_symbol_without_types(const clang::DeclaratorDecl* decl) {
+  return has_c_linkage(decl) || names_its_symbol(decl);
 }
 
 bool is_given_to_users(const Unit& unit, const clang::Expr* mention) {
