@@ -11,6 +11,7 @@
 #include "facts/escape/filled_message.h"
 #include "facts/escape/held_locks.h"
 #include "facts/escape/threads.h"
+#include "facts/escape/type_questions.h"
 #include "facts/escape/written_types.h"
 #include "model/codes.h"
 
@@ -146,7 +147,16 @@ SeenFunction EscapeAnalysis::analyse(const clang::FunctionDecl* definition) {
     note_lasting(stmt);
     start(*here.view, stmt);
   }
+  check_types(*here.view);
   return {*here.view, here.events};
+}
+
+/// No lifetime excuses a question about a type.
+void EscapeAnalysis::check_types(const FunctionView& view) {
+  const std::vector<const clang::Expr*> questions = type_questions(context_.unit, view);
+  if (questions.empty()) return;
+  escape(messages_named(context_, view), "has a type that the program asks for",
+         questions.front()->getBeginLoc(), false);
 }
 
 /// Static locals live on; what a closure holds may be published wherever the closure is called.

@@ -74,6 +74,7 @@ class EscapeAnalysis {
   void note_writes(const FunctionView& view, const Holder& array);
   void note_lasting(const clang::Stmt* stmt);
   void start(const FunctionView& view, const clang::Stmt* stmt);
+  void check_types(const FunctionView& view);
   void climb(const FunctionView& view, const Referring& from);
   void check_expression(const FunctionView& view, const Referring& born);
   void check_expression(const FunctionView& view, const Referring& born,

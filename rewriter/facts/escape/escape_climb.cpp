@@ -136,7 +136,7 @@ bool Climber::into_expression(const clang::Expr* parent) {
   return escape("is used in a way that is not understood");
 }
 
-/// sizeof, typeid: the answer changes with the array's type.
+/// sizeof, typeid: the answer changes with the array's type. What else they may be asked about: type_questions.h.
 bool Climber::into_type_question() {
   return at_.how == Reference::array ? escape("has a type that the program asks for", false) : done();
 }

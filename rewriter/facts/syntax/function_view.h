@@ -30,6 +30,8 @@ class FunctionView {
   const clang::FunctionDecl* function() const { return function_; }
   /// Every statement and expression, outer ones first.
   const std::vector<const clang::Stmt*>& statements() const { return statements_; }
+  /// Whether the statement or expression is one of them; what is not evaluated, as the operand of decltype, is none.
+  bool holds(const clang::Stmt* stmt) const { return nodes_.count(stmt) != 0; }
   /// Null for the body and for a constructor's initializers.
   const clang::Stmt* parent(const clang::Stmt* stmt) const;
   Span span(const clang::Stmt* stmt) const;

@@ -111,11 +111,18 @@ class TypeQuestions : public AstVisitor {
   bool found = false;
 
   /// template <class M, int code = Code<M>::value, class Policy = PolicyOf<M>>
-  void look_at_parameters(const clang::FunctionTemplateDecl* made_of) {
+  void look_at_parameters(const clang::TemplateDecl* made_of) {
     in_parameters_ = true;
     if (made_of)
       for (clang::NamedDecl* parameter : made_of->getTemplateParameters()->asArray()) TraverseDecl(parameter);
     in_parameters_ = false;
+  }
+
+  /// template <class T> struct Box: one that the program has another version of for some types asks by its name alone.
+  void look_at_class(const clang::ClassTemplateDecl* made_of) {
+    look_at_parameters(made_of);
+    note(has_statics(made_of) || is_specialised(made_of));
+    look_into(made_of);
   }
 
   /// std::is_pointer<It>(), as a value or to choose a function by. Before Clang 19 std::is_pointer<It>::value in a method may be a
@@ -217,6 +224,15 @@ bool is_type_blind(const Unit& unit, const clang::FunctionDecl* function, unsign
   TypeQuestions questions(unit);
   questions.look_at_parameters(pattern->getDescribedFunctionTemplate());
   questions.TraverseDecl(const_cast<clang::FunctionDecl*>(pattern));
+  return !questions.found;
+}
+
+bool is_type_blind(const Unit& unit, const clang::ClassTemplateSpecializationDecl* instance) {
+  const clang::ClassTemplateDecl* pattern = instance->getSpecializedTemplate();
+  const clang::CXXRecordDecl* defined = pattern->getTemplatedDecl()->getDefinition();
+  if (!defined || instance->isExplicitSpecialization()) return false;
+  TypeQuestions questions(unit);
+  questions.look_at_class(pattern);
   return !questions.found;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <clang/AST/Decl.h>
+#include <clang/AST/DeclTemplate.h>
 
 #include "facts/syntax/unit.h"
 
@@ -11,5 +12,8 @@ namespace tzc::rewriter {
 /// trait, size or name of a type, keeps no static of its own, and names no template of the package with the type. True for functions that are no instances and
 /// for parameters whose type does not depend on the template's arguments.
 bool is_type_blind(const Unit& unit, const clang::FunctionDecl* function, unsigned argument);
+
+/// The same of all that a class template of the package does with its arguments.
+bool is_type_blind(const Unit& unit, const clang::ClassTemplateSpecializationDecl* instance);
 
 }  // namespace tzc::rewriter

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clang/AST/ExprCXX.h>
+
+#include <vector>
+
+#include "facts/escape/escape_context.h"
+#include "facts/syntax/function_view.h"
+
+namespace tzc::rewriter {
+
+/// Where a function asks for a type that is another one in the port: an array's, its iterator's, or that of what is made of either.
+/// Each is a question about every message that the function names (`messages_named`), since what is asked about may have come from any.
+std::vector<const clang::Expr*> type_questions(const Unit& unit, const FunctionView& view);
+
+std::vector<EntityId> messages_named(EscapeContext& context, const FunctionView& view);
+
+}  // namespace tzc::rewriter
