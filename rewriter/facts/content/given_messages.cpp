@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/content/given_messages.h"
 
+#include "facts/content/copy_homes.h"
 #include "facts/content/message_holders.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/calls.h"
@@ -64,6 +65,7 @@ class GivenMessages {
         view_(view),
         parts_(unit, view),
         holders_(unit, view),
+        homes_(unit, view),
         function_(usr_of(pattern_of(view.function()))),
         facts_(facts) {}
 
@@ -84,11 +86,13 @@ class GivenMessages {
   void member_call(const clang::CXXMemberCallExpr* call);
   void assignment(const clang::CXXOperatorCallExpr* call);
   void construction(const clang::CXXConstructExpr* construct);
+  void copies(const clang::CXXConstructExpr* construct);
 
   const Unit& unit_;
   const FunctionView& view_;
   const MessageParts parts_;
   const MessageHolders holders_;
+  const CopyHomes homes_;
   const std::string function_;
   EscapeFacts& facts_;
 };
@@ -249,7 +253,9 @@ void GivenMessages::assignment(const clang::CXXOperatorCallExpr* call) {
   const clang::Expr* from = call->getArg(1);
   const std::string holder = holders_.of(call->getArg(0));
   if (from->isLValue() && is_stock_or_twin(from->getType()))
-    return is_container ? give(from, holder, "assigned to '" + unit_.text(call->getArg(0)) + "'") : void();
+    return is_container || homes_.is_new_entry(call->getArg(0))
+               ? give(from, holder, "assigned to '" + unit_.text(call->getArg(0)) + "'")
+               : void();
   if (!from->isLValue()) give(from, holder, "moved to '" + unit_.text(call->getArg(0)) + "'");
   if (!hand_on(from, holder) && is_container) make_in(holder, "=", call);
 }
@@ -276,10 +282,28 @@ void GivenMessages::construction(const clang::CXXConstructExpr* construct) {
            "passed to '" + callee->getNameAsString() + "'");
 }
 
+/// std::optional<Image> latest = image, std::vector<Image> frames(3, image), F{image, 1}: a copy becomes part of a new object, by the message's
+/// own constructor or by one of a library that is given the message.
+void GivenMessages::copies(const clang::CXXConstructExpr* construct) {
+  const clang::CXXConstructorDecl* constructor = construct->getConstructor();
+  const bool is_message = is_stock_or_twin(construct->getType());
+  const bool is_copy = is_message ? constructor->isCopyConstructor()
+                                  : !unit_.declares(constructor) && holds_messages(construct->getType());
+  if (!is_copy) return;
+  for (const clang::Expr* argument : construct->arguments()) {
+    if (!argument->isLValue() || !is_stock_or_twin(argument->getType())) continue;
+    const CopyHome home = homes_.of(construct);
+    give(argument, home.holder, home.how);
+  }
+}
+
 void GivenMessages::look_at(const clang::Stmt* stmt) {
   if (const auto* statement = llvm::dyn_cast<clang::DeclStmt>(stmt)) return declaration(statement);
   if (const auto* statement = llvm::dyn_cast<clang::ReturnStmt>(stmt)) return result(statement);
-  if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) return construction(construct);
+  if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
+    copies(construct);
+    return construction(construct);
+  }
   if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(stmt)) return assignment(op);
   if (const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(stmt)) member_call(method);
   if (const auto* function = llvm::dyn_cast<clang::CallExpr>(stmt)) call(function);

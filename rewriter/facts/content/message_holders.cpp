@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/content/message_holders.h"
 
+#include <set>
+
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/calls.h"
 #include "facts/syntax/message_type.h"
@@ -31,14 +33,33 @@ std::string MessageHolders::unique(const clang::ValueDecl* decl) const {
   return root_in(function_, parts_.root_of(decl));
 }
 
+namespace {
+
+/// const Image& image = Image(other): what lives as long as the reference.
+bool is_temporary(const clang::Expr* init) {
+  while (const auto* cast = llvm::dyn_cast_or_null<clang::ImplicitCastExpr>(init)) init = cast->getSubExpr();
+  if (const auto* full = llvm::dyn_cast_or_null<clang::FullExpr>(init))
+    return is_temporary(full->getSubExpr());
+  return llvm::isa_and_nonnull<clang::MaterializeTemporaryExpr>(init);
+}
+
+/// Messages of its own: Image, std::vector<Image>, a temporary that a reference keeps. What is made from others holds copies of them, and is
+/// no second name.
+bool is_object(const clang::VarDecl* variable) {
+  const clang::QualType type = variable->getType();
+  return holds_messages(type.getNonReferenceType()) &&
+         (!type->isReferenceType() || is_temporary(variable->getInit()));
+}
+
+}  // namespace
+
 /// The range of a loop over it, or what a reference, a pointer or an iterator was made from; null: neither.
 const clang::Expr* MessageHolders::leads_to(const clang::VarDecl* variable) const {
   for (const clang::Stmt* stmt : view_.statements())
     if (const auto* loop = llvm::dyn_cast<clang::CXXForRangeStmt>(stmt))
       if (loop->getLoopVariable() == variable) return loop->getRangeInit();
-  const bool is_message = !variable->getType()->isReferenceType() && is_stock_or_twin(variable->getType());
-  return is_message || !variable->isLocalVarDecl() || variable->isStaticLocal() ? nullptr
-                                                                                : variable->getInit();
+  const bool is_name = variable->isLocalVarDecl() && !variable->isStaticLocal() && !is_object(variable);
+  return is_name ? variable->getInit() : nullptr;
 }
 
 std::string MessageHolders::of_name(const clang::VarDecl* variable, unsigned depth) const {
@@ -47,10 +68,22 @@ std::string MessageHolders::of_name(const clang::VarDecl* variable, unsigned dep
   return holder.empty() ? unique(variable) : holder;
 }
 
+namespace {
+
+/// std::get<0>(frames): what it gives is part of what it is given.
+bool gives_part(const clang::FunctionDecl* function) {
+  static const std::set<std::string> names = {"std::get",  "boost::get", "std::begin",
+                                              "std::next", "std::prev",  "std::data"};
+  return names.count(qualified_name_of(function)) != 0;
+}
+
+}  // namespace
+
 std::string MessageHolders::of_call(const clang::CallExpr* call, unsigned depth) const {
   const clang::FunctionDecl* function = call->getDirectCallee();
   if (!function) return {};
-  if (passes_through(function)) return of(call->getArg(0), depth);
+  if (call->getNumArgs() > 0 && (passes_through(function) || gives_part(function)))
+    return of(call->getArg(0), depth);
   const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
   if (!unit_.declares(function))
     return method ? of(method->getImplicitObjectArgument(), depth) : std::string();
