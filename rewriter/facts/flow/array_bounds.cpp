@@ -189,4 +189,36 @@ ArrayGrowth growth_at(const Unit& unit, const clang::MemberExpr* array, const st
   return growth.most_bytes != 0 && array->getMemberLoc().isMacroID() ? unknown : growth;
 }
 
+namespace {
+
+/// const Image&, const Image*, std::vector<Image>::const_iterator, a copy
+bool only_reads(clang::QualType parameter) {
+  if (parameter->isReferenceType()) return parameter.getNonReferenceType().isConstQualified();
+  if (message_of(parameter)) return true;
+  clang::QualType pointee = pointee_of(parameter);
+  if (pointee.isNull()) pointee = pointee_of(first_argument(parameter));  // of an iterator
+  return !pointee.isNull() && pointee.isConstQualified();
+}
+
+/// They give a part of what they are given, or a place in it, and write nothing.
+bool finds(const clang::FunctionDecl* function) {
+  static const std::set<std::string> names = {
+      "adjacent_find",   "find",        "find_end",    "find_first_of", "find_if",
+      "find_if_not",     "lower_bound", "max_element", "min_element",   "minmax_element",
+      "partition_point", "search",      "upper_bound"};
+  return function->getIdentifier() && names.count(function->getNameAsString()) != 0;
+}
+
+}  // namespace
+
+/// What is given nothing but the message and numbers has no other content for it: std::get<0>(pair), std::next(frames.begin(), 2).
+bool may_fill(const clang::FunctionDecl* function, unsigned argument) {
+  if (argument >= function->getNumParams()) return true;
+  if (only_reads(function->getParamDecl(argument)->getType()) || finds(function)) return false;
+  for (const clang::ParmVarDecl* parameter : function->parameters())
+    if (parameter->getFunctionScopeIndex() != argument && !parameter->getType()->isArithmeticType())
+      return true;
+  return false;
+}
+
 }  // namespace tzc::rewriter

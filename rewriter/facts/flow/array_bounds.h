@@ -21,4 +21,8 @@ struct ArrayGrowth {
 /// any number. What is not known makes any number, and so do arrays in arrays of `message`, the type of the whole.
 ArrayGrowth growth_at(const Unit& unit, const clang::MemberExpr* array, const std::string& message);
 
+/// Whether a function of the standard library may give the message that an argument leads to another one's content, of any size, without a
+/// mention of an array: std::copy(frames.begin(), frames.end(), &image), std::exchange(image, other).
+bool may_fill(const clang::FunctionDecl* function, unsigned argument);
+
 }  // namespace tzc::rewriter

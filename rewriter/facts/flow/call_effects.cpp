@@ -202,8 +202,10 @@ CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr*
   if (unit_.declares(passed.function)) return into_package(id, passed);
   const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
   if (method && method->getMethodDecl()) return into_method(id, method);  // not through a pointer to member
-  if (passed.function->isInStdNamespace() && carried_by(call->getType(), unit_.rules))
+  if (passed.function->isInStdNamespace() && carried_by(call->getType(), unit_.rules)) {
+    if (may_fill(passed.function, passed.argument)) entities_.add_data_use(id, passed.where);
     return CallEffect::result;
+  }
   escape(id, name, passed.where);
   return CallEffect::done;
 }
