@@ -79,14 +79,48 @@ std::optional<Lookup> lookup_of(const PublisherMention& publisher) {
   return Lookup{container, key};
 }
 
-/// What an expression mentions decides where a step behind it leads.
+/// A variable or member that never changes; a const reference shows an object that others may change.
+bool is_constant(const clang::Expr* expr) {
+  const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(expr);
+  const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr);
+  const clang::ValueDecl* decl = reference ? reference->getDecl()
+                                 : member  ? member->getMemberDecl()
+                                           : nullptr;
+  return decl && decl->getType().isConstQualified();
+}
+
+/// What an expression mentions and reads decides where a step behind it leads.
 void add_followed(NameParts& parts, const clang::Stmt* stmt) {
   if (!stmt) return;
   if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt))
     parts.followed.push_back(reference->getDecl());
   if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt))
     parts.followed.push_back(member->getMemberDecl());
+  const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
+  // Of an array nothing is read but its elements.
+  const bool is_read = expr && expr->isGLValue() && !expr->getType()->isFunctionType() &&
+                       !expr->getType()->isArrayType() && !is_constant(expr) &&
+                       !llvm::isa<clang::ParenExpr, clang::ImplicitCastExpr>(expr);
+  if (is_read) parts.read.push_back(expr);
   for (const clang::Stmt* child : stmt->children()) add_followed(parts, child);
+}
+
+/// What a step follows: the pointer, iterator or container a of a->b, *a, a[i]. Null: it follows none.
+const clang::Expr* pointer_of(const clang::Stmt* step) {
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(step)) {
+    const bool is_of_class = llvm::isa<clang::CXXOperatorCallExpr>(member->getBase()->IgnoreParenImpCasts());
+    return is_of_class ? nullptr : member->getBase();  // its operator-> is a step of its own
+  }
+  if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(step)) return op->getSubExpr();
+  if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(step)) return op->getArg(0);
+  const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(step);
+  const bool is_of_array = element && element->getBase()->IgnoreParenImpCasts()->getType()->isArrayType();
+  return element && !is_of_array ? element->getBase() : nullptr;
+}
+
+void add_led_to(NameParts& parts, const clang::Expr* pointer) {
+  const clang::QualType type = pointer ? led_to_without_owning(pointer->getType()) : clang::QualType();
+  if (!type.isNull() && !type->isFunctionType()) parts.led_to.push_back(type);
 }
 
 class PartsOf : public AstVisitor {
@@ -97,6 +131,7 @@ class PartsOf : public AstVisitor {
   bool VisitStmt(clang::Stmt* stmt) override {
     if (!is_step(stmt)) return true;
     parts.steps.insert(step_text(unit_, stmt));
+    add_led_to(parts, pointer_of(stmt));
     for (const clang::Stmt* child : stmt->children()) add_followed(parts, child);
     return true;
   }
@@ -196,7 +231,7 @@ bool has_changed_local(const Unit& unit, const PublisherMention& publisher, cons
     if (unit.offset(local->getLocation()) >= at) return true;
   const clang::Stmt* body = body_around(publisher);
   if (parts.locals.empty() || !body) return false;
-  Changes changes(unit, parts.locals, at, publisher.begin);
+  Changes changes(unit, parts.locals, std::min(at, publisher.begin), std::max(at, publisher.begin));
   changes.TraverseStmt(const_cast<clang::Stmt*>(body));
   return changes.found;
 }
@@ -228,6 +263,7 @@ std::optional<EarlyName> Hoisting::as_written_at(const PublisherMention& publish
       publisher.pointer && parts.steps.empty() && can_be_asked(publisher.object->getType());
   if (publisher.pointer) {
     parts.steps.insert(text + "->");
+    add_led_to(parts, publisher.object);
     add_followed(parts, publisher.object);
   }
   const bool valid = takes_steps(publisher, parts, at);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/sites/must_execute.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/calls.h"
 #include "facts/syntax/library_calls.h"
 #include "facts/syntax/lock_names.h"
+#include "facts/syntax/package_types.h"
 #include "facts/syntax/window_callbacks.h"
 #include "parse/ast_visitor.h"
 
@@ -15,89 +19,100 @@ unsigned begin_of(const Unit& unit, const clang::Stmt* stmt) {
   return unit.offset(stmt->getBeginLoc());
 }
 
-/// A mention of a pointer or container that leaves it as it is.
-bool only_looks(const Unit& unit, const clang::Expr* mention) {
-  if (mention->getType().isConstQualified()) return true;
-  const auto* around = parent_as<clang::Expr>(unit.ast(), *mention);
-  if (!around) return false;
-  if (llvm::isa<clang::ParenExpr>(around)) return only_looks(unit, around);
-  if (const auto* cast = llvm::dyn_cast<clang::ImplicitCastExpr>(around))
-    return !cast->isGLValue() || cast->getType().isConstQualified() || only_looks(unit, cast);
-  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(around)) {
-    const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member->getMemberDecl());
-    return !method || method->isConst() || member->isArrow();
+/// A loop that only a jump ends.
+bool is_endless(const Unit& unit, const clang::Stmt* stmt) {
+  const clang::Expr* condition = nullptr;
+  if (const auto* loop = llvm::dyn_cast<clang::ForStmt>(stmt)) {
+    if (!loop->getCond()) return true;
+    condition = loop->getCond();
   }
-  const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(around);
-  return is_step(around) && (!op || !op->isAssignmentOp());
+  if (const auto* loop = llvm::dyn_cast<clang::WhileStmt>(stmt)) condition = loop->getCond();
+  if (const auto* loop = llvm::dyn_cast<clang::DoStmt>(stmt)) condition = loop->getCond();
+  bool holds = false;
+  return condition && !condition->isValueDependent() &&
+         condition->EvaluateAsBooleanCondition(holds, unit.ast()) && holds;
 }
 
-/// Whether code of the package that runs unseen could change where the steps of a name lead: it cannot get at a local variable
-/// that is only read, or assigned under its own name outside of lambdas.
-class Exposure : public AstVisitor {
- public:
-  Exposure(const Unit& unit, const NameParts& parts) : unit_(unit), parts_(parts) {
-    exposed = llvm::any_of(parts.followed, [&](const clang::ValueDecl* decl) { return is_shared(decl); });
-  }
-  bool exposed;
-
-  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
-    exposed = exposed || (llvm::is_contained(parts_.followed, reference->getDecl()) &&
-                          !only_looks(unit_, reference) && !is_own_change(reference));
-    return !exposed;
-  }
-
- private:
-  static bool is_shared(const clang::ValueDecl* decl) {
-    const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
-    if (!variable) return llvm::isa<clang::FieldDecl, clang::BindingDecl>(decl);
-    return !variable->isLocalVarDeclOrParm() || variable->isStaticLocal() ||
-           variable->getType()->isReferenceType();
-  }
-  bool is_own_change(const clang::DeclRefExpr* reference) const {
-    const auto* change = parent_as<clang::Expr>(unit_.ast(), *reference);
-    const auto* step = llvm::dyn_cast_or_null<clang::UnaryOperator>(change);
-    const auto* assignment = llvm::dyn_cast_or_null<clang::BinaryOperator>(change);
-    const bool assigns = assignment && assignment->isAssignmentOp() && assignment->getLHS() == reference;
-    if (!assigns && !(step && step->isIncrementDecrementOp())) return false;
-    for (const clang::DynTypedNode& node : ancestors(unit_.ast(), *reference))
-      if (node.get<clang::LambdaExpr>()) return false;
-    return true;
-  }
-  const Unit& unit_;
-  const NameParts& parts_;
-};
-
-bool is_exposed(const Unit& unit, const NameParts& parts, const clang::Stmt* body) {
-  Exposure visitor(unit, parts);
-  visitor.TraverseStmt(const_cast<clang::Stmt*>(body));
-  return visitor.exposed;
+/// Whether the end of an object of the type may run a destructor that the package writes: its own, or that of a part, of an
+/// element, of what it owns; or of a class that the type does not show.
+bool runs_package_at_end(const Unit& unit, clang::QualType type, unsigned depth = 0) {
+  constexpr unsigned deep = 6;
+  type = unit.ast().getBaseElementType(type.getNonReferenceType()).getCanonicalType();
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  const bool in_package = record && unit.source.in_package(record->getLocation());
+  const auto calls = [](const clang::CXXMethodDecl* method) {
+    return method->getOverloadedOperator() == clang::OO_Call;
+  };
+  if (in_package && depth > 0 && record->hasDefinition() && llvm::any_of(record->methods(), calls))
+    return true;  // a deleter
+  if (!record || (record->hasDefinition() && record->hasTrivialDestructor())) return type->isDependentType();
+  if (!record->hasDefinition() || depth > deep || record->getName() == "function") return true;
+  const clang::CXXDestructorDecl* destructor = record->getDestructor();
+  const auto runs = [&](clang::QualType part) { return runs_package_at_end(unit, part, depth + 1); };
+  if (in_package)
+    return (destructor && (destructor->isUserProvided() || may_end_derived(destructor))) ||
+           llvm::any_of(record->fields(), [&](const auto* field) { return runs(field->getType()); }) ||
+           llvm::any_of(record->bases(), [&](const auto& base) { return runs(base.getType()); });
+  const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
+  return made && llvm::any_of(made->getTemplateArgs().asArray(), [&](const clang::TemplateArgument& one) {
+           return one.getKind() == clang::TemplateArgument::Type && runs(one.getAsType());
+         });
 }
 
 /// Whether a call, or what it calls in turn, may change what a name depends on, or not come back.
 class Reach : public AstVisitor {
  public:
   /// exposed: code that is not seen can change it.
-  Reach(const Unit& unit, const std::vector<const clang::ValueDecl*>& decls, bool exposed)
-      : unit_(unit), decls_(decls), exposed_(exposed) {}
+  Reach(const Unit& unit, const NameParts& parts, const NameReads& reads, bool exposed)
+      : unit_(unit), parts_(parts), reads_(reads), exposed_(exposed) {}
   bool found = false, leaves = false;
 
   void call(const clang::FunctionDecl* callee, llvm::ArrayRef<const clang::Expr*> arguments) {
     for (const clang::Expr* argument : arguments) {
       const clang::CXXRecordDecl* record = argument->getType().getNonReferenceType()->getAsCXXRecordDecl();
       if (record && record->isLambda()) follow(record->getLambdaCallOperator());
+      // It stands at no place of the function.
+      if (const auto* given = llvm::dyn_cast<clang::CXXDefaultArgExpr>(argument))
+        TraverseStmt(const_cast<clang::Expr*>(given->getExpr()));
     }
     if (!callee || unit_.declares(callee))
       follow(callee);
     else
       call_library(callee, arguments);
   }
-  bool VisitStmt(clang::Stmt* stmt) override {
-    leaves |= llvm::isa<clang::CXXThrowExpr>(stmt);
-    return true;
+  /// The destructor of an object of the type runs.
+  void end_of(clang::QualType type) {
+    const clang::CXXRecordDecl* record = unit_.ast().getBaseElementType(type)->getAsCXXRecordDecl();
+    if (!record || !record->hasDefinition() || record->hasTrivialDestructor()) return;
+    const clang::CXXDestructorDecl* destructor = record->getDestructor();
+    if (destructor && destructor->isUserProvided() && unit_.declares(destructor)) {
+      const bool left = leaves;
+      follow(destructor);
+      leaves =
+          left || destructor->getExceptionSpecType() == clang::EST_NoexceptFalse;  // else nothing leaves it
+    } else {
+      found = found || (exposed_ && runs_package_at_end(unit_, type));
+    }
   }
-  bool VisitCallExpr(clang::CallExpr* expr) override {
-    call(expr->getDirectCallee(), {expr->getArgs(), expr->getNumArgs()});
-    return !found;
+  /// What the statement itself does, wherever it stands.
+  void look_at(const clang::Stmt* stmt) {
+    found = found || reads_.may_be_changed_by(stmt);
+    leaves = leaves || llvm::isa<clang::CXXThrowExpr, clang::CoroutineSuspendExpr, clang::AsmStmt>(stmt);
+    if (const auto* call_of = llvm::dyn_cast<clang::CallExpr>(stmt))
+      call(call_of->getDirectCallee(), {call_of->getArgs(), call_of->getNumArgs()});
+    if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
+      call(made->getConstructor(), {made->getArgs(), made->getNumArgs()});
+      end_of(made->getType());
+    }
+    if (const auto* ended = llvm::dyn_cast<clang::CXXDeleteExpr>(stmt)) end_of(ended->getDestroyedType());
+    if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(stmt)) end_of(bound->getType());
+    if (const auto* given = llvm::dyn_cast<clang::CXXDefaultInitExpr>(stmt))
+      TraverseStmt(const_cast<clang::Expr*>(given->getExpr()));
+  }
+  bool VisitStmt(clang::Stmt* stmt) override {
+    leaves = leaves || is_endless(unit_, stmt);
+    look_at(stmt);
+    return true;
   }
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) override {
     return note(reference, reference->getDecl());
@@ -113,17 +128,25 @@ class Reach : public AstVisitor {
   void follow(const clang::FunctionDecl* callee) {
     const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(callee);
     const clang::FunctionDecl* definition = nullptr;
-    if (!callee || !callee->isDefined(definition) || (method && method->isVirtual()))
-      found = found || exposed_, leaves = true;  // a function pointer, another file, another class
-    else if (seen_.insert(definition).second)
-      TraverseStmt(definition->getBody());
+    if (method && method->isTrivial()) return;  // it copies an object that look_at() sees
+    if (!callee || !callee->isDefined(definition) || (method && method->isVirtual())) {
+      found = found || exposed_;  // a function pointer, another file, another class
+      leaves = true;
+      return;
+    }
+    if (!seen_.insert(definition).second) return;
+    if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(definition))
+      for (const clang::CXXCtorInitializer* initializer : constructor->inits())
+        TraverseStmt(initializer->getInit());
+    TraverseStmt(definition->getBody());
   }
   bool note(const clang::Expr* mention, const clang::ValueDecl* decl) {
-    found = found || (llvm::is_contained(decls_, decl) && !only_looks(unit_, mention));
-    return !found;
+    found = found || (llvm::is_contained(parts_.all, decl) && !only_looks(unit_, mention));
+    return true;
   }
   const Unit& unit_;
-  const std::vector<const clang::ValueDecl*>& decls_;
+  const NameParts& parts_;
+  const NameReads& reads_;
   bool exposed_;
   std::set<const clang::FunctionDecl*> seen_;
 };
@@ -135,35 +158,49 @@ struct Offsets {
 /// The code between two offsets of a function: exits, and changes of what the publisher's name depends on.
 class Between : public AstVisitor {
  public:
-  Between(const Unit& unit, const NameParts& parts, bool exposed, Offsets range)
-      : unit_(unit), parts_(parts), reach_(unit, parts.all, exposed), range_(range) {}
+  Between(const Unit& unit, const NameParts& parts, const NameReads& reads, bool exposed, Offsets range)
+      : unit_(unit), parts_(parts), reach_(unit, parts, reads, exposed), range_(range) {}
   bool leaves = false, changes = false, locks = false;
+  bool enters = false;  ///< by a label, from somewhere else
   std::set<std::string> callees;
 
   bool VisitStmt(clang::Stmt* stmt) override {
+    if (const auto* block = llvm::dyn_cast<clang::CompoundStmt>(stmt)) end_of(block);
     const unsigned here = begin_of(unit_, stmt);
     if (here < range_.from || here >= range_.to) return true;
-    leaves |= llvm::isa<clang::ReturnStmt, clang::BreakStmt, clang::ContinueStmt, clang::GotoStmt,
-                        clang::CXXThrowExpr, clang::SwitchCase, clang::LabelStmt>(stmt);
+    enters |= llvm::isa<clang::SwitchCase, clang::LabelStmt>(stmt);
+    leaves |= enters || is_endless(unit_, stmt) ||
+              llvm::isa<clang::ReturnStmt, clang::BreakStmt, clang::ContinueStmt, clang::GotoStmt,
+                        clang::IndirectGotoStmt, clang::CoreturnStmt>(stmt);
     if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt))
       note(reference, reference->getDecl());
     if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt)) note(member, member->getMemberDecl());
-    if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt)) note_call(call);
-    if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
-      reach_.call(made->getConstructor(), {made->getArgs(), made->getNumArgs()});
-      note_callee(made->getConstructor());
-    }
+    note_callees(stmt);
     locks |= may_synchronize(stmt);
+    reach_.look_at(stmt);
     changes |= reach_.found;
     leaves |= reach_.leaves;
     return true;
   }
 
  private:
-  void note_call(const clang::CallExpr* call) {
-    const clang::FunctionDecl* callee = call->getDirectCallee();
-    reach_.call(callee, {call->getArgs(), call->getNumArgs()});
-    note_callee(callee);
+  /// What a block has declared ends with it.
+  void end_of(const clang::CompoundStmt* block) {
+    const unsigned end = unit_.offset(block->getEndLoc());
+    if (end < range_.from || end >= range_.to) return;
+    for (const clang::Stmt* stmt : block->body())
+      if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt))
+        for (const clang::Decl* decl : declaration->decls())
+          if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl);
+              variable && variable->hasLocalStorage())
+            reach_.end_of(object_type_of(variable));
+    changes |= reach_.found;
+  }
+  void note_callees(const clang::Stmt* stmt) {
+    if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) note_callee(made->getConstructor());
+    const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
+    if (!call) return;
+    note_callee(call->getDirectCallee());
     if (runs_window_callbacks(call)) callees.insert(window_callbacks);
   }
   void note_callee(const clang::FunctionDecl* callee) {
@@ -179,6 +216,30 @@ class Between : public AstVisitor {
   Offsets range_;
 };
 
+/// Widens a range by the loops that have one of its ends, and not the other one: their bodies run again between the two. Where a label
+/// stands anything may run again.
+class Rounds : public AstVisitor {
+ public:
+  Rounds(const Unit& unit, Offsets range) : range(range), unit_(unit), ends_(range) {}
+  Offsets range;
+
+  bool VisitStmt(clang::Stmt* stmt) override {
+    if (llvm::isa<clang::LabelStmt>(stmt)) range = {0, std::numeric_limits<unsigned>::max()};
+    if (!llvm::isa<clang::ForStmt, clang::WhileStmt, clang::DoStmt, clang::CXXForRangeStmt>(stmt))
+      return true;
+    const unsigned begin = begin_of(unit_, stmt), end = unit_.offset(stmt->getEndLoc());
+    const auto has = [&](unsigned at) { return begin <= at && at <= end; };
+    if (has(ends_.from) == has(ends_.to)) return true;
+    range.from = std::min(range.from, begin);
+    range.to = std::max(range.to, end);
+    return true;
+  }
+
+ private:
+  const Unit& unit_;
+  const Offsets ends_;
+};
+
 /// A statement or operand that is not always evaluated when what is around it is.
 bool is_optional_part(const clang::Stmt* part, const clang::Stmt* around) {
   if (const auto* statement = llvm::dyn_cast<clang::IfStmt>(around))
@@ -191,14 +252,15 @@ bool is_optional_part(const clang::Stmt* part, const clang::Stmt* around) {
                    clang::CXXCatchStmt, clang::LambdaExpr>(around);
 }
 
-/// Whether every condition around the node is also one around the offset.
+/// Whether every condition around the node is also one around the offset, and every block before the offset that is tried.
 bool comes_with(const Unit& unit, const clang::Stmt* node, unsigned at) {
   clang::DynTypedNode part = clang::DynTypedNode::create(*node);
   for (const clang::DynTypedNode& ancestor : ancestors(unit.ast(), *node)) {
     if (ancestor.get<clang::FunctionDecl>()) return true;
     const auto* inner = part.get<clang::Stmt>();
     const auto* around = ancestor.get<clang::Stmt>();
-    if (inner && around && is_optional_part(inner, around)) {
+    const bool is_tried = around && llvm::isa<clang::CXXTryStmt>(around) && begin_of(unit, node) < at;
+    if (inner && around && (is_tried || is_optional_part(inner, around))) {
       const unsigned end = unit.offset(inner->getEndLoc());
       if (begin_of(unit, inner) > at || end < at) return false;
     }
@@ -207,36 +269,65 @@ bool comes_with(const Unit& unit, const clang::Stmt* node, unsigned at) {
   return true;
 }
 
+/// The variable or member that a path of names leads to: pub_, this->pub_, outputs.left.
+bool is_path_of_objects(const clang::Expr* expr) {
+  expr = expr->IgnoreParens();
+  if (llvm::isa<clang::CXXThisExpr>(expr) || llvm::isa<clang::DeclRefExpr>(expr)) return true;
+  const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr);
+  if (!member || !llvm::isa<clang::FieldDecl>(member->getMemberDecl())) return false;
+  const clang::Expr* base = member->getBase()->IgnoreParens();
+  return member->isArrow() ? llvm::isa<clang::CXXThisExpr>(base->IgnoreImpCasts()) : is_path_of_objects(base);
+}
+
+/// Whether a pointer that is made with the value leads to an object: of one that is just made, or has a name.
+bool leads_to_object(const clang::Expr* value) {
+  value = value->IgnoreImplicit();
+  if (const auto* made = llvm::dyn_cast<clang::CXXNewExpr>(value))
+    return made->getNumPlacementArgs() == 0 && !made->shouldNullCheckAllocation();
+  if (const auto* address = llvm::dyn_cast<clang::UnaryOperator>(value))
+    return address->getOpcode() == clang::UO_AddrOf && is_path_of_objects(address->getSubExpr());
+  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(value)) return makes_object(call);
+  const auto* copy = llvm::dyn_cast<clang::CXXConstructExpr>(value);
+  return copy && copy->getNumArgs() > 0 && leads_to_object(copy->getArg(0));
+}
+
 /// Finds a place that takes the same step whenever the offset is reached, before anything changes.
 class StepFinder : public AstVisitor {
  public:
-  StepFinder(const Unit& unit, const NameParts& parts, const clang::Stmt* body, const std::string& step,
-             unsigned at)
-      : unit_(unit),
-        parts_(parts),
-        body_(body),
-        exposed_(is_exposed(unit, parts, body)),
-        step_(step),
-        at_(at) {}
+  StepFinder(const Unit& unit, const NameParts& parts, const NameReads& reads, const clang::Stmt* body,
+             const std::string& step, unsigned at)
+      : unit_(unit), parts_(parts), reads_(reads), body_(body), step_(step), at_(at) {}
   bool found = false;
 
   bool VisitStmt(clang::Stmt* stmt) override {
-    found = found || (is_step(stmt) && step_text(unit_, stmt) == step_ && holds(stmt));
+    found = found || (is_step(stmt) && step_text(unit_, stmt) == step_ && holds(stmt, begin_of(unit_, stmt)));
+    return !found;
+  }
+  /// A local pointer that is made with an object is as good as one that was followed.
+  bool VisitVarDecl(clang::VarDecl* variable) override {
+    const clang::Expr* value = variable->getInit();
+    const std::string name = variable->getNameAsString();
+    if (!value || !variable->hasLocalStorage() || variable->getType()->isReferenceType() ||
+        !llvm::is_contained(parts_.locals, variable) || (step_ != name + "->" && step_ != "*" + name))
+      return !found;
+    const unsigned end = unit_.offset(variable->getEndLoc()) + 1;
+    found = found || (end <= at_ && leads_to_object(value) && holds(value, end));
     return !found;
   }
 
  private:
-  bool holds(const clang::Stmt* stmt) {
+  bool holds(const clang::Stmt* stmt, unsigned here) {
     if (!comes_with(unit_, stmt, at_)) return false;
-    const unsigned here = begin_of(unit_, stmt);
-    Between between(unit_, parts_, exposed_, {std::min(here, at_), std::max(here, at_)});
+    Rounds rounds(unit_, {std::min(here, at_), std::max(here, at_)});
+    rounds.TraverseStmt(const_cast<clang::Stmt*>(body_));
+    Between between(unit_, parts_, reads_, reads_.is_exposed(), rounds.range);
     between.TraverseStmt(const_cast<clang::Stmt*>(body_));
-    return !between.changes && !between.locks && (here < at_ || !between.leaves);
+    return !between.changes && !between.locks && !(here < at_ ? between.enters : between.leaves);
   }
   const Unit& unit_;
   const NameParts& parts_;
+  const NameReads& reads_;
   const clang::Stmt* body_;
-  bool exposed_;
   const std::string& step_;
   unsigned at_;
 };
@@ -263,19 +354,19 @@ std::string step_text(const Unit& unit, const clang::Stmt* step) {
 }
 
 Waits MustExecute::waits_between(unsigned from, unsigned to) const {
-  Between between(unit_, parts_, false, {from, to});
+  Between between(unit_, parts_, reads_, false, {from, to});
   between.TraverseStmt(const_cast<clang::Stmt*>(body_));
   return {between.locks, std::move(between.callees)};
 }
 
 bool MustExecute::changes_between(unsigned from, unsigned to) const {
-  Between between(unit_, parts_, false, {from, to});
+  Between between(unit_, parts_, reads_, false, {from, to});
   between.TraverseStmt(const_cast<clang::Stmt*>(body_));
   return between.changes;
 }
 
 bool MustExecute::takes(const std::string& step, unsigned at) const {
-  StepFinder visitor(unit_, parts_, body_, step, at);
+  StepFinder visitor(unit_, parts_, reads_, body_, step, at);
   visitor.TraverseStmt(const_cast<clang::Stmt*>(body_));
   return visitor.found;
 }

@@ -7,20 +7,11 @@
 
 #include <set>
 #include <string>
-#include <vector>
 
+#include "facts/sites/name_reads.h"
 #include "facts/syntax/unit.h"
 
 namespace tzc::rewriter {
-
-/// The parts of the expression that names a publisher.
-struct NameParts {
-  std::vector<const clang::VarDecl*> locals;
-  std::vector<const clang::ValueDecl*> all;
-  std::vector<const clang::ValueDecl*> followed;  ///< those that decide where a step leads
-  std::set<std::string> steps;                    ///< what it follows: "node_->", "pubs_[i]", "*pub"; "i % n"
-  bool has_effects = false;
-};
 
 /// Follows a pointer or an index, or divides: what may be invalid at another time.
 bool is_step(const clang::Stmt* stmt);
@@ -37,7 +28,7 @@ struct Waits {
 class MustExecute {
  public:
   MustExecute(const Unit& unit, const NameParts& parts, const clang::Stmt* body)
-      : unit_(unit), parts_(parts), body_(body) {}
+      : unit_(unit), parts_(parts), body_(body), reads_(unit, parts, body) {}
 
   /// Whether every path through the offset takes the step: behind it, or before it with no change since.
   bool takes(const std::string& step, unsigned at) const;
@@ -50,6 +41,7 @@ class MustExecute {
   const Unit& unit_;
   const NameParts& parts_;
   const clang::Stmt* body_;
+  NameReads reads_;
 };
 
 }  // namespace tzc::rewriter
