@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "facts/sites/may_leave.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/calls.h"
 #include "facts/syntax/library_calls.h"
@@ -97,7 +98,7 @@ class Reach : public AstVisitor {
   /// What the statement itself does, wherever it stands.
   void look_at(const clang::Stmt* stmt) {
     found = found || reads_.may_be_changed_by(stmt);
-    leaves = leaves || llvm::isa<clang::CXXThrowExpr, clang::CoroutineSuspendExpr, clang::AsmStmt>(stmt);
+    leaves = leaves || may_leave(unit_, stmt);
     if (const auto* call_of = llvm::dyn_cast<clang::CallExpr>(stmt))
       call(call_of->getDirectCallee(), {call_of->getArgs(), call_of->getNumArgs()});
     if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt)) {
@@ -123,7 +124,7 @@ class Reach : public AstVisitor {
   void call_library(const clang::FunctionDecl* callee, llvm::ArrayRef<const clang::Expr*> arguments) {
     const bool may_call_back = !calls_no_package_code(unit_, callee, arguments);
     found = found || (exposed_ && may_call_back);
-    leaves = leaves || !comes_back(callee);
+    leaves = leaves || !surely_returns(unit_, callee, arguments);
   }
   void follow(const clang::FunctionDecl* callee) {
     const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(callee);

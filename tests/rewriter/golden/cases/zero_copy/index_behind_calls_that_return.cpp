@@ -5,7 +5,7 @@
 struct Output {
   ros::Publisher pub;
 };
-int half(int n) {
+unsigned half(unsigned n) {
   return n / 2;
 }
 

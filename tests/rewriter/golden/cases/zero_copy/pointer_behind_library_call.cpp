@@ -1,4 +1,4 @@
-// Calls in between that cannot get at a local pointer, or that run no code of the package.
+// Calls in between that run no code of the package; and one that runs callbacks, which may throw before the pointer is followed.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
@@ -11,7 +11,7 @@ class Node {
   explicit Node(Output* output) : output_(output) {
     output_->publisher = nh_.advertise<sensor_msgs::Image>("image", 1);
   }
-  void known_call(int n) {
+  void known_call(unsigned n) {
     sensor_msgs::Image image;
     image.data.resize(n);
     std::fill(image.data.begin(), image.data.end(), 7);
@@ -49,4 +49,4 @@ class Node {
 // +    image.data.resize(n, tzc::uninitialized);
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
-// +    output->publisher.allocate(image);
+// +    tzc::allocate(image);

@@ -25,7 +25,7 @@ inline void print(const Location&, const char*, ...) {}
 class Node {
  public:
   Node() { pubs_.push_back(nh_.advertise<sensor_msgs::Image>("image", 1)); }
-  void publish(int n) {
+  void publish(unsigned n) {
     for (std::size_t i = 0; i < pubs_.size(); ++i) {
       sensor_msgs::Image image;
       image.data.resize(n);
