@@ -267,11 +267,22 @@ std::optional<EarlyName> Hoisting::as_written_at(const PublisherMention& publish
     add_followed(parts, publisher.object);
   }
   const bool valid = takes_steps(publisher, parts, at);
-  if (!valid && !may_guard) return {};
+  if (!valid && (!may_guard || comes_later(publisher, parts, at))) return {};
   Waits waits = waits_between(publisher, parts, at);
   if (valid && !may_change_elsewhere(parts)) waits = {};
   if (waits.locks) return {};
   return EarlyName{text, !valid, std::move(waits.callees)};
+}
+
+/// Whether a variable of this call may get its publisher between the offset and the mention: asked there, it would be null in each call. A
+/// member, or a static variable, has it from the second call on.
+bool Hoisting::comes_later(const PublisherMention& publisher, const NameParts& parts, unsigned at) const {
+  const clang::VarDecl* local = local_of(publisher.object);
+  if (!local || local->getType()->isReferenceType() || local->isStaticLocal()) return false;
+  const unsigned mentioned = unit_.offset(publisher.object->getBeginLoc());
+  const clang::Stmt* body = body_around(publisher);
+  return !body ||
+         MustExecute(unit_, parts, body).may_change_between(std::min(at, mentioned), std::max(at, mentioned));
 }
 
 bool Hoisting::may_change_elsewhere(const NameParts& parts) const {

@@ -60,6 +60,7 @@ class Hoisting {
   bool means_the_same(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
   /// Whether every path through the offset follows each pointer and index of the name.
   bool takes_steps(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
+  bool comes_later(const PublisherMention& publisher, const NameParts& parts, unsigned at) const;
   bool is_in_expression_of(const PublisherMention& publisher, unsigned at) const;
   bool may_change_elsewhere(const NameParts& parts) const;
   /// What may run between the mention and the offset.

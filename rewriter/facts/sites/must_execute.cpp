@@ -366,6 +366,12 @@ bool MustExecute::changes_between(unsigned from, unsigned to) const {
   return between.changes;
 }
 
+bool MustExecute::may_change_between(unsigned from, unsigned to) const {
+  Between between(unit_, parts_, reads_, reads_.is_exposed(), {from, to});
+  between.TraverseStmt(const_cast<clang::Stmt*>(body_));
+  return between.changes;
+}
+
 bool MustExecute::takes(const std::string& step, unsigned at) const {
   StepFinder visitor(unit_, parts_, reads_, body_, step, at);
   visitor.TraverseStmt(const_cast<clang::Stmt*>(body_));

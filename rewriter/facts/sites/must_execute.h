@@ -34,6 +34,8 @@ class MustExecute {
   bool takes(const std::string& step, unsigned at) const;
   /// Whether code that is seen may give the name another meaning between two offsets.
   bool changes_between(unsigned from, unsigned to) const;
+  /// Whether any code may.
+  bool may_change_between(unsigned from, unsigned to) const;
   /// Where another thread may be waited for, or let go on, between two offsets.
   Waits waits_between(unsigned from, unsigned to) const;
 
