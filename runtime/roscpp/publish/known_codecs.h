@@ -3,7 +3,7 @@
 
 #include <tzc/detail/codec.h>
 
-#include <deque>
+#include <list>
 #include <mutex>
 #include <typeinfo>
 
@@ -23,7 +23,7 @@ class KnownCodecs {
 
  private:
   mutable std::mutex mutex_;
-  std::deque<MessageCodec> codecs_;  ///< only ever grows, so addresses stay valid
+  std::list<MessageCodec> codecs_;  ///< only ever grows, so addresses stay valid
 };
 
 }  // namespace detail

@@ -8,7 +8,7 @@
 #include <atomic>
 #include <boost/shared_array.hpp>
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <memory>
 
 #include "roscpp/publish/record_encoder.h"
@@ -74,7 +74,7 @@ class PublicationStream {
   const std::shared_ptr<SegmentMemory> memory_;
   RecordEncoder records_;
   SequenceNumbers numbers_;
-  std::deque<boost::shared_array<std::uint8_t>> left_to_bytes_;  ///< in the order of roscpp's queue
+  std::list<boost::shared_array<std::uint8_t>> left_to_bytes_;  ///< in the order of roscpp's queue
   std::atomic<std::size_t> links_{0};
 };
 

@@ -31,17 +31,17 @@ std::size_t SequenceNumbers::numbered(const void* bytes) {
   const auto found = std::find(waiting_.begin(), waiting_.end(), bytes);
   if (!is_queued(bytes) || found == waiting_.end()) return 0;
   const auto skipped = std::count(waiting_.begin(), found, kNumberedAlready);
-  waiting_.erase(waiting_.begin(), found + 1);  // those before it never came into the queue
+  waiting_.erase(waiting_.begin(), std::next(found));  // those before it never came into the queue
   return static_cast<std::size_t>(skipped) + skip_numbered();
 }
 
 void SequenceNumbers::follow(const std::vector<const void*>& queue) {
-  std::deque<const void*> all;
+  std::list<const void*> all;
   auto known = waiting_.begin();
   for (const void* bytes : queue) {
     if (const auto at = std::find(known, waiting_.end(), bytes); at != waiting_.end()) {
       std::copy_if(known, at, std::back_inserter(all), [](const void* each) { return !is_queued(each); });
-      known = at + 1;
+      known = std::next(at);
     }
     all.push_back(bytes);
   }
@@ -50,7 +50,7 @@ void SequenceNumbers::follow(const std::vector<const void*>& queue) {
 }
 
 std::size_t SequenceNumbers::forget() {
-  waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_queued), waiting_.end());
+  waiting_.remove_if(is_queued);
   return skip_numbered();
 }
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <vector>
 
 namespace tzc {
@@ -53,7 +53,7 @@ class SequenceNumbers {
 
   /// Messages in roscpp's queue, as bytes, oldest first, and between them a null for each message that was
   /// sent with a number.
-  std::deque<const void*> waiting_;
+  std::list<const void*> waiting_;  // one that is empty, as usual, has no memory; a deque has half a kilobyte
 };
 
 }  // namespace detail
