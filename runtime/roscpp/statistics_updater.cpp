@@ -156,35 +156,52 @@ std::vector<EndpointStatistics> StatisticsUpdater::look_at_plain() {
   return all;
 }
 
-bool StatisticsUpdater::add(EndpointStatistics seen, Links& links) {
-  if (!seen.has_links) seen.links = last_links_[seen.topic];
+bool StatisticsUpdater::add(const EndpointStatistics& seen, Held& held) {
   page_->add(row_of(seen));
-  for (const LinkStatistics& link : seen.links) {
+  std::vector<channel::HeldBlock> of_topic =
+      seen.has_links ? add_links(seen.links) : repeat_links(seen.topic);
+  if (!of_topic.empty()) held[seen.topic] = std::move(of_topic);
+  return seen.has_links;
+}
+
+std::vector<channel::HeldBlock> StatisticsUpdater::add_links(const std::vector<LinkStatistics>& links) {
+  std::vector<channel::HeldBlock> held;
+  for (const LinkStatistics& link : links) {
     statistics::ConnectionRow row = row_of(link);
     row.oldest_held_ms = held_since_.oldest_ms(link.inspection.held);
     page_->add(row);
+    held.insert(held.end(), link.inspection.held.begin(), link.inspection.held.end());
   }
-  links[seen.topic] = std::move(seen.links);
-  return seen.has_links;
+  return held;
+}
+
+// What was held counts as held on: its age goes on with the next look.
+std::vector<channel::HeldBlock> StatisticsUpdater::repeat_links(const std::string& topic) {
+  page_->repeat_connections(topic);
+  const auto found = last_held_.find(topic);
+  if (found == last_held_.end()) return {};
+  held_since_.oldest_ms(found->second);
+  return found->second;
 }
 
 bool StatisticsUpdater::write() {
   bool is_complete = true;
-  Links links;
+  Held held;
   page_->begin();
   held_since_.begin(now_ms());
   for (const std::shared_ptr<PublicationEndpoint>& endpoint : all_endpoints())
-    is_complete = add(endpoint->look(), links) && is_complete;
-  for (EndpointStatistics& plain : look_at_plain()) is_complete = add(std::move(plain), links) && is_complete;
+    is_complete = add(endpoint->look(), held) && is_complete;
+  for (const EndpointStatistics& plain : look_at_plain()) is_complete = add(plain, held) && is_complete;
   if (const std::optional<MemoryStats> memory = stats_of_no_topic()) page_->add(row_of_no_topic(*memory));
   std::vector<SubscriptionStatistics> subscriptions;
-  if (look_at_subscriptions_(subscriptions))
-    last_subscriptions_ = std::move(subscriptions);
-  else
+  if (look_at_subscriptions_(subscriptions)) {
+    for (const SubscriptionStatistics& subscription : subscriptions) page_->add(row_of(subscription));
+  } else {
+    page_->repeat_subscriptions();
     is_complete = false;
-  for (const SubscriptionStatistics& subscription : last_subscriptions_) page_->add(row_of(subscription));
+  }
   page_->publish();
-  last_links_ = std::move(links);
+  last_held_ = std::move(held);
   return is_complete;
 }
 

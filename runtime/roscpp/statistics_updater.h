@@ -35,7 +35,7 @@ class StatisticsUpdater {
   void add_plain(const ros::PublicationPtr& publication, const std::string& reason);
 
  private:
-  using Links = std::map<std::string, std::vector<LinkStatistics>>;  ///< by topic
+  using Held = std::map<std::string, std::vector<channel::HeldBlock>>;  ///< by topic, where there are any
   struct PlainTopic {
     ros::PublicationWPtr publication;
     std::string reason;
@@ -45,14 +45,15 @@ class StatisticsUpdater {
   void update();
   bool write();
   std::vector<EndpointStatistics> look_at_plain();
-  bool add(EndpointStatistics seen, Links& links);
+  bool add(const EndpointStatistics& seen, Held& held);
+  std::vector<channel::HeldBlock> add_links(const std::vector<LinkStatistics>& links);
+  std::vector<channel::HeldBlock> repeat_links(const std::string& topic);
 
   Worker& clerk_;
   const LookAtSubscriptions look_at_subscriptions_;
   std::shared_ptr<statistics::PageWriter> page_;
   bool is_running_ = false;
-  Links last_links_;
-  std::vector<SubscriptionStatistics> last_subscriptions_;
+  Held last_held_;
   HeldSince held_since_;
   std::mutex plain_mutex_;
   std::vector<PlainTopic> plain_;  ///< under plain_mutex_

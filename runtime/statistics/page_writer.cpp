@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <new>
 #include <utility>
 
@@ -17,6 +18,19 @@ namespace {
 std::uint64_t now_ns() {
   const auto since_boot = std::chrono::steady_clock::now().time_since_epoch();
   return static_cast<std::uint64_t>(std::chrono::nanoseconds(since_boot).count());
+}
+
+RowKind kind_of(const std::uint8_t* row) {
+  RowKind kind{};
+  std::memcpy(&kind, row, sizeof kind);
+  return kind;
+}
+
+bool is_topic(const std::uint8_t* row, const std::string& topic) {
+  TopicRow wanted{};
+  copy_text(wanted.topic, topic);
+  return kind_of(row) == RowKind::topic &&
+         std::memcmp(row + offsetof(TopicRow, topic), wanted.topic, sizeof wanted.topic) == 0;
 }
 
 #ifdef TZC_PORTABLE
@@ -69,6 +83,33 @@ void PageWriter::add(const void* row, std::size_t bytes) {
   }
   std::memcpy(mapping_.data() + offset() + at, row, bytes);
   ++table_.rows;
+}
+
+// The one before it lies where this table is being written.
+std::size_t PageWriter::last_rows() const {
+  const std::uint64_t published = header().published.load(std::memory_order_relaxed);
+  if (published == 0 || published + 1 != number_) return 0;
+  TableHeader last;
+  std::memcpy(&last, mapping_.data() + table_offset(published), sizeof last);
+  return last.rows;
+}
+
+const std::uint8_t* PageWriter::last_row(std::size_t index) const {
+  return mapping_.data() + table_offset(number_ - 1) + sizeof(TableHeader) + index * row_bytes;
+}
+
+void PageWriter::repeat_connections(const std::string& topic) {
+  const std::size_t rows = last_rows();
+  std::size_t row = 0;
+  while (row < rows && !is_topic(last_row(row), topic)) ++row;
+  for (++row; row < rows && kind_of(last_row(row)) == RowKind::connection; ++row)
+    add(last_row(row), row_bytes);
+}
+
+void PageWriter::repeat_subscriptions() {
+  const std::size_t rows = last_rows();
+  for (std::size_t row = 0; row < rows; ++row)
+    if (kind_of(last_row(row)) == RowKind::subscription) add(last_row(row), row_bytes);
 }
 
 void PageWriter::publish() {

@@ -36,12 +36,21 @@ class PageWriter {
   /// Belongs to the topic that was added last.
   void add(const ConnectionRow& row) { add(&row, sizeof row); }
   void add(const SubscriptionRow& row) { add(&row, sizeof row); }
+  /// \name Rows of the last table once more, which therefore nobody else has to keep. None after a round that was not published.
+  /// @{
+  /// The topic's connections.
+  void repeat_connections(const std::string& topic);
+  /// All subscriptions.
+  void repeat_subscriptions();
+  /// @}
   void publish();
 
  private:
   PageWriter(posix::MemoryFile file, posix::Mapping mapping)
       : file_(std::move(file)), mapping_(std::move(mapping)) {}
   void add(const void* row, std::size_t bytes);
+  std::size_t last_rows() const;
+  const std::uint8_t* last_row(std::size_t index) const;
   bool reserve(std::size_t end);
   std::size_t offset() const { return table_offset(number_); }
   PageHeader& header() const { return *reinterpret_cast<PageHeader*>(mapping_.data()); }

@@ -163,6 +163,61 @@ TEST_F(WrittenPage, counts_what_has_no_room) {
   EXPECT_EQ(node->left_out, 5u);
 }
 
+TEST_F(WrittenPage, repeats_what_could_not_be_looked_at) {
+  layout::ConnectionRow connection{};
+  connection.kind = layout::RowKind::connection;
+  layout::SubscriptionRow subscription{};
+  subscription.kind = layout::RowKind::subscription;
+  page_->begin();
+  for (const char* name : {"/image", "/imagery", "/depth"}) {
+    page_->add(topic(name));
+    layout::copy_text(connection.subscriber, name + std::string("_viewer"));
+    page_->add(connection);
+  }
+  layout::copy_text(subscription.topic, "/heard");
+  page_->add(subscription);
+  page_->publish();
+  for (int round = 0; round < 2; ++round) {
+    page_->begin();
+    page_->add(topic("/depth"));
+    page_->repeat_connections("/depth");
+    page_->add(topic("/image"));
+    page_->repeat_connections("/image");
+    page_->add(topic("/new"));
+    page_->repeat_connections("/new");
+    page_->repeat_subscriptions();
+    page_->publish();
+  }
+  const std::optional<Node> node = self();
+  ASSERT_TRUE(node);
+  ASSERT_EQ(node->topics.size(), 3u);
+  ASSERT_EQ(node->topics[0].connections.size(), 1u);
+  EXPECT_EQ(node->topics[0].connections[0].subscriber, "/depth_viewer");
+  ASSERT_EQ(node->topics[1].connections.size(), 1u);
+  EXPECT_EQ(node->topics[1].connections[0].subscriber, "/image_viewer");
+  EXPECT_TRUE(node->topics[2].connections.empty());
+  ASSERT_EQ(node->subscriptions.size(), 1u);
+}
+
+// The table before it is being written over.
+TEST_F(WrittenPage, repeats_nothing_of_a_table_that_was_not_published) {
+  layout::ConnectionRow connection{};
+  connection.kind = layout::RowKind::connection;
+  page_->begin();
+  page_->add(topic("/image"));
+  page_->add(connection);
+  page_->publish();
+  page_->begin();
+  page_->begin();
+  page_->add(topic("/image"));
+  page_->repeat_connections("/image");
+  page_->publish();
+  const std::optional<Node> node = self();
+  ASSERT_TRUE(node);
+  ASSERT_EQ(node->topics.size(), 1u);
+  EXPECT_TRUE(node->topics[0].connections.empty());
+}
+
 TEST_F(WrittenPage, cuts_long_names) {
   page_->begin();
   page_->add(topic("/" + std::string(400, 'x')));
