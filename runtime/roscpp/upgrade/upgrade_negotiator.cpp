@@ -53,6 +53,13 @@ bool is_same(const boost::weak_ptr<ros::TransportSubscriberLink>& one, const Lin
 
 }  // namespace
 
+// Its texts are of no use from now on, and there are thousands of connections.
+void UpgradeNegotiator::Invitation::come() {
+  came = Clock::now();
+  has_come = true;
+  for (std::string* text : {&token, &trouble}) std::string().swap(*text);
+}
+
 void UpgradeNegotiator::invite(const TcpLink& link) {
   if (link->getTransportType() != "TCPROS") return;
   const InvitationPtr invitation = invitation_of(link);
@@ -106,10 +113,7 @@ UpgradeNegotiator::TcpLink UpgradeNegotiator::welcome(const std::string& token) 
     const std::lock_guard<std::mutex> lock(mutex_);
     invitation = find(token);
     if (!invitation) return TcpLink();
-    invitation->came = Clock::now();
-    invitation->has_come = true;
-    invitation->token.clear();
-    invitation->trouble = "it has accepted; its link is being moved";
+    invitation->come();
   }
   return invitation->link.lock();
 }
@@ -143,6 +147,7 @@ std::string UpgradeNegotiator::why_not(const boost::weak_ptr<ros::TransportSubsc
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const InvitationPtr& one : invitations_) {
     if (!is_same(one->link, link)) continue;
+    if (one->has_come) return "it has accepted; its link is being moved";
     const std::string tries = std::to_string(one->tries) + (one->tries == 1 ? " try: " : " tries: ");
     if (one->warned && !one->token.empty())
       return "asked again, at last every five minutes, after " + tries + one->trouble;
@@ -178,7 +183,7 @@ void UpgradeNegotiator::try_once(const InvitationPtr& invitation) {
   int tries = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    invitation->trouble = answer.text;
+    if (!invitation->has_come) invitation->trouble = answer.text;  // it may come before it has answered
     tries = invitation->tries;
   }
   ROS_DEBUG_STREAM("TZC: " << offer_.topic << " to " << subscriber << ", try " << tries

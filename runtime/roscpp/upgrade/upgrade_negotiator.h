@@ -65,12 +65,14 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
     boost::weak_ptr<ros::TransportSubscriberLink> link;
     std::string subscriber;  ///< its caller id
     std::string token;       ///< empty: no invitation is open
+    std::string trouble;     ///< why the last try failed, or why there is none
     int tries = 0;
     int round = 0;  ///< number of the last planned check; earlier ones do nothing
     Clock::time_point came;
     bool has_come = false;  ///< and was not lost: there is nothing to invite to
-    std::string trouble;    ///< why the last try failed, or why there is none
     bool warned = false;    ///< after so many tries
+
+    void come();
   };
   using InvitationPtr = std::shared_ptr<Invitation>;
   struct Answer {
