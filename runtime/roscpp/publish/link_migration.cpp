@@ -89,13 +89,7 @@ void LinkMigration::attempt(const SharedLinkPtr& link, int looks, Step step) {
 }
 
 void LinkMigration::watch(const SharedLinkPtr& link) {
-  const std::weak_ptr<LinkMigration> weak = weak_from_this();
-  const boost::weak_ptr<SharedLink> weak_link = link;
-  link->on_end([weak, weak_link] {
-    const std::shared_ptr<LinkMigration> migration = weak.lock();
-    const SharedLinkPtr gone = weak_link.lock();
-    if (migration && gone) migration->ended(gone);
-  });
+  link->tell_of_end(weak_from_this());
   if (link->parked()->getConnection()->isDropped()) ended(link);  // before the listener was connected
 }
 

@@ -25,7 +25,7 @@ namespace detail {
 ///   (its TCPROS connection ends)   the SharedLink goes, and the user's disconnect callbacks are called
 ///
 /// Runs on the worker thread, which may wait for roscpp's locks while another thread publishes.
-class LinkMigration : public std::enable_shared_from_this<LinkMigration> {
+class LinkMigration : public LinkEndListener, public std::enable_shared_from_this<LinkMigration> {
  public:
   LinkMigration(const ros::PublicationPtr& publication, std::shared_ptr<UpgradeNegotiator> negotiator,
                 Worker& worker)
@@ -59,7 +59,7 @@ class LinkMigration : public std::enable_shared_from_this<LinkMigration> {
   void go_live(const SharedLinkPtr& link, int looks);
   void come_back(const SharedLinkPtr& link, int looks);
   Progress try_come_back(ros::Publication& publication, const SharedLinkPtr& link);
-  void ended(const SharedLinkPtr& link);
+  void ended(const SharedLinkPtr& link) override;
   void look_again(const SharedLinkPtr& link, int looks, Step step);
   void attempt(const SharedLinkPtr& link, int looks, Step step);
 

@@ -32,9 +32,8 @@ SharedLink::SharedLink(std::shared_ptr<PublicationStream> stream, const ros::Pub
     : stream_(std::move(stream)),
       parked_(std::move(parked)),
       connection_(std::move(connection)),
-      queue_size_(publication->getMaxQueue()),
       queued_for_tcpros_(queued),
-      waiting_(queue_size_) {
+      waiting_(publication->getMaxQueue()) {
   parent_ = publication;
   topic_ = parked_->getTopic();
   destination_caller_id_ = parked_->getDestinationCallerID();
@@ -46,9 +45,16 @@ SharedLink::~SharedLink() {
   connection_->close();
 }
 
-void SharedLink::on_end(std::function<void()> ended) {
-  drop_listener_ = parked_->getConnection()->addDropListener(
-      [ended = std::move(ended)](const ros::ConnectionPtr&, ros::Connection::DropReason) { ended(); });
+// The function has one pointer, which boost::function has room for: with more it would allocate them, twice for each connection.
+void SharedLink::tell_of_end(std::weak_ptr<LinkEndListener> listener) {
+  end_listener_ = std::move(listener);
+  const auto dropped = [weak = boost::weak_ptr<SharedLink>(boost::static_pointer_cast<SharedLink>(
+                            shared_from_this()))](const ros::ConnectionPtr&, ros::Connection::DropReason) {
+    const SharedLinkPtr link = weak.lock();
+    const std::shared_ptr<LinkEndListener> listening = link ? link->end_listener_.lock() : nullptr;
+    if (listening) listening->ended(link);
+  };
+  drop_listener_ = parked_->getConnection()->addDropListener(dropped);
 }
 
 void SharedLink::drop() {
@@ -160,7 +166,8 @@ SharedLink::Progress SharedLink::try_go_live() {
 bool SharedLink::send_what_waits() {
   bool some = false;
   for (; !waiting_.empty(); waiting_.pop(), some = true) {
-    if (is_patient() && queue_size_ != 0 && connection_->in_flight() >= queue_size_) return some;
+    if (is_patient() && waiting_.queue_size() != 0 && connection_->in_flight() >= waiting_.queue_size())
+      return some;
     if (!send(waiting_.front())) return some;
   }
   state_ = State::live;
@@ -210,7 +217,7 @@ channel::RecordPtr SharedLink::next_to_hand_back() {
   if (queued_for_tcpros_ > 0) return nullptr;
   if (patient_until_ == Clock::time_point()) begin_patience();
   if (!is_patient()) waiting_.keep_newest();
-  const bool ready = !waiting_.empty() && (!is_patient() || has_room(*parked_, queue_size_));
+  const bool ready = !waiting_.empty() && (!is_patient() || has_room(*parked_, waiting_.queue_size()));
   return ready ? waiting_.front() : nullptr;
 }
 

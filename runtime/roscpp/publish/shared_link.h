@@ -7,7 +7,6 @@
 
 #include <boost/signals2/connection.hpp>
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <mutex>
 
@@ -16,6 +15,15 @@
 
 namespace tzc {
 namespace detail {
+
+class SharedLink;
+
+/// Who is told, on the thread that drops it, that the TCPROS connection of a link has ended.
+class LinkEndListener {
+ public:
+  virtual ~LinkEndListener() = default;
+  virtual void ended(const boost::shared_ptr<SharedLink>& link) = 0;
+};
 
 /// The link of a subscriber on shared memory. It takes the place of the TCPROS link in
 /// Publication::subscriber_links_ and keeps that link parked. To roscpp it is an intraprocess link, because
@@ -83,9 +91,9 @@ class SharedLink : public ros::SubscriberLink {
   bool may_be_replaced() const;
   bool has_returned() const;
 
-  /// Calls `ended` once, when the TCPROS link is dropped (the subscriber or the publisher ended the
+  /// Tells the listener once, when the TCPROS link is dropped (the subscriber or the publisher ended the
   /// connection).
-  void on_end(std::function<void()> ended);
+  void tell_of_end(std::weak_ptr<LinkEndListener> listener);
 
   PublicationStream& stream() const { return *stream_; }
   const ros::TransportSubscriberLinkPtr& parked() const { return parked_; }
@@ -115,7 +123,7 @@ class SharedLink : public ros::SubscriberLink {
   const std::shared_ptr<PublicationStream> stream_;  ///< keeps the publication's endpoint, too
   const ros::TransportSubscriberLinkPtr parked_;
   const channel::ConnectionPtr connection_;
-  const std::size_t queue_size_;
+  std::weak_ptr<LinkEndListener> end_listener_;  ///< before drop_listener_ is connected
   boost::signals2::connection drop_listener_;
 
   /// Guards what follows; innermost, but for the channel's.

@@ -20,6 +20,8 @@ class WaitingRecords {
   /// `queue_size` 0: no limit.
   explicit WaitingRecords(std::size_t queue_size) : queue_size_(queue_size) {}
 
+  /// Also without the mutex that guards the rest.
+  std::size_t queue_size() const { return queue_size_; }
   bool empty() const { return records_.empty(); }
   const channel::RecordPtr& front() const { return records_.front(); }
 
