@@ -53,18 +53,17 @@ void LinkMigration::disconnected_later(const channel::ConnectionPtr& connection)
 }
 
 void LinkMigration::connected(const channel::ConnectionPtr& connection) {
-  boost::weak_ptr<SharedLink>& known = by_connection_[connection];  // before the invitation is used up
+  moved_.push_back({connection, {}});  // before the invitation is used up
   const TcpLink tcp = negotiator_->welcome(connection->hello());
   const SharedLinkPtr link = tcp ? park_if_possible(tcp, connection) : SharedLinkPtr();
   if (!link) {
-    by_connection_.erase(connection);
+    moved_.pop_back();
     connection->close();
     if (tcp) negotiator_->lost(tcp, "it came, and its link could not be moved");
     return;
   }
-  known = link;
+  moved_.back().link = link;
   try {
-    link->stream().records().subscribers().add(connection, tcp->getDestinationCallerID());
     watch(link);
   } catch (const std::exception&) {
     connection->close();  // and it comes back
@@ -145,12 +144,11 @@ void LinkMigration::look_again(const SharedLinkPtr& link, int looks, Step step) 
 }
 
 void LinkMigration::disconnected(const channel::ConnectionPtr& connection) {
-  if (const std::shared_ptr<PublicationStream> stream = stream_.lock())
-    stream->records().subscribers().remove(connection);
-  const auto found = by_connection_.find(connection);
-  if (found == by_connection_.end()) return;
-  const SharedLinkPtr link = found->second.lock();
-  by_connection_.erase(found);
+  const auto found = std::find_if(moved_.begin(), moved_.end(),
+                                  [&](const Moved& one) { return one.connection == connection; });
+  if (found == moved_.end()) return;
+  const SharedLinkPtr link = found->link.lock();
+  moved_.erase(found);
   if (link) attempt(link, 0, &LinkMigration::come_back);
 }
 

@@ -5,7 +5,6 @@
 #include <ros/transport_subscriber_link.h>
 #include <tzc/channel.h>
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -81,7 +80,11 @@ class LinkMigration : public LinkEndListener, public std::enable_shared_from_thi
   std::size_t standing_ = 0;       ///< all in the publication, also those that have returned to TCPROS
   /// @}
 
-  std::map<channel::ConnectionPtr, boost::weak_ptr<SharedLink>> by_connection_;  ///< worker's thread
+  struct Moved {
+    channel::ConnectionPtr connection;
+    boost::weak_ptr<SharedLink> link;
+  };
+  std::vector<Moved> moved_;  ///< worker's thread
 };
 
 }  // namespace detail

@@ -38,10 +38,12 @@ SharedLink::SharedLink(std::shared_ptr<PublicationStream> stream, const ros::Pub
   topic_ = parked_->getTopic();
   destination_caller_id_ = parked_->getDestinationCallerID();
   connection_id_ = parked_->getConnectionID();
+  stream_->records().subscribers().add(*connection_, destination_caller_id_);
 }
 
 SharedLink::~SharedLink() {
   parked_->getConnection()->removeDropListener(drop_listener_);
+  stream_->records().subscribers().remove(*connection_);
   connection_->close();
 }
 

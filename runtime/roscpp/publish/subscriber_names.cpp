@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "roscpp/publish/subscriber_names.h"
 
+#include <algorithm>
+
 namespace tzc {
 namespace detail {
 
-void SubscriberNames::add(const channel::ConnectionPtr& connection, const std::string& node) {
+void SubscriberNames::add(channel::Connection& connection, const std::string& node) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  names_[connection] = node;
+  names_.emplace_back(&connection, &node);
 }
 
-void SubscriberNames::remove(const channel::ConnectionPtr& connection) {
+void SubscriberNames::remove(const channel::Connection& connection) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  names_.erase(connection);
+  const auto is_it = [&](const auto& one) { return one.first == &connection; };
+  names_.erase(std::remove_if(names_.begin(), names_.end(), is_it), names_.end());
 }
 
 std::string SubscriberNames::in_flight() const {
@@ -19,7 +22,7 @@ std::string SubscriberNames::in_flight() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const auto& one : names_)
     if (const std::size_t records = one.first->in_flight())
-      text += (text.empty() ? "" : ", ") + one.second + " " + std::to_string(records);
+      text += (text.empty() ? "" : ", ") + *one.second + " " + std::to_string(records);
   return text;
 }
 

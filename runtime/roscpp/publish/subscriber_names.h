@@ -3,25 +3,27 @@
 
 #include <tzc/channel.h>
 
-#include <map>
 #include <mutex>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace tzc {
 namespace detail {
 
-/// The nodes behind the connections of a channel, for warnings. Thread-safe.
+/// The nodes behind the connections of a channel, for warnings. Knows what their links own, as there are thousands. Thread-safe.
 class SubscriberNames {
  public:
-  void add(const channel::ConnectionPtr& connection, const std::string& node);
-  void remove(const channel::ConnectionPtr& connection);
+  /// Both live until remove().
+  void add(channel::Connection& connection, const std::string& node);
+  void remove(const channel::Connection& connection);
   /// "/viewer 3, /recorder 10": the subscribers with records in flight, and how many. Empty when there are
   /// none.
   std::string in_flight() const;
 
  private:
   mutable std::mutex mutex_;
-  std::map<channel::ConnectionPtr, std::string> names_;
+  std::vector<std::pair<channel::Connection*, const std::string*>> names_;
 };
 
 }  // namespace detail
