@@ -14,10 +14,9 @@ namespace {
 
 constexpr std::chrono::seconds linger{1};
 
-ConnectionImpl::Options countable(ConnectionImpl::Options options) {
-  std::size_t& size = options.limit.records;
-  if (size == 0 || size > segment::max_ack_count) size = segment::max_ack_count;
-  return options;
+InFlightLimit countable(InFlightLimit limit) {
+  if (limit.records == 0 || limit.records > segment::max_ack_count) limit.records = segment::max_ack_count;
+  return limit;
 }
 
 bool accepts_records(ConnectionState state) {
@@ -26,17 +25,17 @@ bool accepts_records(ConnectionState state) {
 
 }  // namespace
 
-ConnectionImpl::ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPage page,
-                               const Options& options, std::weak_ptr<ConnectionOwner> owner)
-    : peer_(std::move(peer)),
-      options_(countable(options)),
+ConnectionImpl::ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPage page, Options options,
+                               std::weak_ptr<ConnectionOwner> owner)
+    : subscriber_{peer.credentials, std::move(peer.hello), peer.reads_ring},
+      traced_as_(options.traced_as),
       owner_(std::move(owner)),
       epoch_(posix::fork_epoch()),
       page_(std::move(page)),
-      window_(page_, segments_, options_.limit, options.keeps_undelivered),
-      sender_(SendingSocket(std::move(socket), std::move(peer_.trunk.place)),
-              RingWriter(peer_.reads_ring ? &page_.ring() : nullptr, options.bell),
-              options_.limit.most() + 2 * max_segments) {}
+      window_(page_, segments_, countable(options.limit), options.keeps_undelivered),
+      sender_(SendingSocket(std::move(socket), std::move(peer.trunk.place)),
+              RingWriter(subscriber_.reads_ring ? &page_.ring() : nullptr, std::move(options.bell)),
+              window_.limit().most() + 2 * max_segments) {}
 
 Status ConnectionImpl::start(Service& service) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -44,7 +43,7 @@ Status ConnectionImpl::start(Service& service) {
 }
 
 std::uint32_t ConnectionImpl::granted_features() const {
-  return (peer_.reads_ring ? std::uint32_t{reads_ring} : 0) |
+  return (subscriber_.reads_ring ? std::uint32_t{reads_ring} : 0) |
          (sender_.socket().is_loan() ? std::uint32_t{has_trunk} : 0);
 }
 
@@ -67,8 +66,7 @@ bool ConnectionImpl::send_traced(const RecordPtr& record) {
   const bool accepted = send_now(record);
   if (accepted)
     trace::record(trace::Step::publish, trace::Arrow::begins,
-                  trace_id(page_.trace_number(), window_.last_sequence()), options_.traced_as, begin,
-                  record->size());
+                  trace_id(page_.trace_number(), window_.last_sequence()), traced_as_, begin, record->size());
   return accepted;
 }
 
@@ -78,10 +76,10 @@ bool ConnectionImpl::send_now(const RecordPtr& record) {
     PacketSender::Result sent = PacketSender::Result::accepted;
     const Status announced = segments_.announce(*record, weak_from_this(), sender_, sent);
     heed(sent);
-    if (!announced) failure_ = announced.error();
+    if (!announced) failure_ = std::make_unique<Error>(announced.error());
     if (!announced || !accepts_records(state_)) return false;
   }
-  if (window_.size() >= options_.limit.of_any_size()) heed_revocation(window_.make_room());
+  if (window_.size() >= window_.limit().of_any_size()) heed_revocation(window_.make_room());
   if (!accepts_records(state_)) return false;
   sync_point("publish: before mark");
   window_.push(record);
@@ -222,7 +220,7 @@ void ConnectionImpl::hung_up() {
 Error ConnectionImpl::last_failure() const {
   if (posix::forked_since(epoch_)) return Error();
   const std::lock_guard<std::mutex> lock(mutex_);
-  return failure_;
+  return failure_ ? *failure_ : Error();
 }
 
 std::size_t ConnectionImpl::in_flight() {

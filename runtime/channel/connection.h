@@ -55,11 +55,11 @@ class ConnectionImpl final : public Connection,
     const char* traced_as;  ///< lives as long as the process
   };
 
-  ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPage page, const Options& options,
+  ConnectionImpl(posix::FileDescriptor socket, Peer peer, SharedPage page, Options options,
                  std::weak_ptr<ConnectionOwner> owner);
 
-  Credentials peer() const override { return peer_.credentials; }
-  const std::string& hello() const override { return peer_.hello; }
+  Credentials peer() const override { return subscriber_.credentials; }
+  const std::string& hello() const override { return subscriber_.hello; }
   bool alive() const override;
   TZC_HOT bool send(const RecordPtr& record) override;
   Error last_failure() const override;
@@ -99,15 +99,21 @@ class ConnectionImpl final : public Connection,
   void read_unsubscribe();
   void hung_up();
 
-  Peer peer_;
-  const Options options_;
+  /// What stays of the peer.
+  struct Subscriber {
+    Credentials credentials;
+    std::string hello;
+    bool reads_ring;
+  };
+  const Subscriber subscriber_;
+  const char* const traced_as_;
   const std::weak_ptr<ConnectionOwner> owner_;
   const std::uint32_t epoch_;
 
   mutable std::mutex mutex_;
   ConnectionState state_ = ConnectionState::corked;
   std::uint64_t sent_ = 0;
-  Error failure_;
+  std::unique_ptr<Error> failure_;  // of the last announcement that failed, which is rare
   SharedPage page_;
   AnnouncedSegments segments_;
   InFlightWindow window_;

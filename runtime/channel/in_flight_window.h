@@ -32,6 +32,7 @@ class InFlightWindow {
   /// `retains`: take_undelivered returns the records that are in flight at the end.
   InFlightWindow(const SharedPage& page, AnnouncedSegments& segments, InFlightLimit limit, bool retains);
 
+  const InFlightLimit& limit() const { return limit_; }
   std::size_t size() const { return records_.size(); }
   std::uint32_t last_sequence() const { return last_sequence_; }
   /// Records up to this one that were not taken are revoked and need not be sent any more.

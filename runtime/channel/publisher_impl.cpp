@@ -143,9 +143,9 @@ std::shared_ptr<ConnectionImpl> PublisherImpl::connect(posix::FileDescriptor& so
   }
   const char* const name = trace::active ? trace::keep(trace::name_of_channel(address()).topic) : "";
   const InFlightLimit limit{options_.queue_size, peer.takes_promptly ? options_.buffered_bytes : 0};
-  const ConnectionImpl::Options options{limit, options_.keeps_undelivered, std::move(*bell), name};
+  ConnectionImpl::Options options{limit, options_.keeps_undelivered, std::move(*bell), name};
   auto connection = std::make_shared<ConnectionImpl>(std::move(socket), std::move(peer), std::move(*page),
-                                                     options, weak_from_this());
+                                                     std::move(options), weak_from_this());
   const Status started = connection->start(service_);
   if (started) return connection;
   failure = started.error();
