@@ -15,11 +15,13 @@ std::size_t binary_logarithm(std::uint64_t bytes) {
 
 }  // namespace
 
-Extents::Extents(std::uint64_t begin, std::uint64_t end) : size_(end - begin), free_bytes_(end - begin) {
+Extents::Extents(std::uint64_t begin, std::uint64_t end)
+    : first_(binary_logarithm(end - begin) + 1), size_(end - begin), free_bytes_(end - begin) {
   if (begin < end) free_.emplace(begin, end - begin);
 }
 
 std::uint64_t Extents::allocate(std::uint64_t bytes, std::uint64_t limit, std::uint64_t alignment) {
+  if (bytes > size_) return none;
   std::uint64_t& first = first_[binary_logarithm(bytes)];
   bool passed = false;  // a range that is long enough for the class
   for (auto at = free_.lower_bound(first); at != free_.end(); ++at) {

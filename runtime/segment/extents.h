@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <vector>
 
 #include "segment/spare_nodes.h"
 
@@ -44,9 +44,9 @@ class Extents {
   void note_range(std::uint64_t offset, std::uint64_t bytes);
 
   Map free_;
-  SpareNodes<Map> nodes_;                  // for a free range before and behind each that is in use
-  std::size_t in_use_ = 0;                 // ranges
-  std::array<std::uint64_t, 64> first_{};  // by the binary logarithm of a length: none that long begins below
+  SpareNodes<Map> nodes_;             // for a free range before and behind each that is in use
+  std::size_t in_use_ = 0;            // ranges
+  std::vector<std::uint64_t> first_;  // by the binary logarithm of a length: none that long begins below
   std::uint64_t size_;
   std::uint64_t free_bytes_;
   std::uint64_t looked_at_ = 0;
