@@ -46,27 +46,16 @@ bool is_gone(const UpgradeNegotiator::TcpLink& link) {
   return !link || link->getConnection()->isDropped();
 }
 
-template <class Link>
-bool is_same(const boost::weak_ptr<ros::TransportSubscriberLink>& one, const Link& other) {
-  return !one.owner_before(other) && !other.owner_before(one);
-}
-
 }  // namespace
-
-// Its texts are of no use from now on, and there are thousands of connections.
-void UpgradeNegotiator::Invitation::come() {
-  came = Clock::now();
-  has_come = true;
-  for (std::string* text : {&token, &trouble}) std::string().swap(*text);
-}
 
 void UpgradeNegotiator::invite(const TcpLink& link) {
   if (link->getTransportType() != "TCPROS") return;
-  const InvitationPtr invitation = invitation_of(link);
+  InvitationPtr invitation;
   int round = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (invitation->has_come) return;
+    invitation = invitation_of(link);
+    if (!invitation) return;
     if (invitation->token.empty() || invitation->warned) invitation->tries = 0;
     if (invitation->token.empty()) invitation->token = channel::nonce();
     invitation->warned = false;
@@ -85,7 +74,7 @@ void UpgradeNegotiator::begin(const InvitationPtr& invitation, int round) {
 
 // Never lock() a link under mutex_: dropping the last reference runs user callbacks.
 UpgradeNegotiator::InvitationPtr UpgradeNegotiator::invitation_of(const TcpLink& link) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  if (accepted_.has(link)) return nullptr;
   const auto is_over = [](const InvitationPtr& one) { return one->link.expired(); };
   invitations_.erase(std::remove_if(invitations_.begin(), invitations_.end(), is_over), invitations_.end());
   for (const InvitationPtr& one : invitations_)
@@ -113,7 +102,9 @@ UpgradeNegotiator::TcpLink UpgradeNegotiator::welcome(const std::string& token) 
     const std::lock_guard<std::mutex> lock(mutex_);
     invitation = find(token);
     if (!invitation) return TcpLink();
-    invitation->come();
+    accepted_.add({invitation->link, Clock::now(), invitation->tries, invitation->warned});
+    invitations_.erase(std::find(invitations_.begin(), invitations_.end(), invitation));
+    invitation->token.clear();  // ends what is planned for it
   }
   return invitation->link.lock();
 }
@@ -137,17 +128,16 @@ void UpgradeNegotiator::turn_away(const std::string& token, const std::string& w
 }
 
 void UpgradeNegotiator::leave(const TcpLink& link, const std::string& why) {
-  const InvitationPtr invitation = invitation_of(link);
   const std::lock_guard<std::mutex> lock(mutex_);
-  invitation->trouble = why;
+  if (const InvitationPtr invitation = invitation_of(link)) invitation->trouble = why;
 }
 
 // The link is not locked: dropping the last reference runs user callbacks.
 std::string UpgradeNegotiator::why_not(const boost::weak_ptr<ros::TransportSubscriberLink>& link) const {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (accepted_.has(link)) return "it has accepted; its link is being moved";
   for (const InvitationPtr& one : invitations_) {
     if (!is_same(one->link, link)) continue;
-    if (one->has_come) return "it has accepted; its link is being moved";
     const std::string tries = std::to_string(one->tries) + (one->tries == 1 ? " try: " : " tries: ");
     if (one->warned && !one->token.empty())
       return "asked again, at last every five minutes, after " + tries + one->trouble;
@@ -159,12 +149,14 @@ std::string UpgradeNegotiator::why_not(const boost::weak_ptr<ros::TransportSubsc
 
 void UpgradeNegotiator::lost(const TcpLink& link, const std::string& why) {
   if (is_gone(link)) return;
-  const InvitationPtr invitation = invitation_of(link);
+  InvitationPtr invitation;
   std::chrono::milliseconds pause;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    invitation->has_come = false;
-    if (Clock::now() - invitation->came > kLasting) invitation->tries = 0;
+    const std::optional<AcceptedLinks::Accepted> before = accepted_.take(link);
+    invitation = invitation_of(link);
+    if (before && Clock::now() - before->at <= kLasting) invitation->tries = before->tries;
+    if (before) invitation->warned = before->warned;
     invitation->token = channel::nonce();
     invitation->trouble = why;
     pause = std::max(kAfterLoss, pause_after(invitation->tries));
@@ -183,7 +175,7 @@ void UpgradeNegotiator::try_once(const InvitationPtr& invitation) {
   int tries = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!invitation->has_come) invitation->trouble = answer.text;  // it may come before it has answered
+    invitation->trouble = answer.text;
     tries = invitation->tries;
   }
   ROS_DEBUG_STREAM("TZC: " << offer_.topic << " to " << subscriber << ", try " << tries

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "roscpp/upgrade/accepted_links.h"
 #include "roscpp/upgrade/offer.h"
 #include "roscpp/upgrade/peer_pool.h"
 
@@ -67,12 +68,8 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
     std::string token;       ///< empty: no invitation is open
     std::string trouble;     ///< why the last try failed, or why there is none
     int tries = 0;
-    int round = 0;  ///< number of the last planned check; earlier ones do nothing
-    Clock::time_point came;
-    bool has_come = false;  ///< and was not lost: there is nothing to invite to
-    bool warned = false;    ///< after so many tries
-
-    void come();
+    int round = 0;        ///< number of the last planned check; earlier ones do nothing
+    bool warned = false;  ///< after so many tries
   };
   using InvitationPtr = std::shared_ptr<Invitation>;
   struct Answer {
@@ -80,6 +77,7 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
     std::string text;  ///< why it was refused, or the likely reason if the subscriber does not connect
   };
 
+  /// Under mutex_. Null: it is in accepted_.
   InvitationPtr invitation_of(const TcpLink& link);
   InvitationPtr find(const std::string& token) const;
   void begin(const InvitationPtr& invitation, int round);
@@ -95,7 +93,8 @@ class UpgradeNegotiator : public std::enable_shared_from_this<UpgradeNegotiator>
   Offer offer_;
   PeerPool& peers_;
   mutable std::mutex mutex_;
-  std::vector<InvitationPtr> invitations_;  ///< one for each link
+  std::vector<InvitationPtr> invitations_;  ///< one for each link that is not in accepted_
+  AcceptedLinks accepted_;                  ///< there is nothing to invite to
 };
 
 }  // namespace detail
