@@ -35,6 +35,20 @@ bool begins_with_function(const clang::VarDecl* variable) {
   return !made || made->getNumArgs() > 0;
 }
 
+/// bind(function, _1, 5) and its like: the object calls what is among the arguments, and those are searched anyway.
+bool wraps_call(const clang::FunctionDecl* function) {
+  static const std::set<std::string> names = {"std::bind",        "boost::bind",     "std::mem_fn",
+                                              "boost::mem_fn",    "std::bind_front", "boost::protect",
+                                              "boost::bind_front"};
+  return names.count(qualified_name_of(function)) != 0;
+}
+
+/// +[](const M&) {}: a closure as a pointer to its function.
+bool converts_closure(const clang::FunctionDecl* function) {
+  const auto* conversion = llvm::dyn_cast<clang::CXXConversionDecl>(function);
+  return conversion && conversion->getParent()->isLambda();
+}
+
 class CallbackSearch {
  public:
   explicit CallbackSearch(const Unit& unit) : unit_(unit) {}
@@ -76,12 +90,14 @@ class CallbackSearch {
                    (!begins_with_function(variable) || may_change_later(variable));
     in(variable->getInit());
   }
-  /// A function may return any function, one of the package also a closure.
+  /// A function may return any function, one of the package also a closure. So may one that is called through a pointer.
   void of_call(const clang::CallExpr* call) {
     const clang::FunctionDecl* function = call->getDirectCallee();
-    if (!function) return;
-    has_unknown |= may_hold_function(call->getType()) && !passes_through(function);
-    if (!unit_.declares(function)) return;
+    const bool hands_on = function && (passes_through(function) || wraps_call(function));
+    if (function && converts_closure(function))
+      return of_object(llvm::cast<clang::CXXConversionDecl>(function)->getParent());
+    has_unknown |= may_hold_function(call->getType()) && !hands_on;
+    if (!function || !unit_.declares(function)) return;
     of_object(call->getType().getNonReferenceType()->getAsCXXRecordDecl());
   }
 

@@ -49,6 +49,21 @@ template <class F, class... A>
 auto bind(F&& f, A&&... a) {
   return std::bind(std::forward<F>(f), std::forward<A>(a)...);
 }
+namespace _bi {
+template <class R, class F, class L>
+struct bind_t {  // as boost has it: its type names the function's
+  L list_;
+  template <class... A>
+  auto operator()(A&&... a) -> decltype(list_(std::forward<A>(a)...)) {
+    return list_(std::forward<A>(a)...);
+  }
+};
+}  // namespace _bi
+template <class R, class... P, class... A>
+auto bind(R (*f)(P...), A&&... a) {
+  auto list = std::bind(f, std::forward<A>(a)...);
+  return _bi::bind_t<R, R (*)(P...), decltype(list)>{list};
+}
 template <class T, unsigned long N>
 struct array {
   T elems[N];
