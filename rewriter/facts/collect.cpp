@@ -81,7 +81,12 @@ class Dispatcher : public AstVisitor {
     return true;
   }
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) override {
+    to_.flow().check_construction(construct);
     to_.construction(construct);
+    return true;
+  }
+  bool VisitVAArgExpr(clang::VAArgExpr* argument) override {
+    to_.flow().check_variable_argument(argument);
     return true;
   }
   bool VisitCallExpr(clang::CallExpr* call) override {

@@ -17,6 +17,9 @@ bool is_writable(clang::QualType type) {
 }
 
 constexpr const char* loses_its_const = "const is cast away from a message that may be this one";
+constexpr const char* is_given_out = "a ros::MessageEvent is told to give out the message without a copy";
+constexpr const char* of_cast_function =
+    "a function that is cast to another type may be given this message, and write to it";
 
 std::string cast_of_something(clang::QualType from) {
   return "a message that may be this one is " + cast_from(from);
@@ -73,6 +76,8 @@ void ValueFlow::check_source_of(const clang::VarDecl* variable) {
 void ValueFlow::check_const_cast(const clang::ExplicitCastExpr* cast) {
   const clang::Expr* from = cast->getSubExpr();
   note_writable(cast);
+  for (const clang::QualType message : messages_of_cast_function(unit_, cast))
+    add_writable({message, {}, of_cast_function}, cast->getBeginLoc());
   if (!removes_const(cast) || !carried_by(from->getType(), unit_.rules)) return;
   if (serves_plain_field(unit_, cast)) return;
   for (const EntityId& id : sources_of(from).entities)
@@ -97,6 +102,7 @@ void ValueFlow::note_writable(const clang::ExplicitCastExpr* cast) {
 
 void ValueFlow::check_call(const clang::CallExpr* call) {
   for (const clang::Expr* argument : call->arguments()) note_as_bytes(argument);
+  if (const auto event = uncopied_event(unit_, call)) note_event(*event, call->getBeginLoc());
   const clang::FunctionDecl* function = call->getDirectCallee();
   if (!function || call->getNumArgs() != 1 || !is_writable_message(call)) return;
   const clang::Expr* from = call->getArg(0);
@@ -105,6 +111,25 @@ void ValueFlow::check_call(const clang::CallExpr* call) {
   add_writable({call->getType(), sources_of(from).entities,
                 is_message ? loses_its_const : cast_of_something(from->getType())},
                call->getBeginLoc());
+}
+
+void ValueFlow::check_construction(const clang::CXXConstructExpr* construct) {
+  if (const auto event = uncopied_event(unit_, construct)) note_event(*event, construct->getBeginLoc());
+}
+
+void ValueFlow::note_event(const UncopiedEvent& event, clang::SourceLocation where) {
+  const bool is_known = carried_by(event.message, unit_.rules) || !event.from;
+  const clang::QualType message = is_known ? event.message : event.from->getType();
+  const std::vector<EntityId> messages =
+      event.from ? sources_of(event.from).entities : std::vector<EntityId>();
+  for (const EntityId& id : messages) entities_.add_obstacle(id, codes::TZC2002, is_given_out, where);
+  add_writable({message, messages, is_given_out}, where);
+}
+
+/// va_arg(list, Image*): what was passed may have been a pointer to a const one.
+void ValueFlow::check_variable_argument(const clang::VAArgExpr* argument) {
+  if (is_writable(pointee_of(argument->getType())))
+    add_writable({argument->getType(), {}, loses_its_const}, argument->getBeginLoc());
 }
 
 /// memcpy(&image, &other, sizeof(image)): a pointer to a message is written to as bytes.

@@ -6,6 +6,7 @@
 //                                 └── what a call does with it: flows on, takes an edit, escapes (call_effects.h)
 
 #include "facts/flow/flow_uses.h"
+#include "facts/flow/lost_const.h"
 
 namespace tzc::rewriter {
 
@@ -27,7 +28,9 @@ class ValueFlow {
   /// \name Other ways in which code may get a message to write to that it was given as const
   /// @{
   void check_call(const clang::CallExpr* call);
+  void check_construction(const clang::CXXConstructExpr* construct);
   void check_union(const clang::MemberExpr* member);
+  void check_variable_argument(const clang::VAArgExpr* argument);
   /// @}
   /// What these found, const_cast included.
   const std::vector<ConstCast>& const_casts() const { return const_casts_; }
@@ -37,6 +40,7 @@ class ValueFlow {
  private:
   void note_writable(const clang::ExplicitCastExpr* cast);
   void note_as_bytes(const clang::Expr* converted);
+  void note_event(const UncopiedEvent& event, clang::SourceLocation where);
   /// A message of the type, any or one of these, can be written to from here on.
   struct Writable {
     clang::QualType type;

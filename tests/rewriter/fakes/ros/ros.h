@@ -49,7 +49,20 @@ class Timer {};
 template <class M>
 class MessageEvent {
  public:
+  typedef typename std::add_const<M>::type ConstMessage;
+  typedef typename std::remove_const<M>::type Message;
+  typedef boost::function<boost::shared_ptr<Message>()> CreateFunction;
+  MessageEvent() {}
+  MessageEvent(const MessageEvent<Message>&) {}
+  MessageEvent(const MessageEvent<ConstMessage>&) {}
+  MessageEvent(const MessageEvent<Message>&, bool) {}
+  MessageEvent(const MessageEvent<ConstMessage>&, bool) {}
+  MessageEvent(const boost::shared_ptr<ConstMessage>&) {}
+  MessageEvent(const boost::shared_ptr<ConstMessage>&, Time, bool, const CreateFunction&) {}
+  void operator=(const MessageEvent<Message>&) {}
+  void operator=(const MessageEvent<ConstMessage>&) {}
   boost::shared_ptr<M> getMessage() const { return {}; }
+  bool nonConstWillCopy() const { return true; }
 };
 class NodeHandle {
  public:
