@@ -18,6 +18,7 @@
 #include "engine/debug_builds.h"
 #include "engine/demotion_loop.h"
 #include "engine/notes.h"
+#include "engine/other_code.h"
 #include "engine/pending_sites.h"
 #include "engine/plan_splitter.h"
 #include "engine/read_unit.h"
@@ -182,6 +183,7 @@ std::optional<Error> PortPlanner::collect() {
   reading_.facts.refuse_unseen_friends();
   reading_.facts.add_overrides();
   leave_light_types(reading_.facts, options_.small);
+  add_casts_elsewhere(reading_.facts, options_.others);
   return lacks_units();
 }
 

@@ -11,6 +11,7 @@
 #include "engine/port_plan.h"
 #include "model/file_accesses.h"
 #include "model/judges.h"
+#include "model/location.h"
 #include "model/progress.h"
 #include "model/solve_options.h"
 #include "model/unseen_file.h"
@@ -32,6 +33,8 @@ struct OtherCode {
   std::function<std::set<std::string>(const UnitsOfFile&)> more_headers_in_use;
   std::vector<CopiedDefinition> copied;  ///< definitions that stay
   FindUnseenFiles unseen_files;          ///< may be empty
+  /// Where another package, which may be given messages of a type ("sensor_msgs/Image"), may cast their const away. May be empty.
+  std::function<std::optional<Location>(const std::string&)> cast_elsewhere;
   /// Message packages whose twins are generated in the build folder of who uses them, where other packages do not see them.
   std::set<std::string> unshared_twins;
 };

@@ -8,6 +8,22 @@
 
 namespace tzc::rewriter {
 
+void add_casts_elsewhere(Facts& facts, const OtherCode& others) {
+  if (!others.cast_elsewhere) return;
+  std::set<std::string> types;
+  for (const auto& item : facts.subscribes)
+    if (item.second.has_data_part) types.insert(item.second.type);
+  for (const std::string& type : types)
+    if (const std::optional<Location> where = others.cast_elsewhere(type))
+      facts.const_casts.push_back(
+          {type,
+           {},
+           {codes::TZC2002,
+            "code of another package, which may be given this message, may cast its const away: " +
+                where->file + ":" + std::to_string(where->line),
+            *where}});
+}
+
 std::map<ComponentId, Obstacle> OtherCodeLimits::broken_by(const PortEdits& plan) const {
   std::map<ComponentId, Obstacle> found = unseen_.users_of(plan.edits);
   add_copied(plan, found);

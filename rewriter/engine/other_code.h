@@ -7,11 +7,15 @@
 #include <vector>
 
 #include "engine/options.h"
+#include "model/facts.h"
 #include "model/location.h"
 #include "solve/port_edits.h"
 #include "verify/unseen_uses.h"
 
 namespace tzc::rewriter {
+
+/// Says of the types that are subscribed to where other packages may cast the const of a received message away.
+void add_casts_elsewhere(Facts& facts, const OtherCode& others);
 
 /// What has to stay because of code that is not analysed, and texts that macros make of code: no parse of the port would show
 /// what becomes of them.

@@ -74,6 +74,9 @@ class SourcePlanner {
     engine.others.unseen_files = [&](const UnitsOfFile& units_of_file) {
       return living(unseen_files(workspace_code.includes(), engine.packages, units_of_file));
     };
+    engine.others.cast_elsewhere = [&](const std::string& type) {
+      return workspace_code.cast_elsewhere(type);
+    };
     Expected<PortPlans> plans =
         inputs_.options.change_exported ? plan_with_headers(engine) : plan_without_headers(engine);
     if (!plans) return plans.error();

@@ -43,6 +43,12 @@ const IncludeGraph& IncludeGraphs::of(const std::set<std::string>& packages) {
   return graphs_.emplace(packages, IncludeGraph(folders)).first->second;
 }
 
+const std::set<std::string>& IncludeGraph::included_by(const std::string& file) const {
+  static const std::set<std::string> nothing;
+  const auto found = included_.find(file);
+  return found == included_.end() ? nothing : found->second;
+}
+
 std::set<std::string> IncludeGraph::reached_from(const std::string& file) const {
   std::set<std::string> reached;
   std::vector<std::string> open{file};

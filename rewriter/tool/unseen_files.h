@@ -23,6 +23,8 @@ class IncludeGraph {
   const FolderSet& packages() const { return packages_; }
   /// C++ sources, headers, templates of such, and what is compiled.
   const std::set<std::string>& code() const { return code_; }
+  /// What a file includes itself.
+  const std::set<std::string>& included_by(const std::string& file) const;
   /// What a file includes, through others, too.
   std::set<std::string> reached_from(const std::string& file) const;
 

@@ -9,6 +9,7 @@
 #include "buildfiles/find_packages.h"
 #include "buildfiles/package_xml.h"
 #include "edits/files.h"
+#include "tool/filter.h"
 #include "tool/places.h"
 
 namespace tzc::rewriter {
@@ -39,6 +40,12 @@ std::set<std::string> neighbours_of(const std::vector<SourcePackage>& packages) 
     }
   }
   return all;
+}
+
+std::vector<std::string> folders_of(const std::vector<SourcePackage>& packages) {
+  std::vector<std::string> folders;
+  for (const SourcePackage& package : packages) folders.push_back(package.dir);
+  return folders;
 }
 
 /// All that the build trees compile: other packages' sources, and those that the build generates, too.
@@ -91,7 +98,9 @@ std::set<std::string> source_spaces(const std::vector<SourcePackage>& packages) 
 }
 
 WorkspaceCode::WorkspaceCode(const std::vector<SourcePackage>& packages, const PortInputs& inputs)
-    : compiled_(compiled_with(packages, inputs.accesses)),
+    : dead_files_(inputs.options.dead_files),
+      own_(folders_of(packages)),
+      compiled_(compiled_with(packages, inputs.accesses)),
       includes_(inputs.graphs.of(neighbours_of(packages))),
       commands_of_others_(commands_beside(packages, inputs.accesses)) {
   for (const std::string& file : compiled_) includes_.add_compiled(file);
@@ -110,6 +119,21 @@ HeaderChangeUsers WorkspaceCode::users_of(const FileContents& changed) const {
   std::copy_if(commands_of_others_.begin(), commands_of_others_.end(), std::back_inserter(users.commands),
                [&](const CompileCommand& command) { return seems_to_use(command.canonical); });
   return users;
+}
+
+CastsElsewhere WorkspaceCode::casts_elsewhere() const {
+  const auto is_dead = [this](const std::string& file) { return is_file_of(file, dead_files_, own_); };
+  const std::set<std::string> others = packages_that_may_be_given(own_, includes_, is_dead);
+  std::set<std::string> files;
+  for (const std::string& file : includes_.code())
+    if (const std::string* package = includes_.packages().of(file); package && others.count(*package) != 0)
+      if (!is_dead(file)) files.insert(file);
+  return {includes_.packages(), files};
+}
+
+std::optional<Location> WorkspaceCode::cast_elsewhere(const std::string& type) const {
+  if (!casts_) casts_.emplace(casts_elsewhere());
+  return casts_->of(type);
 }
 
 }  // namespace tzc::rewriter

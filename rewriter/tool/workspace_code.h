@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "buildfiles/compile_database.h"
 #include "model/edit.h"
+#include "model/location.h"
+#include "tool/casts_elsewhere.h"
 #include "tool/port_inputs.h"
 #include "tool/unseen_files.h"
 
@@ -34,11 +37,18 @@ class WorkspaceCode {
 
   const IncludeGraph& includes() const { return includes_; }
   HeaderChangeUsers users_of(const FileContents& changed) const;
+  /// Where another package that may be given messages of the type, "sensor_msgs/Image", may cast the const of one away; none: nowhere.
+  std::optional<Location> cast_elsewhere(const std::string& type) const;
 
  private:
+  CastsElsewhere casts_elsewhere() const;
+
+  const std::vector<std::string> dead_files_;
+  const FolderSet own_;  ///< the packages that are ported
   const std::set<std::string> compiled_;
   IncludeGraph includes_;
   const std::vector<CompileCommand> commands_of_others_;
+  mutable std::optional<CastsElsewhere> casts_;  ///< read when they are asked for
 };
 
 }  // namespace tzc::rewriter
