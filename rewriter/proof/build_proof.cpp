@@ -196,11 +196,32 @@ class Prover {
 
 }  // namespace
 
-std::optional<Error> outdated_user(const PortedPackage& package, const std::vector<CompileCommand>& users) {
-  for (const CompileCommand& command : users)
-    if (const auto lack = lacks_standard(command); lack && includes_any(command, package.contents, {}))
-      return Error{"another package includes a header that the port changes, and " + lack->what,
-                   command.canonical, lack->hint};
+namespace {
+
+std::optional<Lack> lack_of_user(const CompileCommand& command, const GetsTzc& gets_tzc) {
+  if (std::optional<Lack> standard = lacks_standard(command)) return standard;
+  std::optional<Lack> folder = lacks_for_tzc(command);
+  if (!folder || gets_tzc(command)) return {};
+  folder->hint =
+      "add tzc to the package.xml and the catkin components of the package that is built there, build it, "
+      "and run "
+      "tzc-rewrite again";
+  return folder;
+}
+
+}  // namespace
+
+std::optional<Error> outdated_user(const PortedPackage& package, const std::vector<CompileCommand>& users,
+                                   const GetsTzc& gets_tzc) {
+  for (const CompileCommand& command : users) {
+    const std::optional<Lack> lack = lack_of_user(command, gets_tzc);
+    if (!lack || !includes_any(command, package.contents, {})) continue;
+    const char* what = package.contents.count(command.canonical) != 0
+                           ? "compiles this file, which the port changes, in "
+                           : "includes a header that the port changes, in ";
+    return Error{"another package " + (what + command.directory) + ", and " + lack->what, command.canonical,
+                 lack->hint};
+  }
   return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,9 +14,13 @@
 
 namespace tzc::rewriter {
 
+/// Whether what a command compiles finds TZC's headers once its package is configured again, though none of its folders has them now.
+using GetsTzc = std::function<bool(const CompileCommand&)>;
+
 /// Why other packages, which have build trees of their own, could not be compiled any more; none: they can. `users`: commands that
-/// seem to include what is changed.
-std::optional<Error> outdated_user(const PortedPackage& package, const std::vector<CompileCommand>& users);
+/// seem to compile or include what is changed.
+std::optional<Error> outdated_user(const PortedPackage& package, const std::vector<CompileCommand>& users,
+                                   const GetsTzc& gets_tzc);
 
 /// The reasons why packages cannot be written, by folder. A package is proved when the scratch workspace can
 /// be configured with it, and when every command that compiles one of its units then finds TZC's headers, those that the build makes

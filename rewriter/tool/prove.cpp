@@ -12,6 +12,7 @@
 #include "proof/build_proof.h"
 #include "tool/build_folder.h"
 #include "tool/places.h"
+#include "tool/tzc_by_catkin.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -119,9 +120,15 @@ Failures failures_of(const Group& group, const PortInputs& inputs) {
     if (inputs.progress) inputs.progress->step(stage, 0, 1, group.user->source);
   };
   failures = unproved_packages(*group.user, packages, options);
-  for (std::size_t i = 0; i < packages.size(); ++i)
-    if (std::optional<Error> why = outdated_user(packages[i], group.ports[i]->users.commands))
+  for (std::size_t i = 0; i < packages.size(); ++i) {
+    TzcByCatkin exported(packages[i]);
+    // Others do not define the macro of --dual: for them nothing changes.
+    const auto gets_tzc = [&](const CompileCommand& command) {
+      return inputs.options.dual || exported.reaches(command);
+    };
+    if (std::optional<Error> why = outdated_user(packages[i], group.ports[i]->users.commands, gets_tzc))
       failures.emplace(packages[i].package_dir, std::move(*why));
+  }
   return failures;
 }
 

@@ -113,11 +113,19 @@ HeaderChangeUsers WorkspaceCode::users_of(const FileContents& changed) const {
     return std::any_of(changed.begin(), changed.end(),
                        [&](const auto& item) { return reached.count(item.first) != 0; });
   };
+  // By a link, or by its path, another package may compile a file of this one; a unity build includes it by its path.
+  const auto seems_to_compile = [&](const CompileCommand& command) {
+    std::vector<std::string> sources = unity_sources(command.file);
+    sources.push_back(command.canonical);
+    return std::any_of(sources.begin(), sources.end(), [&](const std::string& source) {
+      return changed.count(source) != 0 || seems_to_use(source);
+    });
+  };
   if (changed.empty()) return users;
   for (const std::string& source : compiled_)
     if (seems_to_use(source)) users.sources.insert(source);
   std::copy_if(commands_of_others_.begin(), commands_of_others_.end(), std::back_inserter(users.commands),
-               [&](const CompileCommand& command) { return seems_to_use(command.canonical); });
+               seems_to_compile);
   return users;
 }
 

@@ -21,7 +21,7 @@ struct SourcePackage {
   bool has_units = true;  ///< `build_dir` holds their compile_commands.json; false: it compiles nothing
 };
 
-/// What seems to include changed files, as text.
+/// What seems to compile or include changed files, as text.
 struct HeaderChangeUsers {
   std::set<std::string> sources;         ///< that the packages' build trees compile, also other packages'
   std::vector<CompileCommand> commands;  ///< of other packages that have build trees of their own
