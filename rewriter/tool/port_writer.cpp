@@ -15,8 +15,10 @@ Expected<PortWriter> PortWriter::open(const Options& options, const std::vector<
     if (!out_dir) return out_dir.error();
     writer.out_dir_.emplace(std::move(*out_dir));
   }
-  if (options.action == Action::apply) {
-    Expected<UndoPatch> undo = UndoPatch::open(options.undo, packages);
+  if (options.action == Action::apply || writer.out_dir_) {
+    const std::vector<std::string> written =
+        writer.out_dir_ ? std::vector<std::string>{writer.out_dir_->folder()} : packages;
+    Expected<UndoPatch> undo = UndoPatch::open(options.undo, written);
     if (!undo) return undo.error();
     writer.undo_.emplace(std::move(*undo));
   }
@@ -24,10 +26,8 @@ Expected<PortWriter> PortWriter::open(const Options& options, const std::vector<
 }
 
 Expected<void> PortWriter::write(std::vector<PackagePort>& ports) {
-  if (!out_dir_ && !undo_) return {};
-  Expected<void> ready;
-  if (undo_) ready = look_at_git(ports);
-  for (std::size_t i = 0; ready && out_dir_ && i < ports.size(); ++i) ready = out_dir_->stage(ports[i]);
+  if (!undo_) return {};
+  Expected<void> ready = out_dir_ ? stage(ports) : look_at_git(ports);
   if (!ready) return ports.clear(), ready;
   std::set<std::string> written;
   for (const WriteUnit& unit : write_units(ports)) {
@@ -40,25 +40,77 @@ Expected<void> PortWriter::write(std::vector<PackagePort>& ports) {
   return ready;
 }
 
+namespace {
+
+/// Why files may not be written over: there is work in them that git could not bring back, or that nobody can see.
+std::optional<Error> refusal(const Expected<OutsideGit>& outside) {
+  if (!outside) return outside.error();
+  if (!outside->uncommitted.empty())
+    return Error{"has changes that git does not have; nothing was written", *outside->uncommitted.begin(),
+                 "commit or stash them first, or write over them with --force"};
+  if (outside->unwatched.empty()) return {};
+  return Error{
+      "git was told not to look for changes of this file, so they cannot be seen; nothing was written",
+      *outside->unwatched.begin(),
+      "type git update-index --no-assume-unchanged FILE, and --no-skip-worktree likewise, or write over it "
+      "with --force"};
+}
+
+bool may_be_lost(const Expected<OutsideGit>& outside, const std::string& file) {
+  return !outside || outside->uncommitted.count(file) || outside->unheld.count(file) ||
+         outside->unwatched.count(file);
+}
+
+}  // namespace
+
 /// Work that git could not bring back is written over only when the user says so. What lies in no repository is
 /// not work in progress to git: it is written, and the undo patch brings it back.
 Expected<void> PortWriter::look_at_git(const std::vector<PackagePort>& ports) {
   const Expected<OutsideGit> outside = outside_git(ports);
-  if (!outside && !options_.force) return outside.error();
-  if (outside && !outside->uncommitted.empty() && !options_.force)
-    return Error{"has changes that git does not have; nothing was written", *outside->uncommitted.begin(),
-                 "commit or stash them first, or write over them with --force"};
-  if (outside && !outside->unwatched.empty() && !options_.force)
-    return Error{
-        "git was told not to look for changes of this file, so they cannot be seen; nothing was written",
-        *outside->unwatched.begin(),
-        "type git update-index --no-assume-unchanged FILE, and --no-skip-worktree likewise, or write over it "
-        "with --force"};
+  if (std::optional<Error> why = refusal(outside); why && !options_.force) return *why;
   for (const PackagePort& port : ports)
     for (const auto& [file, content] : port.contents)
-      if (!outside || outside->uncommitted.count(file) || outside->unheld.count(file) ||
-          outside->unwatched.count(file))
-        outside_git_.insert(file);
+      if (may_be_lost(outside, file)) outside_git_.insert(file);
+  return {};
+}
+
+/// The folder may be another workspace, in which somebody works.
+Expected<void> PortWriter::stage(const std::vector<PackagePort>& ports) {
+  std::vector<Overwritten> files;
+  for (const PackagePort& port : ports) {
+    if (Expected<void> staged = out_dir_->stage(port); !staged) return staged;
+    const std::vector<Overwritten> of_port = out_dir_->overwritten_by(port);
+    files.insert(files.end(), of_port.begin(), of_port.end());
+  }
+  return files.empty() ? Expected<void>() : keep_overwritten(files);
+}
+
+/// By the same rules as in place: what git has comes back from there, and what no repository holds from the undo patch.
+Expected<void> PortWriter::keep_overwritten(const std::vector<Overwritten>& files) {
+  std::vector<std::string> paths;
+  for (const Overwritten& file : files) paths.push_back(file.path);
+  const Expected<OutsideGit> outside = outside_git(paths);
+  if (std::optional<Error> why = refusal(outside); why && !options_.force) return *why;
+  PackagePort kept;
+  kept.package_dir = out_dir_->folder();
+  for (const Overwritten& file : files) {
+    if (!may_be_lost(outside, file.path)) continue;
+    if (!file.is_text && !options_.force)
+      return Error{
+          "is there, is no text that an undo patch could bring back, and git does not have it; nothing was "
+          "written",
+          file.path, "move it away, name another folder, or write over it with --force"};
+    if (!file.is_text) continue;
+    kept.result.changes.push_back(file.change);
+    overwritten_.push_back(file.path);
+  }
+  const Expected<void> saved = undo_->add({&kept});
+  if (saved) return {};
+  if (!options_.force)
+    return Error{"is in no git repository, and no undo patch could be saved: " + saved.error().what + " (" +
+                     saved.error().where + "); nothing was written",
+                 overwritten_.front(), "name a file for the patch with --undo, or do without with --force"};
+  unsaved_ = "no undo patch could be saved: " + to_string(saved.error());
   return {};
 }
 
@@ -112,7 +164,7 @@ std::vector<std::string> PortWriter::warnings() const {
   if (overwritten_.empty()) return all;
   const std::size_t others = overwritten_.size() - 1;
   const std::string more = others == 0 ? "" : " and in " + std::to_string(others) + " more";
-  const std::string undo = undo_command();
+  const std::string undo = undo_->command();
   all.push_back("git does not have what was in " + overwritten_.front() + more +
                 (undo.empty() ? "" : "; this alone brings it back: " + undo));
   return all;

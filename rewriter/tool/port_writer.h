@@ -25,7 +25,7 @@ class PortWriter {
   bool has_written() const { return has_written_; }
 
   /// The command that takes the port back; empty: there is none.
-  std::string undo_command() const { return undo_ ? undo_->command() : ""; }
+  std::string undo_command() const { return undo_ && !out_dir_ ? undo_->command() : ""; }
 
   /// What the user should know though the run succeeds.
   std::vector<std::string> warnings() const;
@@ -33,6 +33,8 @@ class PortWriter {
  private:
   explicit PortWriter(const Options& options) : options_(options) {}
   Expected<void> look_at_git(const std::vector<PackagePort>& ports);
+  Expected<void> stage(const std::vector<PackagePort>& ports);
+  Expected<void> keep_overwritten(const std::vector<Overwritten>& files);
   Expected<void> write_unit(const WriteUnit& unit);
   Expected<void> save_undo(const WriteUnit& unit);
   void note_written(const PackagePort& port);

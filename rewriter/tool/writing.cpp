@@ -96,6 +96,25 @@ Expected<void> move_into(const fs::path& from, const fs::path& to) {
   return {};
 }
 
+/// No link, which a patch does not bring back.
+bool is_plain_text(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(fs::symlink_status(path, ignored)) && is_text_file(path);
+}
+
+/// Links that lead to the same place, or files with the same content.
+bool is_same(const fs::path& one, const fs::path& other) {
+  std::error_code failed, ignored;
+  const fs::file_status status = fs::symlink_status(one, ignored);
+  if (status.type() != fs::symlink_status(other, ignored).type()) return false;
+  if (fs::is_symlink(status))
+    return fs::read_symlink(one, failed) == fs::read_symlink(other, failed) && !failed;
+  if (!fs::is_regular_file(status) || fs::file_size(one, failed) != fs::file_size(other, failed) || failed)
+    return false;
+  const Expected<std::string> left = read_file(one), right = read_file(other);
+  return left && right && *left == *right;
+}
+
 /// The path of a package below what the user named, so that the copies of a repository's packages lie as in it.
 std::string place_of(const std::string& package, const std::vector<std::string>& named) {
   for (const std::string& name : named) {
@@ -207,6 +226,32 @@ Expected<void> OutDir::stage(const PackagePort& port) const {
     if (Expected<void> done = write_file(staged / file.substr(port.package_dir.size() + 1), content); !done)
       return done;
   return {};
+}
+
+/// Each folder of the copy is merged into the one that is there, and everything else replaces what is there.
+void OutDir::compare(const fs::path& staged, const fs::path& to, std::vector<Overwritten>& found) const {
+  std::error_code failed, ignored;
+  const bool is_folder = fs::is_directory(fs::symlink_status(staged, ignored));
+  if (is_folder && fs::is_directory(to, ignored)) {
+    for (const auto& entry : fs::directory_iterator(staged, failed))
+      compare(entry.path(), to / entry.path().filename(), found);
+    return;
+  }
+  if (!fs::exists(fs::symlink_status(to, ignored)) || is_same(staged, to)) return;
+  Overwritten lost{canonical_path(to.parent_path()) + "/" + to.filename().string()};
+  const Expected<std::string> before = is_plain_text(to) ? read_file(to) : Error();
+  const Expected<std::string> after = is_plain_text(staged) ? read_file(staged) : Error();
+  lost.is_text = before && after;
+  if (lost.is_text)
+    lost.change = {to.string().substr(folder_.size() + (folder_ == "/" ? 0 : 1)), *before, *after};
+  found.push_back(std::move(lost));
+}
+
+std::vector<Overwritten> OutDir::overwritten_by(const PackagePort& port) const {
+  std::vector<Overwritten> found;
+  const std::string& place = places_.at(port.package_dir);
+  compare(fs::path(staging_->path()) / place, fs::path(folder_) / place, found);
+  return found;
 }
 
 Expected<void> OutDir::move_in(const PackagePort& port) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -32,6 +33,13 @@ Expected<void> write_in_place(const WriteUnit& unit);
 /// Whether that was interrupted when it could not be undone any more: the next run finishes it.
 bool is_swap_unfinished(const WriteUnit& unit);
 
+/// What a copy would write over: a file, or a folder in the place of one, that holds something else.
+struct Overwritten {
+  std::string path;     ///< without symbolic links above it
+  FileChange change{};  ///< relative to the folder of --out-dir; of text alone
+  bool is_text = false;
+};
+
 /// The folder of --out-dir: gets a whole copy of each package, ported. What is named is a package: as DIR/<its
 /// folder>. It is a folder that holds packages: each at the path that it has below that folder. Each copy is made
 /// beside its place and renamed into it when it is whole.
@@ -49,10 +57,17 @@ class OutDir {
   /// Makes the copy, beside its place.
   Expected<void> stage(const PackagePort& port) const;
 
+  /// What is in the staged copy's place and differs from it.
+  std::vector<Overwritten> overwritten_by(const PackagePort& port) const;
+
+  const std::string& folder() const { return folder_; }
+
   /// Moves the staged copy into its place.
   Expected<void> move_in(const PackagePort& port) const;
 
  private:
+  void compare(const std::filesystem::path& staged, const std::filesystem::path& to,
+               std::vector<Overwritten>& found) const;
   explicit OutDir(std::string folder) : folder_(std::move(folder)) {}
 
   std::string folder_;                         ///< canonical
