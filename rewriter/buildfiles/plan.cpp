@@ -136,7 +136,7 @@ class Planner {
     if (!find_target(project, target)) {
       note(codes::TZC4002, project.files.front().path,
            "the command that makes the target " + target +
-               " was not found; make sure that it includes "
+               " was not found in this package; make sure that it includes "
                "${catkin_INCLUDE_DIRS} and links ${catkin_LIBRARIES}");
       return;
     }

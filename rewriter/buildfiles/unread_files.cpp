@@ -66,6 +66,35 @@ Note note_on_strange_name(const std::string& file, const std::string& lines) {
               lines};
 }
 
+/// "PATH" of a line "NAME:STATIC=PATH" of CMake's cache; empty: the line is of something else.
+std::string value_of(const std::string& line, const std::string& name) {
+  const std::string begin = name + ":STATIC=";
+  return line.rfind(begin, 0) == 0 ? line.substr(begin.size()) : "";
+}
+
+/// Where the targets of a package are built, canonical, by CMake's cache of the folder or of the nearest one above it; empty: it does not say.
+std::string binary_folder(const std::string& package_dir, const std::string& build_dir) {
+  fs::path folder = build_dir;
+  while (folder.has_relative_path() && !is_there(folder / "CMakeCache.txt")) folder = folder.parent_path();
+  const Expected<std::string> cache = read_file(folder / "CMakeCache.txt");
+  static const std::string source_end = "_SOURCE_DIR";
+  std::string project;
+  for (const bool finds_project : {true, false}) {
+    std::istringstream lines(cache ? *cache : "");
+    for (std::string line; std::getline(lines, line);) {
+      const std::string name = line.substr(0, line.find(':'));
+      if (!finds_project) {
+        if (const std::string found = value_of(line, project + "_BINARY_DIR"); !found.empty())
+          return canonical_path(found);
+      } else if (ends_with(name, source_end) && canonical_path(value_of(line, name)) == package_dir) {
+        project = name.substr(0, name.size() - source_end.size());
+      }
+    }
+    if (project.empty()) return "";
+  }
+  return "";
+}
+
 /// A line of a comment, as documentation has them.
 bool is_comment(const std::string& line) {
   static const std::regex comment("^\\s*(//|/\\*|\\* )");
@@ -99,10 +128,15 @@ std::vector<Note> unread_compiled(const std::string& package_dir, const std::str
     if (!command.target_dir.empty()) target_dirs.insert(command.target_dir);
     if (has_strange_name(command) && read.count(command.canonical) == 0) strange.insert(command.canonical);
   }
+  // A target may be made of nothing but sources that lie elsewhere.
+  const std::string binary = binary_folder(package_dir, build_dir);
+  const auto is_of_package = [&](const std::string& target_dir) {
+    return target_dirs.count(target_dir) != 0 ||
+           (!binary.empty() && (target_dir == binary || is_below(target_dir, binary)));
+  };
   for (const CompileCommand& command : *commands)
-    if (target_dirs.count(command.target_dir) != 0 && !is_own(command.canonical) &&
-        is_cpp_source(command.canonical) && unity_sources(command.file).empty() &&
-        read.count(command.canonical) == 0)
+    if (is_of_package(command.target_dir) && !is_own(command.canonical) && is_cpp_source(command.canonical) &&
+        unity_sources(command.file).empty() && read.count(command.canonical) == 0)
       others.insert(command.canonical);
   std::vector<Note> notes;
   for (const std::string& file : others)

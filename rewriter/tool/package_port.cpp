@@ -47,10 +47,28 @@ void note_headers(PackagePort& port) {
          unread_headers(port.package_dir, generated_folders(port.build_dir, port.package_dir), {}));
 }
 
+/// What a package without sources compiles of others'. One that makes no target has no need of a compile database, which may be large.
+void note_sources_elsewhere(PackagePort& port, const PackagePlace& place, const PortInputs& inputs) {
+  const Expected<CmakeProject> project = load_cmake_project(port.package_dir);
+  const auto makes_target = [](const CmakeListFile& file) {
+    return std::any_of(file.commands.begin(), file.commands.end(), [](const CmakeCommand& command) {
+      return command.name.find("add_executable") != std::string::npos ||
+             command.name.find("add_library") != std::string::npos;
+    });
+  };
+  if (!project || std::none_of(project->files.begin(), project->files.end(), makes_target)) return;
+  const std::string build_dir = find_configured_dir(place, inputs.options.build_dir, inputs.options.packages);
+  if (build_dir.empty()) return;
+  if (inputs.accesses) inputs.accesses->note(build_dir + "/compile_commands.json");
+  append(port.result.report.notes,
+         unread_compiled(port.package_dir, build_dir, generated_folders(build_dir, port.package_dir), {}));
+}
+
 /// Where its compile commands are; none: it compiles nothing. Its sources may be tests that are not configured.
-Expected<void> find_build(PackagePort& port, const PackagePlace& place, const Options& options) {
+Expected<void> find_build(PackagePort& port, const PackagePlace& place, const PortInputs& inputs) {
+  const Options& options = inputs.options;
   const std::vector<Note> sources = sources_of(port);
-  if (sources.empty()) return {};
+  if (sources.empty()) return note_sources_elsewhere(port, place, inputs), Expected<void>();
   const Expected<std::string> build_dir = find_build_dir(place, options.build_dir, options.packages);
   if (build_dir) {
     port.build_dir = *build_dir;
@@ -65,7 +83,7 @@ Expected<void> find_build(PackagePort& port, const PackagePlace& place, const Op
 }
 
 /// `others`: whether packages are solved together with it.
-Expected<PackagePort> read_package(const std::string& package_dir, bool others, const Options& options) {
+Expected<PackagePort> read_package(const std::string& package_dir, bool others, const PortInputs& inputs) {
   const Expected<PackageXml> package = read_package_xml(package_dir);
   if (!package) return package.error();
   PackagePort port;
@@ -75,9 +93,9 @@ Expected<PackagePort> read_package(const std::string& package_dir, bool others, 
   port.result.source_root = source_root(package_dir);
   port.before = snapshot(package_dir);
   const PackagePlace place{package_dir, package->name};
-  if (Expected<void> done = find_build(port, place, options); !done) return done.error();
+  if (Expected<void> done = find_build(port, place, inputs); !done) return done.error();
   if (!port.has_units && others)
-    port.build_dir = find_configured_dir(place, options.build_dir, options.packages);
+    port.build_dir = find_configured_dir(place, inputs.options.build_dir, inputs.options.packages);
   return port;
 }
 
@@ -211,7 +229,7 @@ Expected<std::vector<PackagePort>> port_packages(const std::vector<std::string>&
                                                  const PortInputs& inputs) {
   std::vector<PackagePort> idle, ports;
   for (const std::string& package_dir : package_dirs) {
-    Expected<PackagePort> port = read_package(package_dir, package_dirs.size() > 1, inputs.options);
+    Expected<PackagePort> port = read_package(package_dir, package_dirs.size() > 1, inputs);
     if (!port) return port.error();
     (port->build_dir.empty() ? idle : ports).push_back(std::move(*port));
   }

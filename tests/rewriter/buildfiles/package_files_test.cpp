@@ -101,6 +101,22 @@ TEST_F(PackageFiles, what_a_target_compiles_from_elsewhere_is_named) {
             begin + (folder / "build/demo/made.cpp") + end + begin + (folder / "shared/common.cpp") + end);
 }
 
+TEST_F(PackageFiles, so_is_what_a_target_compiles_that_has_no_file_of_the_package) {
+  write({"demo/CMakeLists.txt", "other/src/b.cpp", "other/src/c.cpp"});
+  const auto entry = [&](const std::string& target_dir, const std::string& file) {
+    return std::string(R"({"directory":")") + (folder / "build") + R"(","file":")" + (folder / file) +
+           R"(","output":")" + target_dir + R"(/CMakeFiles/node.dir/x.o","command":"c++"})";
+  };
+  folder.write("build/compile_commands.json",
+               "[" + entry("demo", "other/src/b.cpp") + "," + entry("other", "other/src/c.cpp") + "]");
+  const auto notes = [&] { return unread_compiled(folder / "demo", folder / "build", FolderSet(), {}); };
+  EXPECT_TRUE(notes().empty());
+  folder.write("build/CMakeCache.txt", "demo_BINARY_DIR:STATIC=" + (folder / "build/demo") +
+                                           "\ndemo_SOURCE_DIR:STATIC=" + (folder / "demo") + "\n");
+  ASSERT_EQ(notes().size(), 1u);
+  EXPECT_NE(notes()[0].text.find("a target compiles " + (folder / "other/src/b.cpp")), std::string::npos);
+}
+
 /// CMake compiles it as C++ if its LANGUAGE is CXX.
 TEST_F(PackageFiles, what_a_target_compiles_under_another_name_is_named) {
   write({"demo/src/node.impl", "demo/src/read.impl", "demo/src/driver.c"});
