@@ -2,6 +2,7 @@
 #include "buildfiles/plan.h"
 
 #include <algorithm>
+#include <map>
 
 #include "buildfiles/cmake_edits.h"
 #include "buildfiles/compile_database.h"
@@ -126,13 +127,32 @@ class Planner {
       append(plan_.edits, *edits);
     }
     if (uses_own_messages()) append(plan_.edits, add_generator(project));
-    for (const std::string& target : targets_) plan_target(project, target);
+    const std::map<std::string, std::set<std::string>> users = users_of_objects(project);
+    for (const std::string& target : targets_) plan_target(project, target, users.count(target) != 0);
+    for (const auto& item : users)
+      for (const std::string& user : item.second)
+        if (targets_.count(user) == 0) append(plan_.edits, add_link(project, user));
     if (exports_edited_header(project) || exports_edited_library(project))
       append(plan_.edits, add_catkin_depends(project));
     return {};
   }
 
-  void plan_target(const CmakeProject& project, const std::string& target) {
+  /// Targets that link the objects of others: add_executable(node $<TARGET_OBJECTS:core>), by the others' names.
+  std::map<std::string, std::set<std::string>> users_of_objects(const CmakeProject& project) const {
+    std::map<std::string, std::set<std::string>> users;
+    for (const CmakeListFile& file : project.files)
+      for (const CmakeCommand& command : file.commands) {
+        if (command.arguments.size() < 2) continue;
+        const std::set<std::string> words = file.values.expand(command, 1);
+        for (const std::string& target : targets_)
+          if (words.count("$<TARGET_OBJECTS:" + target + ">") != 0)
+            users[target].merge(file.values.expand(command.arguments[0].text));
+      }
+    return users;
+  }
+
+  /// `only_compiles`: others link its objects. To link it to something needs CMake 3.12.
+  void plan_target(const CmakeProject& project, const std::string& target, bool only_compiles) {
     if (!find_target(project, target)) {
       note(codes::TZC4002, project.files.front().path,
            "the command that makes the target " + target +
@@ -141,7 +161,7 @@ class Planner {
       return;
     }
     append(plan_.edits, add_include(project, target));
-    append(plan_.edits, add_link(project, target));
+    if (!only_compiles) append(plan_.edits, add_link(project, target));
     if (uses_own_messages()) append(plan_.edits, add_message_dependency(project, target, package_.name));
   }
 
