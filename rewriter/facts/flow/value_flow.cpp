@@ -104,6 +104,7 @@ void ValueFlow::check_call(const clang::CallExpr* call) {
   for (const clang::Expr* argument : call->arguments()) note_as_bytes(argument);
   if (const auto event = uncopied_event(unit_, call)) note_event(*event, call->getBeginLoc());
   const clang::FunctionDecl* function = call->getDirectCallee();
+  note_foreign_body(call, function);
   if (!function || call->getNumArgs() != 1 || !is_writable_message(call)) return;
   const clang::Expr* from = call->getArg(0);
   if (!casts_pointer(function) || is_writable_message(from) || serves_plain_field(unit_, call)) return;
@@ -115,6 +116,21 @@ void ValueFlow::check_call(const clang::CallExpr* call) {
 
 void ValueFlow::check_construction(const clang::CXXConstructExpr* construct) {
   if (const auto event = uncopied_event(unit_, construct)) note_event(*event, construct->getBeginLoc());
+  note_foreign_body(construct, construct->getConstructor());
+}
+
+/// The message may be an argument, the object, part of either, or what the function has kept.
+template <class Call>
+void ValueFlow::note_foreign_body(const Call* call, const clang::FunctionDecl* function) {
+  const clang::QualType message =
+      function && !unit_.declares(function) ? bodies_.loses_const(function) : clang::QualType();
+  if (message.isNull()) return;
+  const std::string reason =
+      "'" + qualified_name_of(function) + "' casts const away from a message that may be this one";
+  for (const clang::Expr* argument : call->arguments())
+    for (const EntityId& id : sources_of(argument).entities)
+      if (entities_.is_message(id)) entities_.add_obstacle(id, codes::TZC2002, reason, call->getBeginLoc());
+  add_writable({message, {}, reason}, call->getBeginLoc());
 }
 
 void ValueFlow::note_event(const UncopiedEvent& event, clang::SourceLocation where) {

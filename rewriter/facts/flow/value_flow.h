@@ -6,6 +6,7 @@
 //                                 └── what a call does with it: flows on, takes an edit, escapes (call_effects.h)
 
 #include "facts/flow/flow_uses.h"
+#include "facts/flow/foreign_bodies.h"
 #include "facts/flow/lost_const.h"
 
 namespace tzc::rewriter {
@@ -14,7 +15,7 @@ namespace tzc::rewriter {
 class ValueFlow {
  public:
   ValueFlow(const Unit& unit, EntityTable& entities)
-      : unit_(unit), entities_(entities), sources_(unit, entities), uses_(unit, entities) {}
+      : unit_(unit), entities_(entities), sources_(unit, entities), bodies_(unit), uses_(unit, entities) {}
 
   FlowSources sources_of(const clang::Expr* expr) { return sources_.of(expr); }
   /// Those of them that are ported as something of that role. What is a part of another thing is none: it has come from elsewhere.
@@ -40,6 +41,8 @@ class ValueFlow {
  private:
   void note_writable(const clang::ExplicitCastExpr* cast);
   void note_as_bytes(const clang::Expr* converted);
+  template <class Call>
+  void note_foreign_body(const Call* call, const clang::FunctionDecl* function);
   void note_event(const UncopiedEvent& event, clang::SourceLocation where);
   /// A message of the type, any or one of these, can be written to from here on.
   struct Writable {
@@ -52,6 +55,7 @@ class ValueFlow {
   const Unit& unit_;
   EntityTable& entities_;
   SourceFinder sources_;
+  ForeignBodies bodies_;
   std::vector<ConstCast> const_casts_;
   UseFollower uses_;
 };
