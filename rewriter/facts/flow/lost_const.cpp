@@ -149,7 +149,8 @@ std::vector<clang::QualType> messages_of_cast_function(const Unit& unit,
                                                        const clang::ExplicitCastExpr* cast) {
   const clang::FunctionProtoType* before = function_in(cast->getSubExprAsWritten()->getType());
   const clang::FunctionProtoType* after = function_in(cast->getType());
-  if (!before) return {};
+  // boost::function<...>(callback) makes an object that calls the function as it is.
+  if (!before || !(after || cast->getType()->isPointerType() || cast->getType()->isIntegerType())) return {};
   std::vector<clang::QualType> types = signature_of(before);
   if (after) {
     const std::vector<clang::QualType> others = signature_of(after);

@@ -26,7 +26,7 @@ std::optional<UncopiedEvent> uncopied_event(const Unit& unit, const clang::CXXCo
 std::optional<UncopiedEvent> uncopied_event(const Unit& unit, const clang::CallExpr* call);
 
 /// The messages that a function may write to because its pointer is cast: those of both types where they differ in their
-/// parameters or results; and those that it may write to anyway, where the new type is none of a function.
+/// parameters or results; and those that it may write to anyway, where its address becomes a number or another pointer.
 std::vector<clang::QualType> messages_of_cast_function(const Unit& unit, const clang::ExplicitCastExpr* cast);
 
 }  // namespace tzc::rewriter
