@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "facts/flow/call_effects.h"
 #include "facts/syntax/calls.h"
 #include "facts/syntax/message_type.h"
 
@@ -46,43 +45,52 @@ bool ForeignBodies::is_looked_into(const clang::FunctionDecl* function) const {
          !is_installed(unit_.source.file_of(where));
 }
 
-/// A function that is being looked into, because it calls itself, has no answer yet: the one that asked first gets it.
+/// All that is called is looked into until a cast is found, so where none is, none of them has one. They may call each other.
 clang::QualType ForeignBodies::loses_const(const clang::FunctionDecl* function) {
-  const clang::FunctionDecl* body = nullptr;
-  if (!function || !function->hasBody(body) || body->isDependentContext()) return {};
-  const auto [known, is_new] = known_.emplace(body, clang::QualType());
-  if (!is_new || !is_looked_into(body)) return known->second;
-  clang::QualType found = in(body->getBody());
-  if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(body))
+  std::set<const clang::FunctionDecl*> seen;
+  clang::QualType found;
+  for (Functions open{function}; found.isNull() && !open.empty();) {
+    const clang::FunctionDecl* body = nullptr;
+    const clang::FunctionDecl* one = open.back();
+    open.pop_back();
+    if (!one || !one->hasBody(body) || body->isDependentContext() || !seen.insert(body).second) continue;
+    if (harmless_.count(body) == 0 && is_looked_into(body)) found = in_body(body, open);
+  }
+  if (found.isNull()) harmless_.merge(seen);
+  return found;
+}
+
+clang::QualType ForeignBodies::in_body(const clang::FunctionDecl* function, Functions& called) const {
+  if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(function))
     for (const clang::CXXCtorInitializer* initializer : constructor->inits())
-      if (found.isNull()) found = in(initializer->getInit());
-  return known_[body] = found;
+      if (const clang::QualType found = in(initializer->getInit(), called); !found.isNull()) return found;
+  return in(function->getBody(), called);
 }
 
-clang::QualType ForeignBodies::in(const clang::Stmt* stmt) {
+clang::QualType ForeignBodies::in(const clang::Stmt* stmt, Functions& called) const {
   if (!stmt) return {};
-  if (const clang::QualType found = by(stmt); !found.isNull()) return found;
+  if (const clang::QualType found = by(stmt, called); !found.isNull()) return found;
   for (const clang::Stmt* child : stmt->children())
-    if (const clang::QualType found = in(child); !found.isNull()) return found;
+    if (const clang::QualType found = in(child, called); !found.isNull()) return found;
   const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt);
-  return lambda ? in(lambda->getBody()) : clang::QualType();
+  return lambda ? in(lambda->getBody(), called) : clang::QualType();
 }
 
-clang::QualType ForeignBodies::by(const clang::Stmt* stmt) {
+clang::QualType ForeignBodies::by(const clang::Stmt* stmt, Functions& called) const {
   if (const auto* cast = llvm::dyn_cast<clang::ExplicitCastExpr>(stmt)) {
     const bool is_of_message =
         carried_by(cast->getSubExpr()->getType(), unit_.rules) && carried_by(cast->getType(), unit_.rules);
-    return is_of_message && removes_const(cast) && !serves_plain_field(unit_, cast) ? cast->getType()
-                                                                                    : clang::QualType();
+    return is_of_message && removes_const(cast) ? cast->getType() : clang::QualType();
   }
   if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt))
-    return loses_const(made->getConstructor());
+    called.push_back(made->getConstructor());
   const auto* call = llvm::dyn_cast<clang::CallExpr>(stmt);
   const clang::FunctionDecl* function = call ? call->getDirectCallee() : nullptr;
   if (!function) return {};
-  if (casts_pointer(function) && call->getNumArgs() == 1 && carried_by(call->getType(), unit_.rules))
-    return removes_const(call) && !serves_plain_field(unit_, call) ? call->getType() : clang::QualType();
-  return loses_const(function);
+  called.push_back(function);
+  const bool casts = casts_pointer(function) && call->getNumArgs() == 1;
+  return casts && carried_by(call->getType(), unit_.rules) && removes_const(call) ? call->getType()
+                                                                                  : clang::QualType();
 }
 
 }  // namespace tzc::rewriter

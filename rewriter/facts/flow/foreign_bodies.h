@@ -3,8 +3,8 @@
 
 #include <clang/AST/ExprCXX.h>
 
-#include <map>
 #include <set>
+#include <vector>
 
 #include "facts/syntax/unit.h"
 
@@ -21,12 +21,15 @@ class ForeignBodies {
   clang::QualType loses_const(const clang::FunctionDecl* function);
 
  private:
+  using Functions = std::vector<const clang::FunctionDecl*>;
   bool is_looked_into(const clang::FunctionDecl* function) const;
-  clang::QualType in(const clang::Stmt* stmt);
-  clang::QualType by(const clang::Stmt* stmt);
+  /// Adds the functions that are called there.
+  clang::QualType in_body(const clang::FunctionDecl* function, Functions& called) const;
+  clang::QualType in(const clang::Stmt* stmt, Functions& called) const;
+  clang::QualType by(const clang::Stmt* stmt, Functions& called) const;
 
   const Unit& unit_;
-  std::map<const clang::FunctionDecl*, clang::QualType> known_;
+  std::set<const clang::FunctionDecl*> harmless_;  ///< that were looked into, and what they call
 };
 
 }  // namespace tzc::rewriter
