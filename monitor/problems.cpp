@@ -66,20 +66,26 @@ class Search {
   /// Who keeps the memory stands in it: without that, the size alone looks guilty.
   static std::string memory_text(const Node& node, const Topic& topic) {
     const TopicCounts lost{topic.counters.exhausted, topic.counters.dropped};
-    std::string text = fmt::format(
-        "{} has no shared memory left for {}: {} messages {}; {} of {} are in use.", node.name, topic.name,
-        lost.exhausted, lost.dropped > 0 ? "were dropped or sent serialized" : "were sent serialized",
-        short_bytes(static_cast<double>(topic.memory.used)),
-        short_bytes(static_cast<double>(topic.memory.size)));
+    const std::string messages =
+        fmt::format("{} messages {}", lost.exhausted,
+                    lost.dropped > 0 ? "were dropped or sent serialized" : "were sent serialized");
+    const std::string size = short_bytes(static_cast<double>(topic.memory.size));
+    if (topic.memory.used == 0)
+      return fmt::format(
+          "{} finds no shared memory for messages of {}: {}. None of {} is in use, so one message does not "
+          "fit, or the system or ~tzc/memory_ceiling refused more: the node's log says which, and the size "
+          "to "
+          "set.",
+          node.name, topic.name, messages, size);
+    std::string text =
+        fmt::format("{} has no shared memory left for {}: {}; {} of {} are in use.", node.name, topic.name,
+                    messages, short_bytes(static_cast<double>(topic.memory.used)), size);
     for (const Connection& connection : topic.connections)
       if (connection.held + connection.in_flight > 1)
         text += fmt::format(" {} holds {} blocks{}, {} messages are in flight to it{}.",
                             connection.subscriber, connection.held, held_for(connection),
                             connection.in_flight, connection.is_stopped ? " (stopped)" : "");
-    return text + (topic.memory.used > 0
-                       ? " Raise ~tzc/memory_size, or let subscribers keep less."
-                       : " Nobody keeps any: the system, the ceiling or the size refused more, and the "
-                         "node's log says which.");
+    return text + " Raise ~tzc/memory_size, or let subscribers keep less.";
   }
 
   static std::string held_for(const Connection& connection) {

@@ -112,9 +112,9 @@ std::optional<Obstacle> ReceivedWrites::to_message(const Subscribe& site) const 
   return untraced_cast(site);
 }
 
-/// Of messages that are known by where they come from, the others tell. What comes from elsewhere may be any message of the type
-/// that this process holds: a received one that was kept in a library's object, bound, or handed to a thread.
-/// All callbacks of a topic get one message, and any name may be remapped to the topic.
+/// A write through a message of unknown origin (kept in a library's object, bound, handed to a thread) counts against every subscription
+/// of its type: all callbacks of a topic get one message, and any name may be remapped to the topic. Messages of known origin are
+/// looked at by the other functions.
 std::optional<Obstacle> ReceivedWrites::to_message_of_another(const Subscribe& site) const {
   for (const auto& item : facts_.subscribes) {
     const Subscribe& other = item.second;
@@ -162,7 +162,7 @@ bool ReceivedWrites::is_traced(const EntityId& message, bool with_filters, std::
          });
 }
 
-/// Through a message that was bound, or handed to a thread, too: nothing shows where that comes from.
+/// Also counts writes through messages that were bound or handed to a thread, whose origin is not followed.
 std::optional<Obstacle> ReceivedWrites::to_elements(const Subscribe& site) const {
   if (const std::optional<Obstacle> known = write(site, false)) return known;
   for (const DataWrite& write : facts_.data_writes) {

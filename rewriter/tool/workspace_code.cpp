@@ -26,8 +26,8 @@ std::vector<std::string> packages_in(const std::string& folder) {
   return found;
 }
 
-/// The packages of the workspace, these among them. What holds a package that lies in no workspace may be a home folder, so only
-/// its neighbours count there.
+/// The packages of the workspace, these among them. Of a package outside of any workspace only the folders beside it are searched: its
+/// parent may be a home folder.
 std::set<std::string> neighbours_of(const std::vector<SourcePackage>& packages) {
   std::set<std::string> all;
   for (const SourcePackage& package : packages) all.insert(package.dir);

@@ -17,7 +17,7 @@ struct ConnectionPage {
 };
 static_assert(sizeof(ConnectionPage) <= 4096, "the smallest page there is");
 
-/// That memory. Both sides write to it.
+/// Owns the mapping of a ConnectionPage, to which both processes write.
 class SharedPage {
  public:
   static Expected<SharedPage> create(std::uint32_t first_sequence);

@@ -21,7 +21,7 @@ struct SleeperWords {
   Atomic asleep;    // all of them: Sleeper
 };
 
-/// By one thread at a time.
+/// Not thread-safe: the caller holds the lock.
 template <class Words>
 void set_asleep(Words& words, Sleeper who, bool is_asleep) {
   const std::uint32_t before = static_cast<std::uint32_t>(words.asleep.load(std::memory_order_relaxed));
@@ -31,7 +31,7 @@ void set_asleep(Words& words, Sleeper who, bool is_asleep) {
   words.sleeping.store(woken, std::memory_order_seq_cst);
 }
 
-/// Rings, too: the sleeper may be about to fall asleep.
+/// Wakes the sleeper, and changes the bell, since the sleeper may be about to fall asleep.
 template <class Words, class Wake>
 void wake_if_asleep(Words& words, Sleeper who, Wake wake) {
   if ((words.asleep.load(std::memory_order_seq_cst) & who) == 0) return;
@@ -41,8 +41,8 @@ void wake_if_asleep(Words& words, Sleeper who, Wake wake) {
 
 /// The threads of this process that sleep at its doorbell. A publisher wakes one of them: the guest, if it sleeps.
 ///
-/// Each tells publishers that it is awake, and then looks for records: those of which it was told meanwhile, and those of
-/// which the other one will not be told, are there by then. Thread-safe.
+/// Each first clears its bit in `asleep` and then looks for records: it finds those that were written before, and one that is written
+/// later rings the bell. Thread-safe.
 class Sleepers {
  public:
   explicit Sleepers(Doorbell& doorbell) : page_(doorbell.page()) {}

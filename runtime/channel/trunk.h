@@ -28,7 +28,7 @@ class TrunkListener {
 
 class Trunk;
 
-/// As far as the kernel tells processes apart.
+/// The same pid and uid. A pid that was used again is not noticed.
 inline bool is_same_process(const Credentials& a, const Credentials& b) {
   return a.pid == b.pid && a.uid == b.uid;
 }
@@ -47,7 +47,8 @@ class TrunkPlace {
   bool listen(std::weak_ptr<TrunkListener> listener);
   /// Never blocks. What is said under one number arrives in order, or the trunk is lost.
   void tell(TrunkWord word);
-  /// The same. A process that does not listen must not collect sockets here: the room is kept until the socket is on its way.
+  /// Never blocks, and keeps the order likewise. Holds `room` until the socket is sent, so that a peer that does not read cannot make this process keep
+  /// sockets open.
   void lend(posix::FileDescriptor socket, std::shared_ptr<LoanRoom::Taken> room);
 
  private:

@@ -10,8 +10,8 @@ namespace tzc {
 namespace detail {
 
 /// Limits how much of a publisher's memory the views of one subscription, or of all callbacks in the publisher's own process, may
-/// hold, so that who keeps messages cannot take the shared memory from all others: beyond half of the memory, but not below
-/// kFewMessages messages, he gets copies. Thread-safe; views may end on any thread, also after this object.
+/// hold, so that one that keeps messages cannot take the shared memory from all others: beyond half of the memory, but not below
+/// kFewMessages messages, it gets copies. Thread-safe; views may end on any thread, also after this object.
 class HoldLimit {
  public:
   /// A subscriber may hold this many messages of any size.

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t queued_events = 16384;  // a burst of a second at 4000 messages; 1 MB
 constexpr std::chrono::milliseconds pause{50};
 constexpr std::size_t batch_bytes = 65536;  // what a full disk costs at once, at most
-constexpr std::uint32_t the_process = 0;    // among numbers of threads
+constexpr std::uint32_t the_process = 0;    // the thread that events of the whole process are shown under
 
 std::atomic<Recorder*> the_recorder{nullptr};
 std::atomic<std::uint32_t> epoch{0};
@@ -102,7 +102,7 @@ void Recorder::run() {
   while (!is_ending_) {
     std::string name = std::exchange(names_.of_process, std::string());
     lock.unlock();
-    if (!name.empty()) {
+    if (!name.empty() && name != process_name_) {
       process_name_ = std::move(name);
       named_.erase(the_process);
     }

@@ -76,8 +76,9 @@ TEST_F(Problems, of_memory_name_who_keeps_it) {
 TEST_F(Problems, of_memory_that_nobody_keeps_do_not_ask_for_more) {
   camera.topics[0].counters.exhausted = 9;
   connect("/viewer");
-  EXPECT_THAT(texts(),
-              ElementsAre(HasSubstr("Nobody keeps any: the system, the ceiling or the size refused more")));
+  EXPECT_THAT(texts(), ElementsAre(HasSubstr(
+                           "/camera finds no shared memory for messages of /image: 9 messages were sent "
+                           "serialized. None of ")));
 }
 
 TEST_F(Problems, of_memory_that_are_over_are_none) {
@@ -85,7 +86,7 @@ TEST_F(Problems, of_memory_that_are_over_are_none) {
   camera.rates = {Rates{30, 30, 0, 0, 0}};
   EXPECT_THAT(texts(), IsEmpty());
   camera.rates = {Rates{30, 30, 2, 0, 2}};
-  EXPECT_THAT(texts(), ElementsAre(HasSubstr("no shared memory left")));
+  EXPECT_THAT(texts(), ElementsAre(HasSubstr("no shared memory for")));
 }
 
 TEST_F(Problems, lost_messages_have_their_cause) {

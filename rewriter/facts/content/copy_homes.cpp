@@ -58,7 +58,9 @@ CopyHome CopyHomes::of(const clang::Expr* made) const {
     if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(around); list && !member)
       member = member_of(unit_, list, inner);
     const auto* call = llvm::dyn_cast<clang::CallExpr>(around);
-    const bool is_made = (call && makes_object(call)) || llvm::isa<clang::CXXNewExpr>(around);
+    const auto* fresh = llvm::dyn_cast<clang::CXXNewExpr>(around);
+    if (fresh && is_stock_or_twin(fresh->getAllocatedType())) return {};  // a message of its own
+    const bool is_made = (call && makes_object(call)) || fresh;
     if (is_made && member) return of_member(member);
     if (const auto* statement = llvm::dyn_cast<clang::DeclStmt>(around))
       return member ? CopyHome() : of_declaration(statement, inner);

@@ -15,7 +15,7 @@ constexpr unsigned max_depth = 12;
 
 }  // namespace
 
-/// What an expression leads on to without making another object; null: it is a name, a call, or something else.
+/// The operand that an expression merely passes on, without making another object; null: it is a name, a call, or something else.
 const clang::Expr* operand_of(const clang::Expr* expr) {
   if (const clang::Expr* operand = converted(expr)) return operand;
   if (const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr)) return op->getSubExpr();

@@ -11,7 +11,7 @@ namespace tzc::rewriter {
 /// Null: none.
 const clang::Expr* filled_message(const Unit& unit, const clang::Stmt* stmt);
 
-/// PointCloud2Iterator, PointCloud2ConstIterator.
+/// Whether the class is PointCloud2Iterator or PointCloud2ConstIterator.
 bool is_cloud_iterator(const clang::CXXRecordDecl* record);
 /// fields.emplace_back(cloud, "x"), field.emplace(cloud, "x"), by_name.try_emplace("x", cloud, "x"): the cloud whose data the iterator in the
 /// container may write. Null: nothing like it.

@@ -60,12 +60,17 @@ bool runs_package_at_end(const Unit& unit, clang::QualType type, unsigned depth 
          });
 }
 
+/// The name of a publisher, and whether code that is not seen may change it.
+struct WatchedName {
+  const NameParts& parts;
+  const NameReads& reads;
+  bool exposed;
+};
+
 /// Whether a call, or what it calls in turn, may change what a name depends on, or not come back.
 class Reach : public AstVisitor {
  public:
-  /// exposed: code that is not seen can change it.
-  Reach(const Unit& unit, const NameParts& parts, const NameReads& reads, bool exposed)
-      : unit_(unit), parts_(parts), reads_(reads), exposed_(exposed) {}
+  Reach(const Unit& unit, const WatchedName& name) : unit_(unit), name_(name) {}
   bool found = false, leaves = false;
 
   void call(const clang::FunctionDecl* callee, llvm::ArrayRef<const clang::Expr*> arguments) {
@@ -92,12 +97,12 @@ class Reach : public AstVisitor {
       leaves =
           left || destructor->getExceptionSpecType() == clang::EST_NoexceptFalse;  // else nothing leaves it
     } else {
-      found = found || (exposed_ && runs_package_at_end(unit_, type));
+      found = found || (name_.exposed && runs_package_at_end(unit_, type));
     }
   }
   /// What the statement itself does, wherever it stands.
   void look_at(const clang::Stmt* stmt) {
-    found = found || reads_.may_be_changed_by(stmt);
+    found = found || name_.reads.may_be_changed_by(stmt);
     leaves = leaves || may_leave(unit_, stmt);
     if (const auto* call_of = llvm::dyn_cast<clang::CallExpr>(stmt))
       call(call_of->getDirectCallee(), {call_of->getArgs(), call_of->getNumArgs()});
@@ -123,7 +128,7 @@ class Reach : public AstVisitor {
  private:
   void call_library(const clang::FunctionDecl* callee, llvm::ArrayRef<const clang::Expr*> arguments) {
     const bool may_call_back = !calls_no_package_code(unit_, callee, arguments);
-    found = found || (exposed_ && may_call_back);
+    found = found || (name_.exposed && may_call_back);
     leaves = leaves || !surely_returns(unit_, callee, arguments);
   }
   void follow(const clang::FunctionDecl* callee) {
@@ -131,7 +136,7 @@ class Reach : public AstVisitor {
     const clang::FunctionDecl* definition = nullptr;
     if (method && method->isTrivial()) return;  // it copies an object that look_at() sees
     if (!callee || !callee->isDefined(definition) || (method && method->isVirtual())) {
-      found = found || exposed_;  // a function pointer, another file, another class
+      found = found || name_.exposed;  // a function pointer, another file, another class
       leaves = true;
       return;
     }
@@ -142,13 +147,11 @@ class Reach : public AstVisitor {
     TraverseStmt(definition->getBody());
   }
   bool note(const clang::Expr* mention, const clang::ValueDecl* decl) {
-    found = found || (llvm::is_contained(parts_.all, decl) && !only_looks(unit_, mention));
+    found = found || (llvm::is_contained(name_.parts.all, decl) && !only_looks(unit_, mention));
     return true;
   }
   const Unit& unit_;
-  const NameParts& parts_;
-  const NameReads& reads_;
-  bool exposed_;
+  const WatchedName name_;
   std::set<const clang::FunctionDecl*> seen_;
 };
 
@@ -159,8 +162,8 @@ struct Offsets {
 /// The code between two offsets of a function: exits, and changes of what the publisher's name depends on.
 class Between : public AstVisitor {
  public:
-  Between(const Unit& unit, const NameParts& parts, const NameReads& reads, bool exposed, Offsets range)
-      : unit_(unit), parts_(parts), reach_(unit, parts, reads, exposed), range_(range) {}
+  Between(const Unit& unit, const WatchedName& name, Offsets range)
+      : unit_(unit), parts_(name.parts), reach_(unit, name), range_(range) {}
   bool leaves = false, changes = false, locks = false;
   bool enters = false;  ///< by a label, from somewhere else
   std::set<std::string> callees;
@@ -321,7 +324,7 @@ class StepFinder : public AstVisitor {
     if (!comes_with(unit_, stmt, at_)) return false;
     Rounds rounds(unit_, {std::min(here, at_), std::max(here, at_)});
     rounds.TraverseStmt(const_cast<clang::Stmt*>(body_));
-    Between between(unit_, parts_, reads_, reads_.is_exposed(), rounds.range);
+    Between between(unit_, {parts_, reads_, reads_.is_exposed()}, rounds.range);
     between.TraverseStmt(const_cast<clang::Stmt*>(body_));
     return !between.changes && !between.locks && !(here < at_ ? between.enters : between.leaves);
   }
@@ -355,19 +358,19 @@ std::string step_text(const Unit& unit, const clang::Stmt* step) {
 }
 
 Waits MustExecute::waits_between(unsigned from, unsigned to) const {
-  Between between(unit_, parts_, reads_, false, {from, to});
+  Between between(unit_, {parts_, reads_, false}, {from, to});
   between.TraverseStmt(const_cast<clang::Stmt*>(body_));
   return {between.locks, std::move(between.callees)};
 }
 
 bool MustExecute::changes_between(unsigned from, unsigned to) const {
-  Between between(unit_, parts_, reads_, false, {from, to});
+  Between between(unit_, {parts_, reads_, false}, {from, to});
   between.TraverseStmt(const_cast<clang::Stmt*>(body_));
   return between.changes;
 }
 
 bool MustExecute::may_change_between(unsigned from, unsigned to) const {
-  Between between(unit_, parts_, reads_, reads_.is_exposed(), {from, to});
+  Between between(unit_, {parts_, reads_, reads_.is_exposed()}, {from, to});
   between.TraverseStmt(const_cast<clang::Stmt*>(body_));
   return between.changes;
 }

@@ -128,6 +128,8 @@ class TypeQuestions : public AstVisitor {
   /// std::is_pointer<It>(), as a value or to choose a function by. Before Clang 19 std::is_pointer<It>::value in a method may be a
   /// member of its object.
   bool VisitStmt(clang::Stmt* stmt) override {
+    if (llvm::isa<clang::CXXNoexceptExpr, clang::RequiresExpr, clang::ConceptSpecializationExpr>(stmt))
+      return note(true);
     if (const auto* member = llvm::dyn_cast<clang::CXXDependentScopeMemberExpr>(stmt))
       return note(member->isImplicitAccess() && member->getQualifier() &&
                   !is_of_parameter(member->getQualifier()));
@@ -140,9 +142,6 @@ class TypeQuestions : public AstVisitor {
   bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr*) override { return note(true); }
   bool VisitTypeTraitExpr(clang::TypeTraitExpr*) override { return note(true); }
   bool VisitCXXTypeidExpr(clang::CXXTypeidExpr*) override { return note(true); }
-  bool VisitCXXNoexceptExpr(clang::CXXNoexceptExpr*) override { return note(true); }
-  bool VisitRequiresExpr(clang::RequiresExpr*) override { return note(true); }
-  bool VisitConceptSpecializationExpr(clang::ConceptSpecializationExpr*) override { return note(true); }
   /// __PRETTY_FUNCTION__ names the template's arguments. Where a library's macro writes it, it is for the log.
   bool VisitPredefinedExpr(clang::PredefinedExpr* name) override {
     const clang::SourceManager& manager = unit_.ast().getSourceManager();

@@ -42,7 +42,7 @@ LocalView make_ready(ros::Publication& publication, const MessageCodec& codec) {
     if (!subscription) continue;
     // roscpp keeps what is latched for callbacks that come later, which are not ready for faults.
     if (is_latching || has_writers(*subscription, codec)) return LocalView::copy;
-    view = private_writes() ? LocalView::guarded : LocalView::borrowed;
+    view = private_writes() ? LocalView::private_pages : LocalView::borrowed;
     if (private_writes()) make_ready_for_faults(*subscription, codec);
   }
   return view;
@@ -60,7 +60,7 @@ LocalMessage LocalCallbacks::prepare(ros::Publication& publication, const Messag
                                      const message::Encoded& encoded) const {
   const LocalView view = make_ready(publication, codec);
   if (view == LocalView::unseen || view == LocalView::copy) return {view, nullptr};
-  if (view == LocalView::guarded) keep_others_ready();
+  if (view == LocalView::private_pages) keep_others_ready();
   const std::uint64_t bytes = shared_bytes(encoded);
   if (!may_hold(publication.getName(), bytes)) return {LocalView::copy, nullptr};
   return {view, limit_.hold(bytes, nullptr)};

@@ -39,7 +39,8 @@ RoscppPublish::RoscppPublish(const std::string& topic, const ros::Time* stamp)
 // roscpp sends on a thread of its own, later: what ends here is that it has taken the message.
 RoscppPublish::~RoscppPublish() {
   const std::uint64_t end_ns = trace::now();
-  trace::name_process(ros::this_node::getName());
+  static const bool is_named = (trace::name_process(ros::this_node::getName()), true);
+  (void)is_named;
   const char* const topic = trace::keep(topic_);
   for (const std::string& subscriber : tcpros_subscribers(topic_)) {
     const std::uint64_t message =

@@ -48,7 +48,7 @@ class CastsElsewhereTest : public ::testing::Test {
     return where ? where->line : 0;
   }
 
-  test::TempDir folder_;
+  tzc::test::TempDir folder_;
 };
 
 TEST_F(CastsElsewhereTest, a_package_that_is_included_may_be_given_a_message_and_what_it_includes_too) {

@@ -50,6 +50,8 @@ class Traces(TopicCase):
         self.assertEqual(trace.names("process_name") & {self.name("talker"), self.name("viewer")},
                          {self.name("talker"), self.name("viewer")})
         self.assertIn("tzc-reader", trace.names("thread_name"))
+        names = [(event["pid"], event["args"]["name"]) for event in trace.events if event["name"] == "process_name"]
+        self.assertEqual(len(names), len(set(names)), "each name is written once")
 
     def test_each_subscriber_has_a_flow_of_its_own(self):
         listeners = [self.listen(mode, env=self.env, name=f"viewer_{mode}") for mode in ("pointer", "direct", "value")]

@@ -2,6 +2,7 @@
 #pragma once
 #include <std_msgs/Header.h>
 #include <map>
+#include <sstream>
 namespace ros {
 class SingleSubscriberPublisher {
  public:
@@ -119,3 +120,9 @@ inline void print(const char*, ...) {}
 }  // namespace console
 }  // namespace ros
 #define ROS_INFO(...) ::ros::console::print(__VA_ARGS__)
+#define ROS_WARN_STREAM(args)                  \
+  do {                                         \
+    std::stringstream text;                    \
+    text << args;                              \
+    ::ros::console::print(text.str().c_str()); \
+  } while (false)

@@ -6,14 +6,18 @@
 #include <string>
 #include <vector>
 namespace ros {
-struct Time {
-  double sec = 0;
-  static Time now() { return {}; }
-  double toSec() const { return sec; }
-};
 struct Duration {
   double sec = 0;
   explicit Duration(double s = 0) : sec(s) {}
+};
+struct Time {
+  double sec = 0;
+  Time() = default;
+  explicit Time(double s) : sec(s) {}
+  static Time now() { return {}; }
+  double toSec() const { return sec; }
+  bool operator<(const Time& other) const { return sec < other.sec; }
+  Time operator-(const Duration& other) const { return Time(sec - other.sec); }
 };
 }  // namespace ros
 #define FAKE_MESSAGE(package, name)                              \

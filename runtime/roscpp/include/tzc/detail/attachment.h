@@ -20,9 +20,9 @@ class PublicationEndpoint;
 
 /// What callbacks of the publisher's process get of a message that they get by pointer.
 enum class LocalView {
-  unseen,    ///< nothing: there are none
-  borrowed,  ///< a view that must not be written to (~tzc/private_writes is off)
-  guarded,   ///< a view in which a write changes bytes of this process alone (message::callback_view)
+  unseen,         ///< nothing: there are none
+  borrowed,       ///< a view that must not be written to (~tzc/private_writes is off)
+  private_pages,  ///< a view in which a write changes bytes of this process alone (message::callback_view)
   copy,  ///< a copy: one of them may write to it by its signature, or comes later, or they hold too much of the topic's memory
 };
 /// A view counts as held until `hold` is destroyed. Null: nothing is to be counted.

@@ -59,7 +59,7 @@ struct SharedMessage {
       case LocalView::borrowed:
         make_view(message);
         break;
-      case LocalView::guarded:
+      case LocalView::private_pages:
         view = message::callback_view(message, encoded);
         break;
       case LocalView::copy:

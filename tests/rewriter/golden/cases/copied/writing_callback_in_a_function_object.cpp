@@ -16,6 +16,4 @@ void run(ros::NodeHandle& nh) {
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
 // -  ros::Subscriber sub = nh.subscribe<sensor_msgs::Image, const sensor_msgs::ImagePtr&>(
-// -      "image", 1, boost::function<void(const sensor_msgs::ImagePtr&)>(writes));
-// +  ros::Subscriber sub = tzc::subscribe<sensor_msgs::Image, const sensor_msgs::ImagePtr&>(
-// +      nh, "image", 1, boost::function<void(const sensor_msgs::ImagePtr&)>(writes));
+// +  ros::Subscriber sub = tzc::subscribe<sensor_msgs::Image, const sensor_msgs::ImagePtr&>(nh,

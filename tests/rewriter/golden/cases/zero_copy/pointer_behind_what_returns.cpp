@@ -116,10 +116,10 @@ class Node {
 // +    current_->allocate(image);
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
-// +    current_->allocate(image);
+// +    pub_.allocate(image);
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
-// +    current_->allocate(image);
+// +    pub_.allocate(image);
 // -    auto pub = std::make_shared<ros::Publisher>(pub_);
 // -    sensor_msgs::Image image;
 // +    auto pub = std::make_shared<tzc::Publisher>(pub_);

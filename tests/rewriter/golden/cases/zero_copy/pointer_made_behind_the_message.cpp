@@ -63,21 +63,21 @@ class Node {
 // -    sensor_msgs::Image image;
 // +    std::unique_ptr<tzc::Publisher> pub;
 // +    tzc::sensor_msgs::Image image;
-// +    tzc::allocate(image);
+// +    pub_.allocate(image);
 // -    pub.reset(new ros::Publisher(pub_));
 // +    pub.reset(new tzc::Publisher(pub_));
 // -    std::shared_ptr<ros::Publisher> pub;
 // -    sensor_msgs::Image image;
 // +    std::shared_ptr<tzc::Publisher> pub;
 // +    tzc::sensor_msgs::Image image;
-// +    tzc::allocate(image);
+// +    pub_.allocate(image);
 // -    if (image.data[0] == 0) pub = std::make_shared<ros::Publisher>(pub_);
 // +    if (image.data[0] == 0) pub = std::make_shared<tzc::Publisher>(pub_);
 // -    std::shared_ptr<ros::Publisher> pub;
 // +    std::shared_ptr<tzc::Publisher> pub;
 // -    sensor_msgs::Image image;
 // +    tzc::sensor_msgs::Image image;
-// +    tzc::allocate(image);
+// +    pub_.allocate(image);
 // -    same = std::make_shared<ros::Publisher>(pub_);
 // +    same = std::make_shared<tzc::Publisher>(pub_);
 // -  void given(std::shared_ptr<ros::Publisher> pub) {
@@ -89,7 +89,7 @@ class Node {
 // -    sensor_msgs::Image image;
 // +    static std::shared_ptr<tzc::Publisher> pub;
 // +    tzc::sensor_msgs::Image image;
-// +    if (pub) pub->allocate(image);
+// +    pub_.allocate(image);
 // -    if (!pub) pub = std::make_shared<ros::Publisher>(pub_);
 // +    if (!pub) pub = std::make_shared<tzc::Publisher>(pub_);
 // -  void all() { given(std::make_shared<ros::Publisher>(pub_)); }

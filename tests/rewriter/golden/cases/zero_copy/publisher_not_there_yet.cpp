@@ -37,11 +37,11 @@ void deleted(ros::NodeHandle& nh, bool again) {
 }
 //--- expected
 // advertise src/node.cpp:12 sensor_msgs/Image zero_copy 'data'
-// publish src/node.cpp:13 sensor_msgs/Image zero_copy
+// publish src/node.cpp:13 sensor_msgs/Image zero_copy 'data'
 // advertise src/node.cpp:22 sensor_msgs/Image zero_copy 'iterator'
-// publish src/node.cpp:23 sensor_msgs/Image zero_copy
+// publish src/node.cpp:23 sensor_msgs/Image zero_copy 'iterator'
 // advertise src/node.cpp:31 sensor_msgs/Image zero_copy 'deleted'
-// publish src/node.cpp:36 sensor_msgs/Image zero_copy
+// publish src/node.cpp:36 sensor_msgs/Image zero_copy 'deleted'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -90,7 +90,7 @@ void original(ros::NodeHandle& nh) {
 // advertise src/node.cpp:46 sensor_msgs/Image one_copy 'array'
 // publish src/node.cpp:50 sensor_msgs/Image one_copy 'array' TZC1022 it is a copy (copied into 'copies' in line 49), whose elements lie outside shared memory until it is published
 // advertise src/node.cpp:53 sensor_msgs/Image one_copy 'entry'
-// publish src/node.cpp:58 sensor_msgs/Image one_copy 'entry' TZC1022 it is a copy (assigned to 'copies[1]' in line 57), whose elements lie outside shared memory until it is published
+// publish src/node.cpp:58 sensor_msgs/Image one_copy 'entry' TZC1019 it is an element of 'copies', and nothing shows where that makes it
 // advertise src/node.cpp:61 sensor_msgs/Image one_copy 'aggregate'
 // publish src/node.cpp:65 sensor_msgs/Image one_copy 'aggregate' TZC1022 it is a copy (copied into 'image' in line 64), whose elements lie outside shared memory until it is published
 // advertise src/node.cpp:68 sensor_msgs/Image one_copy 'reference'
@@ -139,15 +139,13 @@ void original(ros::NodeHandle& nh) {
 // -  std::array<sensor_msgs::Image, 1> copies{{image}};
 // +  std::array<tzc::sensor_msgs::Image, 1> copies{{image}};
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("entry", 1);
-// -  sensor_msgs::Image image;
-// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "entry", 1);
-// +  tzc::sensor_msgs::Image image;
-// +  pub.allocate(image);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "entry", 1);
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("aggregate", 1);
 // -  sensor_msgs::Image image;
 // +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "aggregate", 1);
 // +  tzc::sensor_msgs::Image image;
 // +  pub.allocate(image);
+// +  pub.allocate(frame->image);
 // -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("reference", 1);
 // -  sensor_msgs::Image image;
 // +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "reference", 1);

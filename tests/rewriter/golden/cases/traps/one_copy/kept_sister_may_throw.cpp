@@ -74,7 +74,7 @@ class Node {
   sensor_msgs::Image image_;
 };
 //--- expected
-// advertise src/node.cpp:21 sensor_msgs/LaserScan one_copy 'scan'
+// advertise src/node.cpp:21 sensor_msgs/LaserScan zero_copy 'scan'
 // advertise src/node.cpp:22 sensor_msgs/Image one_copy 'image'
 // publish src/node.cpp:28 sensor_msgs/LaserScan one_copy 'scan' TZC1022 line 27 may use its elements for writing after this publish, which copies them
 // publish src/node.cpp:34 sensor_msgs/LaserScan one_copy 'scan' TZC1022 line 33 may use its elements for writing after this publish, which copies them
@@ -85,8 +85,8 @@ class Node {
 // publish src/node.cpp:67 sensor_msgs/LaserScan zero_copy 'scan'
 //
 // +++ src/node.cpp
-// +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/ros.h>
 // +#include <tzc/sensor_msgs/LaserScan.h>
 // -    scans_ = nh_.advertise<sensor_msgs::LaserScan>("scan", 10);
 // -    images_ = nh_.advertise<sensor_msgs::Image>("image", 10);

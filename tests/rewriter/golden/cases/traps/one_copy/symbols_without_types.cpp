@@ -45,7 +45,7 @@ void publish_filled() {
   pub.publish(image);
 }
 //--- expected
-// advertise src/node.cpp:9 sensor_msgs/Image one_copy 'image'
+// advertise src/node.cpp:9 sensor_msgs/Image zero_copy 'image'
 // publish src/node.cpp:13 sensor_msgs/Image one_copy 'image' TZC1005 the symbol of 'process' does not tell its types
 // publish src/node.cpp:30 sensor_msgs/Image one_copy 'image' TZC1005 the symbol of 'make' does not tell its types
 // publish src/node.cpp:35 sensor_msgs/Image one_copy 'image' TZC1005 the symbol of 'last' does not tell its type

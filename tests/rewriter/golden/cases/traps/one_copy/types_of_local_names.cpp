@@ -150,7 +150,7 @@ class Node {
 // publish src/node.cpp:99 sensor_msgs/LaserScan one_copy 'scan' TZC1003 a pointer into its data has a type that the program asks for
 // publish src/node.cpp:110 sensor_msgs/LaserScan one_copy 'scan' TZC1003 a pointer into its data has a type that the program asks for
 // publish src/node.cpp:119 sensor_msgs/LaserScan one_copy 'scan' TZC1003 a pointer into its data has a type that the program asks for
-// publish src/node.cpp:126 sensor_msgs/LaserScan one_copy 'scan' TZC1003 a pointer into its data has a type that the program asks for
+// publish src/node.cpp:126 sensor_msgs/LaserScan one_copy 'scan' TZC1003 a pointer into its data is kept in a 'std::any'
 // publish src/node.cpp:134 sensor_msgs/LaserScan one_copy 'scan' TZC1003 a pointer into its data has a type that the program asks for
 // advertise src/node.cpp:139 sensor_msgs/LaserScan one_copy 'scan'
 //
