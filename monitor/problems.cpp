@@ -72,10 +72,10 @@ class Search {
     const std::string size = short_bytes(static_cast<double>(topic.memory.size));
     if (topic.memory.used == 0)
       return fmt::format(
-          "{} finds no shared memory for messages of {}: {}. None of {} is in use, so one message does not "
-          "fit, or the system or ~tzc/memory_ceiling refused more: the node's log says which, and the size "
-          "to "
-          "set.",
+          "{} finds no shared memory for messages of {}: {}. None of {} is in use now: it was full for a "
+          "moment, or one message does not fit, or the system or ~tzc/memory_ceiling refused more. The "
+          "node's "
+          "log says which, and the size to set.",
           node.name, topic.name, messages, size);
     std::string text =
         fmt::format("{} has no shared memory left for {}: {}; {} of {} are in use.", node.name, topic.name,

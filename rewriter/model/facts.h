@@ -112,6 +112,7 @@ struct PublisherName {
 struct LaterCopy {
   std::vector<Change> without;  ///< make it empty
   std::string source;           ///< what it is assigned: "*in"
+  bool runs_code = false;       ///< of the package, perhaps, which may make or change publishers only then
 };
 
 /// A statement that calls `allocate` is inserted.

@@ -18,18 +18,20 @@ std::size_t round_to_pages(std::size_t bytes) {
 
 }  // namespace
 
-AckFile::AckFile(std::uint32_t slots, posix::ZeroedMemory notes)
-    : reader_(slots), sent_(slots, std::move(notes)) {}
+AckFile::AckFile(std::uint32_t slots, posix::ZeroedMemory sent)
+    : reader_(slots),
+      sent_memory_(std::move(sent)),
+      sent_(reinterpret_cast<std::atomic<std::uint32_t>*>(sent_memory_.data())) {}
 
 Expected<std::shared_ptr<AckFile>> AckFile::create(std::uint32_t slots) {
   const std::size_t size = round_to_pages(ack_file_bytes(slots));
   // All of it is committed: a word must never fault on a full tmpfs.
   auto memory = posix::create_shared_memory("tzc-acknowledgements", size, size, posix::Sharing::peers_write);
   if (!memory) return memory.error();
-  auto notes = SentNotes::table(slots);
-  if (!notes) return notes.error();
+  auto sent = posix::ZeroedMemory::create(slots * sizeof(std::atomic<std::uint32_t>));
+  if (!sent) return sent.error();
 
-  auto ack_file = std::make_shared<AckFile>(slots, std::move(*notes));
+  auto ack_file = std::make_shared<AckFile>(slots, std::move(*sent));
   ack_file->file_ = std::move(memory->file);
   ack_file->mapping_ = std::move(memory->mapping);
   ack_file->acks_ = AckView(ack_file->mapping_.data(), slots);
@@ -38,7 +40,7 @@ Expected<std::shared_ptr<AckFile>> AckFile::create(std::uint32_t slots) {
 }
 
 bool AckFile::mark(std::uint32_t slot, std::uint32_t generation) {
-  return note_and_mark(sent_.at(slot), acks_.word(slot), generation);
+  return note_and_mark(sent_[slot], acks_.word(slot), generation);
 }
 
 void AckFile::revoke(std::uint32_t slot, std::uint32_t generation) {
@@ -46,20 +48,19 @@ void AckFile::revoke(std::uint32_t slot, std::uint32_t generation) {
 }
 
 bool AckFile::holds(std::uint32_t slot, std::uint32_t generation) const {
-  return may_hold(sent_.of(slot), acks_.word(slot), generation);
+  return may_hold(sent_[slot], acks_.word(slot), generation);
 }
 
 bool AckFile::taken(std::uint32_t slot, std::uint32_t generation) const {
-  if (sent_.of(slot).load(std::memory_order_relaxed) != generation) return false;
+  if (sent_[slot].load(std::memory_order_relaxed) != generation) return false;
   const AckCounts counts = unpack(acks_.word(slot).load(std::memory_order_acquire));
   return counts.generation == generation && counts.taken > 0;
 }
 
 bool AckFile::idle() const {
   bool idle = true;
-  for_each_sent([&](std::uint32_t slot) {
-    idle = idle && !holds(slot, sent_.of(slot).load(std::memory_order_relaxed));
-  });
+  for_each_sent(
+      [&](std::uint32_t slot) { idle = idle && !holds(slot, sent_[slot].load(std::memory_order_relaxed)); });
   return idle;
 }
 

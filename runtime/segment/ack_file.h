@@ -9,10 +9,10 @@
 #include "posix/hot.h"
 #include "posix/mapping.h"
 #include "posix/memory_file.h"
+#include "posix/zeroed_memory.h"
 #include "segment/ack_view.h"
 #include "segment/layout.h"
 #include "segment/release_hints.h"
-#include "segment/sent_notes.h"
 #include "tzc/error.h"
 
 namespace tzc {
@@ -24,10 +24,10 @@ namespace segment {
 /// (the publisher remembers that privately), so a hostile peer can at most keep what it was given.
 class AckFile {
  public:
-  AckFile(std::uint32_t slots, posix::ZeroedMemory notes);
+  AckFile(std::uint32_t slots, posix::ZeroedMemory sent);
   static Expected<std::shared_ptr<AckFile>> create(std::uint32_t slots);
 
-  /// The block goes out to this subscriber once more. One thread at a time. False: counted to its limit, or the peer corrupts the
+  /// The block goes out to this subscriber once more. False: counted to its limit, or the peer corrupts the
   /// word.
   TZC_HOT bool mark(std::uint32_t slot, std::uint32_t generation);
   /// Undoes one mark that the subscriber did not take.
@@ -41,7 +41,7 @@ class AckFile {
   template <class Visit>
   void for_each_taken(Visit visit) const {
     for_each_sent([&](std::uint32_t slot) {
-      const std::uint32_t generation = sent_.of(slot).load(std::memory_order_relaxed);
+      const std::uint32_t generation = sent_[slot].load(std::memory_order_relaxed);
       if (taken(slot, generation)) visit(slot, generation);
     });
   }
@@ -53,7 +53,7 @@ class AckFile {
   template <class Visit>
   void for_each_sent(Visit visit) const {
     for (std::uint32_t slot = 0; slot < acks_.slots(); ++slot) {
-      if (sent_.of(slot).load(std::memory_order_relaxed) != 0) visit(slot);
+      if (sent_[slot].load(std::memory_order_relaxed) != 0) visit(slot);
     }
   }
 
@@ -67,7 +67,9 @@ class AckFile {
   posix::Mapping mapping_;
   AckView acks_;
   HintReader reader_;
-  SentNotes sent_;  // per slot: the last generation that was marked
+  // Blocks mostly lie in the first slots, so mostly few pages of this are used.
+  const posix::ZeroedMemory sent_memory_;
+  std::atomic<std::uint32_t>* const sent_;  // per slot: the last generation that was marked
 };
 
 }  // namespace segment

@@ -32,7 +32,7 @@ std::uint64_t Extents::allocate(std::uint64_t bytes, std::uint64_t limit, std::u
     if (offset >= limit || bytes > limit - offset) return none;  // later ones end even higher
     const std::uint64_t begin = (offset + alignment - 1) & ~(alignment - 1);
     const std::uint64_t skipped = begin - offset;
-    if (skipped > length || length - skipped < bytes || bytes > limit - begin) continue;
+    if (skipped > length || length - skipped < bytes || begin > limit || bytes > limit - begin) continue;
     nodes_.reserve(free_, in_use_ + 2);
     ++in_use_;
     nodes_.remove(free_, at);

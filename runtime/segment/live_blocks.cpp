@@ -21,9 +21,7 @@ Block* LiveBlocks::take_slot() {
   }
   if (slots_.size() == most_slots_) return nullptr;
   if (spare_slots_.capacity() <= slots_.size()) spare_slots_.reserve(2 * (slots_.size() + 1));
-  const auto slot = static_cast<std::uint32_t>(slots_.size());
-  slots_.push_back(std::make_unique<Block>(owner_, slot, first_generation));
-  return slots_.back().get();
+  return &slots_.emplace_back(owner_, static_cast<std::uint32_t>(slots_.size()), first_generation);
 }
 
 void LiveBlocks::add(Block& block) {

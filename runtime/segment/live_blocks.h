@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -24,7 +24,7 @@ class LiveBlocks {
   Block* take_slot();
   void return_slot(Block& block) { spare_slots_.push_back(&block); }
   /// Null: the slot was never taken. Any slot number may be asked for.
-  Block* at(std::uint32_t slot) { return slot < slots_.size() ? slots_[slot].get() : nullptr; }
+  Block* at(std::uint32_t slot) { return slot < slots_.size() ? &slots_[slot] : nullptr; }
 
   /// From now on the block can be found.
   void add(Block& block);
@@ -45,7 +45,7 @@ class LiveBlocks {
  private:
   Segment& owner_;
   const std::uint32_t most_slots_;
-  std::vector<std::unique_ptr<Block>> slots_;  // each by itself, as blocks never move; mostly there are few
+  std::deque<Block> slots_;  // a deque: blocks never move
   std::vector<Block*> spare_slots_;
 
   mutable std::mutex mutex_;

@@ -61,7 +61,8 @@ Expected<std::shared_ptr<PageWriter>> PageWriter::create(const std::string& node
 // Who has copied a row of this table sees afterwards that the one before it was published meanwhile, and copies again.
 void PageWriter::begin() {
   std::atomic_thread_fence(std::memory_order_release);
-  ++number_;
+  number_ = header().published.load(std::memory_order_relaxed) +
+            1;  // a table that was not published is written anew
   table_ = TableHeader{number_, 0, 0, 0};
 }
 
@@ -88,7 +89,7 @@ void PageWriter::add(const void* row, std::size_t bytes) {
 // The one before it lies where this table is being written.
 std::size_t PageWriter::last_rows() const {
   const std::uint64_t published = header().published.load(std::memory_order_relaxed);
-  if (published == 0 || published + 1 != number_) return 0;
+  if (published == 0) return 0;
   TableHeader last;
   std::memcpy(&last, mapping_.data() + table_offset(published), sizeof last);
   return last.rows;

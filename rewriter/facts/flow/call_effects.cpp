@@ -213,8 +213,8 @@ CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr*
 /// make_shared<Image>(image), make_shared<ImagePtr>(image), make_shared<Viewer>(image)
 void CallEffects::into_new_object(const EntityId& id, const clang::CallExpr* call, unsigned argument) {
   if (const EntityId made = entities_.declare_temporary(call); !made.empty())
-    return entities_.add_flow(
-        id, made, {call->getBeginLoc(), "copied into a new object", later_copy(unit_, call).has_value()});
+    return entities_.add_flow(id, made,
+                              {call->getBeginLoc(), "copied into a new object", copies_message(call)});
   const clang::CXXRecordDecl* record = pointee_of(call->getType())->getAsCXXRecordDecl();
   const clang::CXXConstructorDecl* constructor = only_constructor(record, call->getNumArgs());
   const bool is_package = record && unit_.source.in_package(record->getLocation());

@@ -196,9 +196,8 @@ bool UseFollower::into_expression(const clang::Expr* parent) {
     return choice->getCond() == at_ ? false : go_on(choice);
   if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(parent)) return into_list(list);
   if (llvm::isa<clang::CXXNewExpr>(parent)) {
-    entities_.add_flow(
-        id_, entities_.declare_temporary(parent),
-        {at_->getBeginLoc(), "copied into a new object", later_copy(unit_, parent).has_value()});
+    entities_.add_flow(id_, entities_.declare_temporary(parent),
+                       {at_->getBeginLoc(), "copied into a new object", copies_message(parent)});
     return false;
   }
   if (llvm::isa<clang::CXXStdInitializerListExpr>(parent)) return go_on(parent);

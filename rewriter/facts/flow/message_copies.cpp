@@ -6,14 +6,59 @@
 
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/calls.h"
+#include "facts/syntax/library_calls.h"
 #include "facts/syntax/message_parts.h"
 #include "facts/syntax/message_type.h"
+#include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
 
+/// As it is written: what is converted (std::cref, a derived class) converts to a stock message alone.
 bool is_message_object(const clang::Expr* expr) {
-  return expr->isLValue() && message_of(expr->getType());
+  const clang::Expr* written = expr->IgnoreParenImpCasts();
+  return expr->isLValue() && written->isLValue() && message_of(written->getType());
+}
+
+/// Nothing but an initializer: a comment, an attribute or another configuration's code would be lost with it.
+bool is_code_alone(const std::string& text) {
+  static const char* const others[] = {"//", "/*", "[[", "#", "\\\n"};
+  return llvm::none_of(others, [&](const char* other) { return text.find(other) != std::string::npos; });
+}
+
+class CallFinder : public AstVisitor {
+ public:
+  explicit CallFinder(const Unit& unit) : unit_(unit) {}
+  bool VisitCallExpr(clang::CallExpr* call) override {
+    const clang::FunctionDecl* callee = call->getDirectCallee();
+    found = found || !callee || !calls_no_package_code(unit_, callee, {call->getArgs(), call->getNumArgs()});
+    return !found;
+  }
+  bool found = false;
+
+ private:
+  const Unit& unit_;
+};
+
+bool may_run_package_code(const Unit& unit, const clang::Expr* source) {
+  CallFinder finder(unit);
+  finder.TraverseStmt(const_cast<clang::Expr*>(source));
+  return finder.found;
+}
+
+/// Whether nothing is made with the value but the variable: auto p = make_shared<M>(*in), MPtr p(new M(*in)).
+bool is_whole_initializer(const clang::VarDecl* variable, const clang::Expr* made) {
+  const clang::Expr* value = variable->getInit();
+  while (value && value != made) {
+    const clang::Expr* inner = value->IgnoreImplicit();
+    const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(inner);
+    const auto* parens = llvm::dyn_cast<clang::ParenExpr>(inner);
+    if (inner == value) inner = parens ? parens->getSubExpr() : nullptr;
+    if (construct && construct == value)
+      inner = construct->getNumArgs() == 1 ? construct->getArg(0) : nullptr;
+    value = inner;
+  }
+  return value != nullptr;
 }
 
 /// From behind a variable's name to its semicolon: ` = *in`, `(*in)`.
@@ -26,7 +71,7 @@ std::optional<Place> initializer_of(const Unit& unit, const clang::VarDecl* vari
   place.begin = name->end;
   place.end = end->end;
   const std::string text = unit.source.text(place);
-  if (text.empty() || text.back() != ';') return {};
+  if (text.empty() || text.back() != ';' || !is_code_alone(text)) return {};
   --place.end;
   return place;
 }
@@ -83,7 +128,8 @@ std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* vari
     return {};
   const std::optional<Place> initializer = initializer_of(unit, variable, statement);
   if (!initializer) return {};
-  LaterCopy copy{{{*initializer, "", "later-copy", {}}}, unit.text(source)};
+  LaterCopy copy{
+      {{*initializer, "", "later-copy", {}}}, unit.text(source), may_run_package_code(unit, source)};
   if (!variable->getTypeSourceInfo()->getTypeLoc().getContainedAutoTypeLoc()) return copy;
   const std::optional<Change> type = named_type(unit, variable);
   if (!type) return {};
@@ -101,12 +147,23 @@ const clang::Expr* made_from(const clang::Expr* expr) {
   return value && message_of(value->getType().getNonReferenceType()) ? value : nullptr;
 }
 
-std::optional<LaterCopy> later_copy(const Unit& unit, const clang::Expr* made) {
+bool copies_message(const clang::Expr* made) {
   const clang::Expr* source = made_from(made);
-  if (!source || !is_message_object(source)) return {};
+  return source && is_message_object(source);
+}
+
+std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* variable,
+                                    const clang::Expr* made) {
+  const clang::QualType pointee = pointee_of(variable->getType());
+  const auto* statement = parent_as<clang::DeclStmt>(unit.ast(), *variable);
+  if (!copies_message(made) || !variable->hasLocalStorage() || pointee.isNull() ||
+      pointee.isConstQualified() || !statement || !statement->isSingleDecl() ||
+      !is_whole_initializer(variable, made))
+    return {};
+  const clang::Expr* source = made_from(made);
   const std::optional<Place> place = unit.source.place(source->getSourceRange());
-  if (!place) return {};
-  return LaterCopy{{{*place, "", "later-copy", {}}}, unit.text(source)};
+  if (!place || !is_code_alone(unit.source.text(*place))) return {};
+  return LaterCopy{{{*place, "", "later-copy", {}}}, unit.text(source), may_run_package_code(unit, source)};
 }
 
 bool is_copied_by_assignment(const clang::Expr* target, const clang::Expr* value) {

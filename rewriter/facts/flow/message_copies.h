@@ -25,8 +25,13 @@ std::vector<Change> move_out_of_result(const Unit& unit, const clang::Expr* init
 /// Of a local variable. None: it does not start as a copy, or cannot be written otherwise (const, several variables, a macro).
 std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* variable);
 
-/// Of new M(*in) and make_shared<M>(*in), likewise.
-std::optional<LaterCopy> later_copy(const Unit& unit, const clang::Expr* made);
+/// Whether new or make_shared makes the object as a copy of another message.
+bool copies_message(const clang::Expr* made);
+
+/// Of `MPtr out(new M(*in));`, `auto out = make_shared<M>(*in);`, likewise. An assignment, `out = make_shared<M>(*out)`, is none: the message that
+/// is copied may end with it, other code may see the new one before it has its content, and the old one stays when copying throws.
+std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* variable,
+                                    const clang::Expr* made);
 
 /// The message that new or make_shared makes the object from: M(std::move(other)), or a call that returns one. Null: none.
 const clang::Expr* made_from(const clang::Expr* expr);

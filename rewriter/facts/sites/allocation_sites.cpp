@@ -234,6 +234,13 @@ bool is_move(const clang::Expr* value) {
          construct->getArg(0)->isXValue();
 }
 
+/// No publisher of the function or of its object is named: `allocate` stands in front of code that may make or change it.
+void leave_to_node(AllocationDraft& draft) {
+  draft.function = nullptr;
+  draft.site.is_early = false;
+  draft.site.record.clear();
+}
+
 }  // namespace
 
 std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::VarDecl* variable) {
@@ -261,6 +268,7 @@ std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::
     if (how.filled) how.copy = later_copy(unit_, variable);
   }
   place_behind(how, statement_around(unit_, *variable));
+  if (how.copy && how.copy->runs_code) leave_to_node(draft);
   draft.site.how = how;
   return draft;
 }
@@ -318,7 +326,7 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
   InsertedAllocation how;
   const clang::Expr* source = made_from(expr);
   how.filled = source && source->isLValue();
-  if (how.filled) how.copy = later_copy(unit_, expr);
+  if (how.filled && end.variable) how.copy = later_copy(unit_, end.variable, expr);
   if (end.variable && !llvm::isa<clang::ParmVarDecl>(end.variable)) {
     how.object = "*" + end.variable->getNameAsString();
     draft.variable = end.variable;
@@ -334,6 +342,7 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
   if (!is_always_made(unit_, expr)) draft.site.refusal = "it is made under a condition only";
   if (end.variable && is_used_behind(unit_, end.variable))
     draft.site.refusal = "a variable that is declared behind it in the same statement is made from it";
+  if (how.copy && how.copy->runs_code) leave_to_node(draft);
   draft.site.how = how;
   return draft;
 }

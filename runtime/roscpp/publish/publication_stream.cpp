@@ -89,7 +89,6 @@ void PublicationStream::set_links(std::size_t links) {
       queue.push_back(message.buf.get());
     numbers_.follow(queue);
   }
-  if (links == 0) left_to_bytes_.clear();  // they are the messages' bytes, and nobody is left who would ask
   links_ = links;
 }
 

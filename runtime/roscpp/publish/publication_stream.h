@@ -64,7 +64,10 @@ class PublicationStream {
   /// roscpp's queue.
   void set_links(std::size_t links);
   /// The last link is gone, including those that returned to TCPROS.
-  void forget_queue() { skip(numbers_.forget()); }
+  void forget_queue() {
+    left_to_bytes_.clear();
+    skip(numbers_.forget());
+  }
 
  private:
   std::uint32_t take_number(const ros::SerializedMessage& message);

@@ -12,6 +12,7 @@ void SubscriberNames::add(channel::Connection& connection, const std::string& no
 }
 
 void SubscriberNames::remove(const channel::Connection& connection) {
+  if (::getpid() != process_) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto is_it = [&](const auto& one) { return one.first == &connection; };
   names_.erase(std::remove_if(names_.begin(), names_.end(), is_it), names_.end());

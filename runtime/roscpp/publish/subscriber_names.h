@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sys/types.h>
 #include <tzc/channel.h>
+#include <unistd.h>
 
 #include <mutex>
 #include <string>
@@ -24,6 +26,8 @@ class SubscriberNames {
  private:
   mutable std::mutex mutex_;
   std::vector<std::pair<channel::Connection*, const std::string*>> names_;
+  const pid_t process_ =
+      ::getpid();  ///< a forked child's exit must not wait for a mutex that a thread of its parent held
 };
 
 }  // namespace detail

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <condition_variable>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -25,7 +26,8 @@ class RunningCalls {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto ended = calls_.find(id);
     std::vector<std::thread::id>& threads = ended->second.threads;
-    threads.erase(std::find(threads.begin(), threads.end(), std::this_thread::get_id()));
+    const auto own = std::find(threads.begin(), threads.end(), std::this_thread::get_id());
+    threads.erase(own != threads.end() ? own : std::prev(own));  // a fiber may end on another thread
     if (threads.empty()) calls_.erase(ended);
     changed_.notify_all();
   }

@@ -68,6 +68,11 @@ class Races(TopicCase):
         self.assertGreater(sum(m["shared"] for m in shared.messages()), 100)
         self.assertFalse(any(m["shared"] for m in shared.messages()[-20:]))
 
+    def test_back_on_tcpros_messages_that_were_left_to_their_bytes_come(self):
+        listener = self.listen()
+        self.assertEqual(self.race("left_to_bytes"), {"returned": True})
+        self.assert_got(listener, range(5))
+
     def test_back_on_tcpros_that_cannot_send_the_queue_decides_what_is_lost(self):
         """TCPROS sends nothing for as long as the subscriber waits to be moved back."""
         shared = self.listen(queue=1000)

@@ -231,6 +231,31 @@ void cut_channels() {
   }
 }
 
+/// A subscriber returns to TCPROS while messages by pointer wait that were left to their bytes, so as not to overtake one by reference.
+void left_to_bytes(ros::NodeHandle& node) {
+  tzc::sync_point_hook = [](const char* step) {
+    if (std::string(step) == "move: returned") gate().tell("returned");
+  };
+  const boost::function<void(const sensor_msgs::ImageConstPtr&)> local =
+      [](const sensor_msgs::ImageConstPtr&) {};
+  const ros::Subscriber subscriber = node.subscribe<sensor_msgs::Image>("image", 100, local);
+  const tzc::Publisher attached = tzc::advertise<tzc::sensor_msgs::Image>(node, "image", 100);
+  const ros::Publisher plain = node.advertise<sensor_msgs::Image>("image", 100);
+  eventually([&] { return plain.getNumSubscribers() == 2 && attached.statistics().shared_subscribers == 1; });
+  ros::WallDuration(0.5).sleep();  // the move's end
+  const auto make = [](std::uint32_t number) {
+    const auto image = boost::make_shared<sensor_msgs::Image>();
+    tzc_test::fill_image(*image, number, 20000);
+    return image;
+  };
+  hold_poll_thread_now();
+  plain.publish(*make(0));
+  for (std::uint32_t number = 1; number < 5; ++number) plain.publish(make(number));
+  cut_channels();
+  print_event("returned", gate().wait_for({"returned"}, std::chrono::seconds(30)));
+  let_go_and_end();
+}
+
 void cut_short(ros::NodeHandle& node) {
   tzc::sync_point_hook = [](const char* step) {
     if (std::string(step) != "accept: connected" || gate().happened("cut")) return;
@@ -334,6 +359,7 @@ int main(int argc, char** argv) {
   if (race == "two_at_once") two_at_once(node);
   if (race == "slow_move") slow_move(node);
   if (race == "late_attach") late_attach(node);
+  if (race == "left_to_bytes") left_to_bytes(node);
   if (race == "cut_short") cut_short(node);
   if (race == "unsubscribe") unsubscribe(node);
   if (race == "concurrent") concurrent(node);

@@ -26,7 +26,12 @@
 
 // Without a build type catkin compiles without optimisation, and each access to an element would be a chain of calls, three times as slow as
 // std::vector's.
+#ifdef __OPTIMIZE__
+#define TZC_ALWAYS_INLINE \
+  inline  // of its own accord, also where a function is compiled for another processor
+#else
 #define TZC_ALWAYS_INLINE inline __attribute__((always_inline))
+#endif
 
 namespace tzc {
 namespace detail {

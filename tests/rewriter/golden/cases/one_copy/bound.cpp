@@ -10,7 +10,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:5 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:9 sensor_msgs/Image one_copy 'image' TZC1002 it is passed to 'boost::bind', which is not part of the package
+// publish src/node.cpp:9 sensor_msgs/Image one_copy 'image' TZC1001 a library may give it to a template that takes anything
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
