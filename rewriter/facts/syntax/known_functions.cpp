@@ -2,31 +2,43 @@
 #include "facts/syntax/known_functions.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
-#include <vector>
 
 namespace tzc::rewriter {
 namespace {
 
-struct Table {
-  std::set<std::string> keeps_nothing, makes_new, views, owners;
-  std::vector<std::string> calls_nothing, may_wait, returns, may_throw, quiet, one_at_a_time, threads;
+enum class Kind {
+  keeps_nothing,
+  makes_new,
+  view,
+  owner,
+  calls_nothing,
+  may_wait,
+  returns,
+  may_throw,
+  quiet,
+  one_at_a_time,
+  thread
 };
 
-const Table& table() {
-  static const Table known = [] {
-    Table t;
-#define KEEPS_NOTHING(name) t.keeps_nothing.insert(name);
-#define MAKES_NEW(name) t.makes_new.insert(name);
-#define VIEW(name) t.views.insert(name);
-#define OWNER(name) t.owners.insert(name);
-#define CALLS_NOTHING(name) t.calls_nothing.push_back(name);
-#define MAY_WAIT(name) t.may_wait.push_back(name);
-#define RETURNS(name) t.returns.push_back(name);
-#define MAY_THROW(name) t.may_throw.push_back(name);
-#define QUIET(name) t.quiet.push_back(name);
-#define ONE_AT_A_TIME(name) t.one_at_a_time.push_back(name);
-#define THREAD(name) t.threads.push_back(name);
+struct Row {
+  Kind kind;
+  const char* name;
+};
+
+constexpr Row rows[] = {
+#define KEEPS_NOTHING(name) {Kind::keeps_nothing, name},
+#define MAKES_NEW(name) {Kind::makes_new, name},
+#define VIEW(name) {Kind::view, name},
+#define OWNER(name) {Kind::owner, name},
+#define CALLS_NOTHING(name) {Kind::calls_nothing, name},
+#define MAY_WAIT(name) {Kind::may_wait, name},
+#define RETURNS(name) {Kind::returns, name},
+#define MAY_THROW(name) {Kind::may_throw, name},
+#define QUIET(name) {Kind::quiet, name},
+#define ONE_AT_A_TIME(name) {Kind::one_at_a_time, name},
+#define THREAD(name) {Kind::thread, name},
 #include "facts/syntax/known_functions.def"
 #undef KEEPS_NOTHING
 #undef MAKES_NEW
@@ -39,9 +51,15 @@ const Table& table() {
 #undef QUIET
 #undef ONE_AT_A_TIME
 #undef THREAD
-    return t;
+};
+
+const std::set<std::string>& names(Kind kind) {
+  static const auto known = [] {
+    std::map<Kind, std::set<std::string>> all;
+    for (const Row& row : rows) all[row.kind].insert(row.name);
+    return all;
   }();
-  return known;
+  return known.at(kind);
 }
 
 /// A name of the table that ends in "::" stands for everything below it.
@@ -50,7 +68,8 @@ bool matches(const std::string& name, const std::string& entry) {
   return name.rfind(entry, 0) == 0;
 }
 
-bool any_matches(const std::vector<std::string>& entries, const std::string& name) {
+bool any_matches(Kind kind, const std::string& name) {
+  const std::set<std::string>& entries = names(kind);
   return std::any_of(entries.begin(), entries.end(),
                      [&](const std::string& entry) { return matches(name, entry); });
 }
@@ -58,36 +77,36 @@ bool any_matches(const std::vector<std::string>& entries, const std::string& nam
 }  // namespace
 
 Keeping keeping_of(const std::string& function) {
-  if (table().makes_new.count(function)) return Keeping::nothing_and_result_is_new;
-  return table().keeps_nothing.count(function) ? Keeping::nothing : Keeping::unknown;
+  if (names(Kind::makes_new).count(function)) return Keeping::nothing_and_result_is_new;
+  return names(Kind::keeps_nothing).count(function) ? Keeping::nothing : Keeping::unknown;
 }
 
 bool is_view_class(const std::string& name) {
-  return table().views.count(name) != 0;
+  return names(Kind::view).count(name) != 0;
 }
 
 bool is_owner_class(const std::string& name) {
-  return table().owners.count(name) != 0;
+  return names(Kind::owner).count(name) != 0;
 }
 
 bool calls_nothing(const std::string& function) {
-  return any_matches(table().calls_nothing, function) && !any_matches(table().may_wait, function);
+  return any_matches(Kind::calls_nothing, function) && !any_matches(Kind::may_wait, function);
 }
 
 bool always_returns(const std::string& function) {
-  return any_matches(table().returns, function) && !any_matches(table().may_throw, function);
+  return any_matches(Kind::returns, function) && !any_matches(Kind::may_throw, function);
 }
 
 bool is_quiet_function(const std::string& function) {
-  return any_matches(table().quiet, function);
+  return any_matches(Kind::quiet, function);
 }
 
 bool runs_one_at_a_time(const std::string& function) {
-  return any_matches(table().one_at_a_time, function);
+  return any_matches(Kind::one_at_a_time, function);
 }
 
 bool makes_thread(const std::string& name) {
-  return any_matches(table().threads, name);
+  return any_matches(Kind::thread, name);
 }
 
 }  // namespace tzc::rewriter
