@@ -17,7 +17,9 @@ namespace {
 /// As it is written: what is converted (std::cref, a derived class) converts to a stock message alone.
 bool is_message_object(const clang::Expr* expr) {
   const clang::Expr* written = expr->IgnoreParenImpCasts();
-  return expr->isLValue() && written->isLValue() && message_of(written->getType());
+  const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(written);
+  const bool converts = call && llvm::isa_and_nonnull<clang::CXXConversionDecl>(call->getMethodDecl());
+  return expr->isLValue() && written->isLValue() && !converts && message_of(written->getType());
 }
 
 /// Nothing but an initializer: a comment, an attribute or another configuration's code would be lost with it.
@@ -95,7 +97,7 @@ const clang::Expr* copied_by(const clang::Expr* initializer) {
   const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(made);
   if (!construct || construct->getNumArgs() == 0) return nullptr;
   const clang::Expr* source = construct->getArg(0);
-  if (construct->getConstructor()->isCopyConstructor() && is_message_object(source)) return source;
+  if (construct->getConstructor()->isCopyConstructor() && source->isLValue()) return source;
   // Before C++17 the temporary is moved, as the program may leave out.
   const bool moves = construct->getConstructor()->isCopyOrMoveConstructor() && source->isPRValue();
   return moves || construct->isElidable() ? copied_by(source) : nullptr;
@@ -123,8 +125,8 @@ std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* vari
     return {};
   const auto* statement = parent_as<clang::DeclStmt>(unit.ast(), *variable);
   const clang::Expr* source = copied_by(variable->getInit());
-  if (!source || !statement || !statement->isSingleDecl() || !unit.source.place(source->getSourceRange()) ||
-      !move_out_of_result(unit, variable->getInit()).empty())
+  if (!source || !is_message_object(source) || !statement || !statement->isSingleDecl() ||
+      !unit.source.place(source->getSourceRange()) || !move_out_of_result(unit, variable->getInit()).empty())
     return {};
   const std::optional<Place> initializer = initializer_of(unit, variable, statement);
   if (!initializer) return {};
