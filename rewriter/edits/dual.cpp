@@ -35,8 +35,11 @@ class Writer {
         pass(lines_[at++]);
         continue;
       }
-      if (continued_ || is_open_after(passed_)) return lines_[at].old_number + lines_[at].new_number;
-      at = wrap(at);
+      const unsigned number = lines_[at].old_number + lines_[at].new_number;
+      if (goes_on_after("")) return number;
+      const std::string removed = lines_of(at, LineChange::removed), added = lines_of(at, LineChange::added);
+      if (goes_on_after(removed) || goes_on_after(added)) return number;
+      wrap(removed, added);
     }
     return 0;
   }
@@ -46,7 +49,6 @@ class Writer {
  private:
   void pass(const DiffLine& line) {
     text += line.text;
-    continued_ = ends_with_backslash(line.text);
     passed_ += line.text;
   }
 
@@ -57,18 +59,20 @@ class Writer {
     return all;
   }
 
-  std::size_t wrap(std::size_t at) {
-    const std::string removed = lines_of(at, LineChange::removed), added = lines_of(at, LineChange::added);
+  /// Whether what follows the lines, which follow those that do not change, is no line of its own.
+  bool goes_on_after(const std::string& lines) const {
+    return ends_with_backslash(lines.empty() ? passed_ : lines) || is_open_after(passed_ + lines);
+  }
+
+  void wrap(const std::string& removed, const std::string& added) {
     const std::string& sample = added.empty() ? removed : added;
     const std::string end = sample.size() > 1 && sample[sample.size() - 2] == '\r' ? "\r\n" : "\n";
     text += (added.empty() ? "#ifndef " : "#ifdef ") + std::string(dual_macro) + end + added;
     if (!removed.empty()) text += (added.empty() ? "" : "#else" + end) + removed;
     text += "#endif" + end;
-    return at;
   }
 
   const Lines& lines_;
-  bool continued_ = false;
   std::string passed_;  ///< the lines that do not change
 };
 

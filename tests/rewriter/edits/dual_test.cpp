@@ -39,6 +39,12 @@ TEST(DualText, inside_a_comment_of_several_lines_is_refused) {
   EXPECT_EQ(dual("\"a//b\"; /* a\n x\n*/\n", "\"a//b\"; /* a\n y\n*/\n"), "f.cpp:2");
   EXPECT_EQ(dual("// /*\nx\n", "// /*\ny\n"), "// /*\n#ifdef TZC_ENABLED\ny\n#else\nx\n#endif\n");
 }
+TEST(DualText, changed_lines_that_go_on_are_refused) {
+  EXPECT_EQ(dual("x  // C:\\\n", "y  // C:\\\n"), "f.cpp:1");
+  EXPECT_EQ(dual("a\nx\\\n;\n", "a\ny\n;\n"), "f.cpp:2") << "what is removed goes on";
+  EXPECT_EQ(dual("x /* a\n*/\n", "y /* a\n*/\n"), "f.cpp:1");
+  EXPECT_EQ(dual("x = R\"(\n)\";\n", "y = R\"(\n)\";\n"), "f.cpp:1");
+}
 TEST(DualText, banners_open_no_comment) {
   for (const std::string banner : {"//****", "// a /* b", "/* a */ // /*", "/***/", "\"/*\";"})
     EXPECT_EQ(dual(banner + "\nx\n", banner + "\ny\n"),
