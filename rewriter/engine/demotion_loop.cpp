@@ -8,6 +8,7 @@
 #include "edits/line_endings.h"
 #include "model/codes.h"
 #include "solve/solve.h"
+#include "verify/swallowed_edit.h"
 
 namespace tzc::rewriter {
 
@@ -145,19 +146,39 @@ bool DemotionLoop::demote_for_others(const Attempt& attempt) {
   return demotions_.size() > before;
 }
 
-/// Text that two components would change in different ways, as that of a template does which is two things to its instances.
-bool DemotionLoop::demote_overlapping(const Attempt& attempt) {
+/// The components of an edit; of one that belongs to the file as a whole: all that change the file.
+std::set<ComponentId> DemotionLoop::components_behind(const Edit& edit, const Edits& plan) {
+  if (edit.component) return {*edit.component};
+  std::set<ComponentId> components;
+  for (const Edit& other : plan)
+    if (other.component && other.file == edit.file) components.insert(*other.component);
+  return components;
+}
+
+void DemotionLoop::demote_edit(const Edit& edit, const Edits& plan, const std::string& why) {
+  const std::string text = read_(edit.file).value_or("");
+  const auto end = text.begin() + static_cast<long>(std::min(edit.offset, text.size()));
+  const Location where{edit.file, static_cast<unsigned>(std::count(text.begin(), end, '\n')) + 1, 1};
+  for (const ComponentId component : components_behind(edit, plan))
+    demotions_.emplace(component, Obstacle{demotion_code(component), why, where});
+}
+
+/// Text that two components would change in different ways, as that of a template does which is two things to its instances;
+/// and text that would not be read as the code that it is.
+bool DemotionLoop::demote_unwritable(const Attempt& attempt) {
   const std::size_t before = demotions_.size();
-  for (const auto& [first, second] : overlaps(attempt.result.plan.edits)) {
-    const std::string text = read_(second.file).value_or("");
-    const auto end = text.begin() + static_cast<long>(std::min(second.offset, text.size()));
-    const Location where{second.file, static_cast<unsigned>(std::count(text.begin(), end, '\n')) + 1, 1};
+  const Edits& plan = attempt.result.plan.edits;
+  for (const auto& [first, second] : overlaps(plan))
     for (const Edit& edit : {first, second})
       if (edit.component)
-        demotions_.emplace(
-            *edit.component,
-            Obstacle{demotion_code(*edit.component),
-                     "its port would change text that another one's changes otherwise", where});
+        demote_edit(edit, plan, "its port would change text that another one's changes otherwise");
+  if (demotions_.size() > before) return true;
+  for (const auto& [file, of_file] : by_file(plan)) {
+    const std::string text = read_(file).value_or("");
+    const Expected<std::string> edited = apply_edits(text, of_file);
+    if (const std::optional<Edit> edit = edited ? swallowed_edit(text, of_file, *edited) : std::nullopt)
+      demote_edit(*edit, plan,
+                  "what its port writes here would be read as part of a comment, a string or a directive");
   }
   return demotions_.size() > before;
 }
@@ -187,7 +208,7 @@ Expected<DemotionLoop::Result> DemotionLoop::run() {
   for (;; ++round_) {
     Attempt attempt = planned(demotions_);
     const bool judged = options_.without_rules.count("verification") == 0;
-    if (demote_overlapping(attempt)) continue;
+    if (demote_unwritable(attempt)) continue;
     if (judged && demote_for_others(attempt)) continue;
     if (Expected<void> done = verify(attempt, {}, Judge::both); !done) return done.error();
     if (attempt.failures.empty() || !judged) return std::move(attempt.result);

@@ -52,7 +52,9 @@ class DemotionLoop {
   Expected<std::optional<ComponentId>> culprit_of(const Failure& failure);
   Expected<bool> is_gone_without(const Failure& failure, const std::vector<ComponentId>& components);
   bool demote_for_others(const Attempt& attempt);
-  bool demote_overlapping(const Attempt& attempt);
+  bool demote_unwritable(const Attempt& attempt);
+  static std::set<ComponentId> components_behind(const Edit& edit, const Edits& plan);
+  void demote_edit(const Edit& edit, const Edits& plan, const std::string& why);
   void demote(ComponentId component, const Failure& failure);
   const char* demotion_code(ComponentId component) const;
   bool is_message(ComponentId component) const;
