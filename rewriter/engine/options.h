@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/port_plan.h"
+#include "model/copied_definition.h"
 #include "model/file_accesses.h"
 #include "model/judges.h"
 #include "model/location.h"
@@ -17,13 +18,6 @@
 #include "model/unseen_file.h"
 
 namespace tzc::rewriter {
-
-/// A definition that a header of another package holds, too, word for word: one program may have both.
-struct CopiedDefinition {
-  std::string file;
-  std::size_t begin = 0, end = 0;
-  std::string copy;  ///< the other package's header
-};
 
 /// What is known of code that is not analysed.
 struct OtherCode {

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "edits/files.h"
+#include "port/shell_word.h"
 #include "proof/cmake_cache.h"
-#include "tool/places.h"
-#include "tool/shell_word.h"
+#include "workspace/places.h"
 
 namespace tzc::rewriter {
 namespace fs = std::filesystem;

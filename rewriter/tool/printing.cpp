@@ -8,9 +8,9 @@
 #include <cstdio>
 
 #include "model/codes.h"
+#include "port/writing.h"
 #include "tool/next_steps.h"
 #include "tool/terminal.h"
-#include "tool/writing.h"
 
 namespace tzc::rewriter {
 namespace {

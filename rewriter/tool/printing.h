@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "tool/package_port.h"
+#include "port/package_port.h"
+#include "tool/parse_options.h"
 
 namespace tzc::rewriter {
 

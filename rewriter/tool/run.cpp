@@ -16,18 +16,18 @@
 #include <system_error>
 
 #include "buildfiles/find_packages.h"
+#include "other_code/header_users.h"
+#include "port/filter.h"
+#include "port/port_cache.h"
+#include "port/port_writer.h"
+#include "port/prove.h"
+#include "remarks/baseline.h"
 #include "tool/bag.h"
-#include "tool/baseline.h"
-#include "tool/filter.h"
-#include "tool/git.h"
-#include "tool/header_users.h"
-#include "tool/port_cache.h"
-#include "tool/port_writer.h"
 #include "tool/printing.h"
-#include "tool/prove.h"
 #include "tool/report_files.h"
 #include "tool/terminal.h"
 #include "transaction/swap.h"
+#include "workspace/git.h"
 
 namespace tzc::rewriter {
 namespace {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tool/package_port.h"
+#include "port/port_inputs.h"
+#include "tool/parse_options.h"
 
 namespace tzc::rewriter {
 

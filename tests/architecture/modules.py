@@ -46,8 +46,15 @@ USES = {
     "rewriter/engine": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles", "rewriter/report",
                         "rewriter/parse", "rewriter/facts", "rewriter/solve", "rewriter/verify"],
     "rewriter/format": ["rewriter/edits"],
-    "rewriter/tool": ["rewriter/interruption", "rewriter/model", "rewriter/edits", "rewriter/transaction", "rewriter/report", "rewriter/cache",
-                      "rewriter/buildfiles", "rewriter/proof", "rewriter/engine", "rewriter/format", "tools/command_line"],
+    "rewriter/workspace": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles", "rewriter/proof"],
+    "rewriter/other_code": ["rewriter/model", "rewriter/edits", "rewriter/buildfiles", "rewriter/workspace"],
+    "rewriter/remarks": ["rewriter/model", "rewriter/edits", "rewriter/report"],
+    "rewriter/port": ["rewriter/interruption", "rewriter/model", "rewriter/edits", "rewriter/transaction", "rewriter/report",
+                      "rewriter/cache", "rewriter/buildfiles", "rewriter/proof", "rewriter/engine", "rewriter/workspace",
+                      "rewriter/other_code", "rewriter/remarks"],
+    "rewriter/tool": ["rewriter/interruption", "rewriter/model", "rewriter/edits", "rewriter/transaction", "rewriter/report",
+                      "rewriter/buildfiles", "rewriter/proof", "rewriter/engine", "rewriter/format", "rewriter/workspace",
+                      "rewriter/other_code", "rewriter/remarks", "rewriter/port", "tools/command_line"],
 
     # The benchmark measures the runtime, so it alone uses another product.
     "bench": ["tools/command_line"],

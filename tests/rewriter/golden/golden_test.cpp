@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "golden/case.h"
-#include "tool/invariant.h"
+#include "remarks/invariant.h"
 
 namespace tzc::rewriter::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/temp_dir.h"
-#include "tool/options.h"
+#include "tool/parse_options.h"
 
 namespace tzc::rewriter {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "cache/result_store.h"
 #include "edits/files.h"
-#include "tool/cache_inputs.h"
-#include "tool/port_record.h"
+#include "port/cache_inputs.h"
+#include "port/port_record.h"
 #include "tool/workspace.h"
 
 namespace tzc::rewriter {
