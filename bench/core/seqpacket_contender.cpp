@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "channel/wire.h"
+#include "channel/wire/wire.h"
 #include "contenders.h"
 
 namespace tzc {

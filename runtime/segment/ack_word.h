@@ -9,7 +9,7 @@
 //   | generation 32 | in flight 16 | taken 16 |
 //
 //   publisher: mark    in flight + 1    before the record is sent
-//              revoke  in flight - 1    after it won the record (channel/delivery_cursors.h)
+//              revoke  in flight - 1    after it won the record (channel/wire/delivery_cursors.h)
 //   subscriber: take   in flight - 1, taken + 1    after it won the record
 //               release taken - 1
 //

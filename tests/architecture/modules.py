@@ -8,10 +8,18 @@ USES = {
     "runtime/statistics": ["runtime/posix"],
     "runtime/trace": ["runtime/posix"],
     "runtime/segment": ["runtime/posix", "runtime/sync_point"],
-    "runtime/channel": ["runtime/segment", "runtime/posix", "runtime/sync_point", "runtime/trace"],
+    "runtime/channel": ["runtime/segment", "runtime/posix"],
+    "runtime/channel/wait": ["runtime/segment", "runtime/posix"],
+    "runtime/channel/wire": ["runtime/segment", "runtime/posix", "runtime/sync_point", "runtime/trace", "runtime/channel",
+                             "runtime/channel/wait"],
+    "runtime/channel/connect": ["runtime/posix", "runtime/sync_point", "runtime/channel/wait", "runtime/channel/wire"],
+    "runtime/channel/publish": ["runtime/segment", "runtime/posix", "runtime/sync_point", "runtime/trace", "runtime/channel",
+                                "runtime/channel/wait", "runtime/channel/wire", "runtime/channel/connect"],
+    "runtime/channel/subscribe": ["runtime/segment", "runtime/posix", "runtime/sync_point", "runtime/trace", "runtime/channel",
+                                  "runtime/channel/wait", "runtime/channel/wire", "runtime/channel/connect"],
     "runtime/message": ["runtime/segment"],
-    "runtime/roscpp": ["runtime/channel", "runtime/message", "runtime/segment", "runtime/sync_point", "runtime/statistics",
-                       "runtime/trace"],
+    "runtime/roscpp": ["runtime/channel", "runtime/channel/wire", "runtime/message", "runtime/segment", "runtime/sync_point",
+                       "runtime/statistics", "runtime/trace"],
     "runtime/adapters": ["runtime/roscpp", "runtime/message", "runtime/segment"],
     "runtime/preload": ["runtime/roscpp"],
 
@@ -58,7 +66,7 @@ USES = {
 
     # The benchmark measures the runtime, so it alone uses another product.
     "bench": ["tools/command_line"],
-    "bench/core": ["bench", "runtime/channel"],
+    "bench/core": ["bench", "runtime/channel", "runtime/channel/wire"],
     "bench/roscpp": ["bench", "bench/core", "runtime/roscpp", "tools/command_line", "tools/loopback"],
     "bench/paper": ["bench", "bench/core", "bench/roscpp", "runtime/posix", "tools/command_line"],
     # tzc-monitor knows the layout of a statistics page and what owns a descriptor, and nothing else of the runtime.

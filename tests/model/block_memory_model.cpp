@@ -2,10 +2,10 @@
 // usage: block_memory_model
 // One block's life in every execution that the C++ memory model allows, on the very code of the library: a publisher's
 // thread writes, marks and sends it (segment/ack_word.h) and drops its handle; the subscriber wins the record
-// (channel/delivery_cursors.h), takes, reads and releases the block; another thread finds it by its address
+// (channel/wire/delivery_cursors.h), takes, reads and releases the block; another thread finds it by its address
 // (segment/handle_count.h); the allocator, which may revoke the record, reuses it when nobody holds it. The payload is
 // no atomic: a write that does not happen after the last read is a race. Then weakens each memory order.
-#include "channel/delivery_cursors.h"
+#include "channel/wire/delivery_cursors.h"
 #include "segment/ack_word.h"
 #include "segment/handle_count.h"
 #include "weak/weakenings.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // usage: doorbell_model
 // Explores every interleaving of two publishers and the one thread that reads both of their rings, on the very code that
-// the library runs for a doorbell's words (channel/doorbell.h, segment/release_hints.h): no record is left in a ring
+// the library runs for a doorbell's words (channel/wait/doorbell.h, segment/release_hints.h): no record is left in a ring
 // while the reader sleeps. Then plants each mistake and demands that it is found.
-#include "channel/doorbell.h"
+#include "channel/wait/doorbell.h"
 #include "exploration.h"
 #include "explorer.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // usage: loan_model
 // Explores every interleaving of a publisher that lends sockets, the subscriber's thread that hears of them on the trunk, and
-// the one that reads, on the very code that the library runs for the ring's words (channel/ring.h): the records come in
+// the one that reads, on the very code that the library runs for the ring's words (channel/wire/ring.h): the records come in
 // order whichever way they take, none is missed, no thread sleeps forever, and at most two loans are there at once, wherever
 // the publisher dies. Then plants each mistake and demands that it is found. Lending and giving back are restated here, as
-// the locked steps of channel/sending_socket.h and channel/lent_sockets.h that they are.
+// the locked steps of channel/connect/sending_socket.h and channel/connect/lent_sockets.h that they are.
 #include "exploration.h"
 #include "ring_words.h"
 

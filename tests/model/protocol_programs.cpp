@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "channel/delivery_cursors.h"
+#include "channel/wire/delivery_cursors.h"
 #include "segment/ack_word.h"
 
 namespace tzc {

@@ -6,7 +6,7 @@
 #include "explorer.h"
 
 // The lifetime protocol of one publisher and two subscribers, on the very code that the library runs for
-// every shared word: segment/ack_word.h and channel/delivery_cursors.h. What is modelled around it: allocate (reclaim,
+// every shared word: segment/ack_word.h and channel/wire/delivery_cursors.h. What is modelled around it: allocate (reclaim,
 // revoke for best_effort), publish (queue bound, mark, write), receive, take, read twice, release, the death
 // of any thread at any step and the hang-up that follows.
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // usage: ring_memory_model
-// The ring, the bell and the sleep (channel/ring.h) of one publisher and one subscriber, in every execution that the
+// The ring, the bell and the sleep (channel/wire/ring.h) of one publisher and one subscriber, in every execution that the
 // C++ memory model allows: the records come in order and whole, none is missed and nobody sleeps forever. Then weakens
 // each memory order of that code and demands that it is found.
-#include "channel/ring.h"
+#include "channel/wire/ring.h"
 #include "weak/weakenings.h"
 
 namespace tzc {

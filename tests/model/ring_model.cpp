@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // usage: ring_model
 // Explores every interleaving of one publisher and one subscriber that share a ring and a socket, on the very
-// code that the library runs for the ring's words (channel/ring.h): the records come in order, none is missed
+// code that the library runs for the ring's words (channel/wire/ring.h): the records come in order, none is missed
 // and no thread sleeps forever, wherever one of them dies. Then plants each mistake and demands that it is found.
 #include "exploration.h"
 #include "ring_words.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "channel/ring.h"
+#include "channel/wire/ring.h"
 #include "explorer.h"
 
 // Where a model keeps the words of a ring: at the beginning of its shared words.

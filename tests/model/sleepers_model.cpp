@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // usage: sleepers_model
 // Explores every interleaving of a publisher, a thread that has work for a guest, the guest, and the reader in whose place it
-// reads, on the very code that the library runs for who is woken (channel/sleepers.h, channel/doorbell.h): no record is left,
+// reads, on the very code that the library runs for who is woken (channel/wait/sleepers.h, channel/wait/doorbell.h): no record is left,
 // and no work of the guest's, while both sleep; also when the guest goes. No sleep ends by itself here. Then plants each mistake
 // and demands that it is found.
-#include "channel/sleepers.h"
+#include "channel/wait/sleepers.h"
 #include "exploration.h"
 #include "explorer.h"
 

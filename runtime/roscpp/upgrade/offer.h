@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "channel/wire.h"
+#include "channel/wire/wire.h"
 #include "segment/layout.h"
 
 namespace tzc {

@@ -4,10 +4,10 @@
 #include <cstring>
 #include <thread>
 
-#include "channel/connection.h"
-#include "channel/pending_peer.h"
-#include "channel/trunk.h"
-#include "channel/wire.h"
+#include "channel/connect/pending_peer.h"
+#include "channel/connect/trunk.h"
+#include "channel/publish/connection.h"
+#include "channel/wire/wire.h"
 #include "input.h"
 #include "posix/mapping.h"
 #include "tzc/channel.h"

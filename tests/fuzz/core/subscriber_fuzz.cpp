@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cstring>
 
-#include "channel/delivery_cursors.h"
-#include "channel/link.h"
-#include "channel/reader.h"
-#include "channel/receiver.h"
-#include "channel/service.h"
-#include "channel/trunk.h"
-#include "channel/wire.h"
+#include "channel/connect/trunk.h"
+#include "channel/subscribe/link.h"
+#include "channel/subscribe/reader.h"
+#include "channel/wait/receiver.h"
+#include "channel/wait/service.h"
+#include "channel/wire/delivery_cursors.h"
+#include "channel/wire/wire.h"
 #include "input.h"
 #include "posix/mapping.h"
 #include "posix/memory_file.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <random>
 
-#include "channel/delivery_cursors.h"
+#include "channel/wire/delivery_cursors.h"
 
 namespace tzc {
 namespace channel {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One thread that reads for many subscribers, the doorbell at which it sleeps, and peers that lie about it.
-#include "channel/doorbell.h"
+#include "channel/wait/doorbell.h"
 
 #include <atomic>
 #include <fstream>
 #include <set>
 
-#include "channel/receiver.h"
-#include "channel/shared_page.h"
+#include "channel/wait/receiver.h"
+#include "channel/wire/shared_page.h"
 #include "posix/address.h"
 #include "raw_peer.h"
 

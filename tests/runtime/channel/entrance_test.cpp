@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Publishers of one process share a listening socket, and nothing else.
-#include "channel/entrance.h"
+#include "channel/connect/entrance.h"
 
 #include <sys/socket.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Publishers that lie: the subscriber ends the connection, says why, and touches nothing that is not there.
 
-#include "channel/shared_page.h"
+#include "channel/wire/shared_page.h"
 #include "posix/address.h"
 #include "posix/futex.h"
 #include "posix/mapping.h"

@@ -2,8 +2,8 @@
 // Processes that lie about a trunk, or over it.
 #include <algorithm>
 
-#include "channel/shared_page.h"
-#include "channel/trunk.h"
+#include "channel/connect/trunk.h"
+#include "channel/wire/shared_page.h"
 #include "few_descriptors.h"
 #include "posix/address.h"
 #include "posix/memory_file.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "channel/publisher_address.h"
-#include "channel/wire.h"
+#include "channel/connect/publisher_address.h"
+#include "channel/wire/wire.h"
 #include "posix/packet.h"
 #include "posix/socket.h"
 #include "support.h"

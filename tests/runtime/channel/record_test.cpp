@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "channel/record.h"
+#include "channel/wire/record.h"
 
-#include "channel/received_message.h"
+#include "channel/subscribe/received_message.h"
 #include "support.h"
 
 namespace tzc {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The ring by itself, and records that take turns between it and the socket.
-#include "channel/ring.h"
+#include "channel/wire/ring.h"
 
 #include <atomic>
 #include <deque>
 
-#include "channel/shared_page.h"
+#include "channel/wire/shared_page.h"
 #include "posix/mapping.h"
 #include "raw_peer.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Connections whose two processes have a trunk: sockets come and go, and nothing else changes.
-#include "channel/trunk.h"
+#include "channel/connect/trunk.h"
 
 #include <signal.h>
 

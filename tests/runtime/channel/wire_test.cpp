@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "channel/wire.h"
+#include "channel/wire/wire.h"
 
 #include <gtest/gtest.h>
 
-#include "channel/shared_page.h"
+#include "channel/wire/shared_page.h"
 
 // Publisher and subscriber may be built from different versions of this library. When a size here fails you
-// changed the protocol: raise wire_version in channel/wire.h, then update the numbers below.
+// changed the protocol: raise wire_version in channel/wire/wire.h, then update the numbers below.
 
 namespace tzc {
 namespace channel {
