@@ -25,11 +25,17 @@ std::set<std::string> files_of(const Unit& unit, const CollectOptions& options) 
   return files;
 }
 
-/// The instances of generic lambdas, which no other declaration leads to.
-class LambdaInstances : public AstVisitor {
+/// Makes templates fit for being read: finds the instances of generic lambdas, which no other declaration leads to, and gives the
+/// lists in parentheses of dependent initializers a type, since Clang leaves them without one and each other expression has one.
+class Templates : public AstVisitor {
  public:
-  explicit LambdaInstances(std::vector<clang::Decl*>& found) : found_(found) {}
+  Templates(clang::ASTContext& ast, std::vector<clang::Decl*>& found) : ast_(ast), found_(found) {}
   bool shouldVisitTemplateInstantiations() const override { return true; }
+  bool VisitStmt(clang::Stmt* stmt) override {
+    auto* const expr = llvm::dyn_cast<clang::Expr>(stmt);
+    if (expr && expr->getType().isNull()) expr->setType(ast_.DependentTy);
+    return true;
+  }
   bool VisitLambdaExpr(clang::LambdaExpr* lambda) override {
     const clang::FunctionTemplateDecl* pattern = lambda->getLambdaClass()->getDependentLambdaCallOperator();
     if (!pattern || !lambda->isGenericLambda()) return true;
@@ -42,6 +48,7 @@ class LambdaInstances : public AstVisitor {
   }
 
  private:
+  clang::ASTContext& ast_;
   std::vector<clang::Decl*>& found_;
 };
 
@@ -52,7 +59,7 @@ void limit_to_package(const Unit& unit) {
   for (clang::Decl* decl : unit.ast().getTranslationUnitDecl()->decls())
     if (unit.source.in_package(decl->getLocation())) own.push_back(decl);
   std::vector<clang::Decl*> instances;
-  LambdaInstances visitor(instances);
+  Templates visitor(unit.ast(), instances);
   for (clang::Decl* decl : own) visitor.TraverseDecl(decl);
   own.insert(own.end(), instances.begin(), instances.end());
   unit.ast().setTraversalScope(own);

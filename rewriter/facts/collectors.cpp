@@ -327,8 +327,8 @@ void Collectors::contents(EscapeContext& context, const SeenFunction& seen, cons
   for (const clang::Stmt* stmt : seen.view.statements()) {
     const auto* closure = llvm::dyn_cast<clang::LambdaExpr>(stmt);
     if (!closure || !code.hands_over(closure)) continue;
-    if (std::optional<ContentFlow> flow = content_flow(context, seen, closure))
-      facts_.add_content(closure_name(unit_, closure), std::move(*flow));
+    for (ContentFlow& flow : closure_flows(context, seen, closure))
+      facts_.add_content(closure_name(unit_, closure), std::move(flow));
   }
 }
 

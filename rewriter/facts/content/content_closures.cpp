@@ -54,12 +54,12 @@ bool is_given_with_messages(const FunctionView& view, const clang::LambdaExpr* l
 }
 
 /// Somebody else may call the closure, with any message that it may write to.
-void any_given_to(const clang::LambdaExpr* lambda, ContentLog& log) {
-  for (const clang::ParmVarDecl* parameter : lambda->getCallOperator()->parameters()) {
+void any_given_to(const clang::FunctionDecl* body, ContentLog& log) {
+  for (const clang::ParmVarDecl* parameter : body->parameters()) {
     const clang::QualType type = parameter->getType(), pointee = pointee_of(type);
     const bool is_const = (pointee.isNull() ? type.getNonReferenceType() : pointee).isConstQualified();
     if (is_const || !is_name_of_message(type)) continue;
-    log.add(ContentEvent::Kind::any, any_message(message_reached(type)->name), lambda->getBeginLoc());
+    log.add(ContentEvent::Kind::any, any_message(message_reached(type)->name), body->getBeginLoc());
   }
 }
 
@@ -76,18 +76,42 @@ class VariableFinder : public AstVisitor {
 
 }  // namespace
 
-std::vector<const clang::LambdaExpr*> closures_called_elsewhere(const FunctionView& view) {
-  std::vector<const clang::LambdaExpr*> found;
-  for (const clang::Stmt* stmt : view.statements())
-    if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt))
-      if (!is_only_called(view, lambda)) found.push_back(lambda);
+std::vector<const clang::FunctionDecl*> bodies_of(const clang::LambdaExpr* lambda) {
+  std::vector<const clang::FunctionDecl*> bodies;
+  const clang::FunctionTemplateDecl* const pattern =
+      lambda->getLambdaClass()->getDependentLambdaCallOperator();
+  if (!pattern && !lambda->getCallOperator()->isDependentContext())
+    bodies.push_back(lambda->getCallOperator());
+  if (pattern)
+    for (const clang::FunctionDecl* instance : pattern->specializations())
+      if (instance->doesThisDeclarationHaveABody() && !instance->isDependentContext())
+        bodies.push_back(instance);
+  return bodies;
+}
+
+std::vector<const clang::FunctionDecl*> bodies_run_elsewhere(const FunctionView& view) {
+  std::vector<const clang::FunctionDecl*> found;
+  for (const clang::Stmt* stmt : view.statements()) {
+    const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt);
+    if (!lambda) continue;
+    const bool is_run_elsewhere = !is_only_called(view, lambda);
+    for (const clang::FunctionDecl* body : bodies_of(lambda)) {
+      if (is_run_elsewhere) found.push_back(body);
+      if (view.holds(body->getBody())) continue;  // an instance: this view has the pattern's closures
+      const std::vector<const clang::FunctionDecl*> inner = bodies_run_elsewhere(FunctionView(body));
+      found.insert(found.end(), inner.begin(), inner.end());
+    }
+  }
   return found;
 }
 
 void ContentClosures::made(const clang::LambdaExpr* lambda) {
   if (is_only_called(view_, lambda)) return;
-  if (!is_given_with_messages(view_, lambda)) any_given_to(lambda, log_);
-  run(lambda->getCallOperator(), false, {});
+  const bool is_with_messages = is_given_with_messages(view_, lambda);
+  for (const clang::FunctionDecl* body : bodies_of(lambda)) {
+    if (!is_with_messages) any_given_to(body, log_);
+    run(body, false, {});
+  }
 }
 
 /// Whether it is the call operator of one of this function's closures, or an instance of that.
@@ -131,17 +155,16 @@ void ContentClosures::given_to(const clang::CallExpr* call) {
   for (const clang::Expr* argument : call->arguments()) {
     const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(argument->IgnoreUnlessSpelledInSource());
     if (!lambda) continue;
-    const std::size_t parameters = lambda->getCallOperator()->getNumParams();
-    for (const clang::Expr* source : sources)
-      run(lambda->getCallOperator(), false, std::vector<const clang::Expr*>(parameters, source));
+    for (const clang::FunctionDecl* body : bodies_of(lambda))
+      for (const clang::Expr* source : sources)
+        run(body, false, std::vector<const clang::Expr*>(body->getNumParams(), source));
   }
 }
 
-std::vector<MessagePart> own_roots(const MessageParts& parts, const clang::LambdaExpr* lambda) {
+std::vector<MessagePart> own_roots(const MessageParts& parts, const clang::FunctionDecl* body) {
   VariableFinder finder;
-  for (clang::ParmVarDecl* parameter : lambda->getCallOperator()->parameters())
-    finder.TraverseDecl(parameter);
-  finder.TraverseStmt(lambda->getBody());
+  for (clang::ParmVarDecl* parameter : body->parameters()) finder.TraverseDecl(parameter);
+  finder.TraverseStmt(body->getBody());
   std::vector<MessagePart> roots;
   for (const clang::VarDecl* variable : finder.found) roots.push_back(parts.root_of(variable));
   return roots;

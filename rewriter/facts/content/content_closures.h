@@ -34,11 +34,15 @@ class ContentClosures {
   ContentLog& log_;
 };
 
-/// The closures of a function that something else than a direct call may call.
-std::vector<const clang::LambdaExpr*> closures_called_elsewhere(const FunctionView& view);
+/// What a call of a closure runs: its body; of a generic one, the body of one of its instances. What is dependent never runs.
+std::vector<const clang::FunctionDecl*> bodies_of(const clang::LambdaExpr* lambda);
+
+/// The bodies of the closures of a function, and of those that the instances of its generic ones make, which something else than a
+/// direct call may run.
+std::vector<const clang::FunctionDecl*> bodies_run_elsewhere(const FunctionView& view);
 
 /// The roots of those of a closure's parameters and variables that hold or name messages: each call of it has its own. What it captures
 /// belongs to the closure itself.
-std::vector<MessagePart> own_roots(const MessageParts& parts, const clang::LambdaExpr* lambda);
+std::vector<MessagePart> own_roots(const MessageParts& parts, const clang::FunctionDecl* body);
 
 }  // namespace tzc::rewriter

@@ -47,10 +47,11 @@ class FlowBuilder {
   FlowBuilder(EscapeContext& context, const SeenFunction& function, const DecidedValues& values)
       : context_(context),
         values_(values),
+        own_view_(function.view),
         own_reader_(context.unit, function.view, UnknownCalls(function.events)),
         reader_(&own_reader_),
         parts_(context.unit, function.view),
-        closures_(closures_called_elsewhere(function.view)) {}
+        run_elsewhere_(bodies_run_elsewhere(function.view)) {}
   FlowBuilder(const FlowBuilder&) = delete;
   FlowBuilder& operator=(const FlowBuilder&) = delete;
 
@@ -104,13 +105,15 @@ class FlowBuilder {
 
   EscapeContext& context_;
   const DecidedValues& values_;
+  const FunctionView& own_view_;
   ContentReader own_reader_;
   ContentReader* reader_;  ///< of the function, or of the instance of a generic closure that is being added
   const MessageParts parts_;
   ContentFlow flow_;
-  std::vector<Given> given_;                        ///< of the closures around, the innermost last
-  std::set<const clang::FunctionDecl*> open_;       ///< which are being added
-  std::vector<const clang::LambdaExpr*> closures_;  ///< that an unknown call may run
+  std::vector<Given> given_;                   ///< of the closures around, the innermost last
+  std::set<const clang::FunctionDecl*> open_;  ///< which are being added
+  std::vector<const clang::FunctionDecl*>
+      run_elsewhere_;  ///< bodies of closures that an unknown call may run
   UnknownCode unknown_;
   std::vector<MessagePart> own_roots_;  ///< of the closure that is being added as what unknown code runs
   std::map<std::pair<const clang::FunctionDecl*, std::vector<Given>>, Part> shared_;
@@ -162,7 +165,7 @@ unsigned FlowBuilder::add(std::vector<ContentStep> steps, unsigned at) {
       at = call(*called, at);
     else if (const auto* unknown = std::get_if<UnknownCall>(&step))
       at = call_unknown(unknown->if_shown, at);
-    else if (!closures_.empty())
+    else if (!run_elsewhere_.empty())
       at = call_unknown({}, at);
   }
   return at;
@@ -190,12 +193,12 @@ FlowBuilder::Part FlowBuilder::body_of(const clang::FunctionDecl* closure) {
     return {nothing, nothing};
   }
   open_.insert(closure);
-  const Part part = closure->isTemplateInstantiation() ? add_instance(*cfg, closure) : add(*cfg, closure);
+  const Part part = own_view_.holds(closure->getBody()) ? add(*cfg, closure) : add_instance(*cfg, closure);
   open_.erase(closure);
   return part;
 }
 
-/// The view of the function around knows the pattern alone.
+/// The view of the function around knows the pattern of an instance alone, and the closures of the pattern.
 FlowBuilder::Part FlowBuilder::add_instance(const clang::CFG& cfg, const clang::FunctionDecl* closure) {
   const FunctionView view(closure);
   ContentReader reader(context_.unit, view, UnknownCalls(publish_events(context_, view)));
@@ -291,13 +294,13 @@ FlowBuilder::Part FlowBuilder::anything(AnyCode& calls) {
 void FlowBuilder::add_closures(Part any) {
   const std::vector<Given> around = given_;
   const std::set<const clang::FunctionDecl*> open = std::exchange(open_, {});
-  for (const clang::LambdaExpr* lambda : closures_) {
+  for (const clang::FunctionDecl* closure : run_elsewhere_) {
     // Another call of it than that which is being added, if one is: with variables of its own.
-    own_roots_ = own_roots(parts_, lambda);
+    own_roots_ = own_roots(parts_, closure);
     Given own;
     for (const MessagePart& root : own_roots_) own.emplace_back(root, root + "'");
     given_ = {std::move(own)};
-    const Part part = body_of(lambda->getCallOperator());
+    const Part part = body_of(closure);
     connect(any.entry, part.entry);
     connect(part.exit, any.entry);
   }
@@ -351,9 +354,22 @@ std::optional<ContentFlow> content_flow(EscapeContext& context, const SeenFuncti
   return flow;
 }
 
-std::optional<ContentFlow> content_flow(EscapeContext& context, const SeenFunction& function,
-                                        const clang::LambdaExpr* closure) {
-  return flow_of(context, function, closure->getCallOperator());
+std::vector<ContentFlow> closure_flows(EscapeContext& context, const SeenFunction& function,
+                                       const clang::LambdaExpr* closure) {
+  std::vector<ContentFlow> flows;
+  const auto add = [&](std::optional<ContentFlow> flow) {
+    if (flow) flows.push_back(std::move(*flow));
+  };
+  for (const clang::FunctionDecl* body : bodies_of(closure)) {
+    if (function.view.holds(body->getBody())) {
+      add(flow_of(context, function, body));
+      continue;
+    }
+    const FunctionView view(body);
+    const std::vector<SeenEvent> events = publish_events(context, view);
+    add(flow_of(context, {view, events}, body));
+  }
+  return flows;
 }
 
 }  // namespace tzc::rewriter
