@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "channel/fault_signals.h"
+#include "roscpp/before_exit.h"
 #include "roscpp/throttled_warning.h"
 
 namespace tzc {
@@ -48,6 +49,7 @@ bool start_transport_thread(std::thread& thread, std::function<void()> body) {
 }
 
 void run_job(const std::function<void()>& job) {
+  if (exit_has_begun()) return;  // roscpp's objects may be gone
   try {
     job();
   } catch (const std::exception& error) {

@@ -9,12 +9,14 @@
 #include <utility>
 
 #include "channel/inspection.h"
+#include "roscpp/before_exit.h"
 #include "roscpp/roscpp_access.h"
 #include "roscpp/subscribe/direct_queue.h"
 #include "roscpp/subscribe/fault_ready_queue.h"
 #include "roscpp/subscribe/guest_call.h"
 #include "roscpp/throttled_warning.h"
 #include "roscpp/upgrade/offer.h"
+#include "sync_point/sync_point.h"
 #include "trace/trace.h"
 
 namespace tzc {
@@ -93,12 +95,15 @@ bool SubscriptionEndpoint::may_begin() {
 }
 
 void SubscriptionEndpoint::take(const channel::MessagePtr& message) {
+  const BeforeExit step;
+  if (!step) return;
   // The first record is kSwitch, unless a short queue has dropped it.
   if (!tcpros_drained_) tcpros_.wait(*connection_);
   tcpros_drained_ = true;
   if (message->tag() == kSwitch) return take_switch(*message);
   const ros::SubscriptionPtr subscription = subscription_.lock();
   if (!subscription || subscription->isDropped()) return;
+  sync_point("take: has the subscription");
   add(counted().messages_received_, 1);
   add(counted().bytes_received_, message->control_size());
   if (!calls_directly_) {

@@ -115,6 +115,11 @@ class Races(TopicCase):
         self.assertEqual(self.events(subscriber), {"ended before": True})
         self.assertEqual([message["shared"] for message in subscriber.messages()], [True])
 
+    def test_exit_waits_for_a_message_that_is_being_taken(self):
+        """Its queue, the program's or roscpp's, is destroyed by exit()."""
+        self.start_talker(count=0, rate=20)
+        self.assertEqual(self.race("exit"), {"taking": True, "used when dead": False})
+
     def assert_concurrent_ends(self, talker, shared):
         subscriber = Listener(self.node("racer", "subscriber", {"race": "concurrent"}))
         self.start_talker(talker, count=0, rate=20, subscribers=1)

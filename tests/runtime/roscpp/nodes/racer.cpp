@@ -21,6 +21,7 @@
 ///   unsubscribe   a subscriber with two threads of tzc::AsyncSpinner: it unsubscribes while its callback runs past the queue
 ///   concurrent    a direct subscriber whose callbacks may run at once: another thread unsubscribes while one of them runs
 ///   no_memory     a subscriber with tzc::spin: there is no memory for its first shared message
+///   exit          a subscriber: the program exits while its reader thread has a message for a queue that exit() destroys
 ///   planted       a subscriber with a data race of its own, for ThreadSanitizer to find
 #include <ros/callback_queue_interface.h>
 #include <ros/poll_manager.h>
@@ -32,6 +33,7 @@
 #include <tzc/sensor_msgs/Image.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <new>
 #include <string>
 #include <thread>
@@ -330,6 +332,38 @@ void no_memory(ros::NodeHandle& node) {
   tzc::spin();
 }
 
+/// Dies slowly, so that whoever uses it then is seen.
+class DyingQueue : public ros::CallbackQueueInterface {
+ public:
+  ~DyingQueue() override {
+    is_dead_ = true;
+    gate().wait_for({"never"}, std::chrono::milliseconds(1000));
+    print_event("used when dead", is_used_);
+  }
+  void addCallback(const ros::CallbackInterfacePtr&, std::uint64_t) override { is_used_ = is_dead_.load(); }
+  void removeByID(std::uint64_t) override {}
+
+ private:
+  std::atomic<bool> is_dead_{false}, is_used_{false};
+};
+
+void exits(ros::NodeHandle& node) {
+  static DyingQueue queue;
+  tzc::sync_point_hook = [](const char* step) {
+    if (std::string(step) != "take: has the subscription" || gate().happened("taking")) return;
+    gate().tell("taking");
+    gate().wait_for({"never"}, std::chrono::milliseconds(500));
+  };
+  // Never destroyed, as those of many programs that end by exit().
+  auto& own = *new ros::NodeHandle(node);
+  own.setCallbackQueue(&queue);
+  const boost::function<void(const sensor_msgs::ImageConstPtr&)> nothing =
+      [](const sensor_msgs::ImageConstPtr&) {};
+  new ros::Subscriber(tzc::subscribe<sensor_msgs::Image>(own, "image", 100, nothing));
+  print_event("taking", gate().wait_for({"taking"}));
+  std::exit(0);
+}
+
 int planted_counter = 0;
 
 // The transport's reader thread writes what the main thread reads.
@@ -364,6 +398,7 @@ int main(int argc, char** argv) {
   if (race == "unsubscribe") unsubscribe(node);
   if (race == "concurrent") concurrent(node);
   if (race == "no_memory") no_memory(node);
+  if (race == "exit") exits(node);
   if (race == "planted") planted(node);
   tzc::sync_point_hook = nullptr;
 }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace tzc {
+namespace detail {
+
+/// A step of a reader thread, or of a spinner that reads, on objects of roscpp and of the program. exit() destroys both while such
+/// threads run: roscpp's handler (init.cpp, atexitCallback) leaves the subscriptions alone, "because they are already destroyed".
+/// So the first step asks exit() to wait for the steps of all other threads, at most a second, before anything is destroyed
+/// that was there then; no later one begins. Any thread; two atomic additions. A step may be inside another.
+class BeforeExit {
+ public:
+  BeforeExit();
+  ~BeforeExit();
+  BeforeExit(const BeforeExit&) = delete;
+  BeforeExit& operator=(const BeforeExit&) = delete;
+
+  /// False: exit() has begun, and nothing may be touched that it destroys.
+  explicit operator bool() const { return may_run_; }
+
+ private:
+  const bool may_run_;
+};
+
+bool exit_has_begun();
+
+}  // namespace detail
+}  // namespace tzc
