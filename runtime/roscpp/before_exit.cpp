@@ -54,9 +54,5 @@ BeforeExit::~BeforeExit() {
   --own_steps;
 }
 
-bool exit_has_begun() {
-  return has_begun;
-}
-
 }  // namespace detail
 }  // namespace tzc

@@ -4,7 +4,7 @@
 namespace tzc {
 namespace detail {
 
-/// A step of a reader thread, or of a spinner that reads, on objects of roscpp and of the program. exit() destroys both while such
+/// A step of a thread of the transport, or of roscpp's poll thread, on objects of roscpp and of the program. exit() destroys both while such
 /// threads run: roscpp's handler (init.cpp, atexitCallback) leaves the subscriptions alone, "because they are already destroyed".
 /// So the first step asks exit() to wait for the steps of all other threads, at most a second, before anything is destroyed
 /// that was there then; no later one begins. Any thread; two atomic additions. A step may be inside another.
@@ -21,8 +21,6 @@ class BeforeExit {
  private:
   const bool may_run_;
 };
-
-bool exit_has_begun();
 
 }  // namespace detail
 }  // namespace tzc

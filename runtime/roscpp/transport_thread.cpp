@@ -49,7 +49,8 @@ bool start_transport_thread(std::thread& thread, std::function<void()> body) {
 }
 
 void run_job(const std::function<void()>& job) {
-  if (exit_has_begun()) return;  // roscpp's objects may be gone
+  const BeforeExit step;
+  if (!step) return;
   try {
     job();
   } catch (const std::exception& error) {

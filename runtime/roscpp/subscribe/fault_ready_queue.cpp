@@ -16,6 +16,7 @@
 #include <typeinfo>
 #include <unordered_set>
 
+#include "roscpp/before_exit.h"
 #include "roscpp/roscpp_access.h"
 #include "roscpp/spin/heard_queue.h"
 #include "roscpp/subscribe/fault_ready_callback.h"
@@ -93,6 +94,8 @@ bool try_make_all_ready(ros::TopicManager& topics) {
 }
 
 void make_ready_in_a_round(ros::TopicManager& topics) {
+  const BeforeExit step;  // roscpp's poll thread runs during exit(), too
+  if (!step) return;
   try {
     try_make_all_ready(topics);
   } catch (const std::bad_alloc&) {

@@ -64,7 +64,7 @@ TEST(BeforeExitDeathTest, no_step_begins_later) {
 TEST(BeforeExitDeathTest, a_forked_child_waits_for_nobody) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const auto program = [] {
-    std::atexit([] { ::_exit(exit_has_begun() ? 1 : 0); });
+    std::atexit([] { ::_exit(BeforeExit() ? 0 : 1); });
     begin_long_step().detach();
     const pid_t child = ::fork();
     if (child == 0) std::exit(2);
