@@ -4,6 +4,7 @@
 #include <clang/AST/DeclTemplate.h>
 
 #include "facts/escape/escape_climb.h"
+#include "facts/escape/reached_types.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/known_functions.h"
 #include "facts/syntax/type_blind.h"
@@ -28,57 +29,10 @@ const clang::LambdaExpr* lambda_in(const clang::Expr* expr) {
   return llvm::dyn_cast<clang::LambdaExpr>(expr);
 }
 
-/// The type that a class names so; null: it names none.
-clang::QualType named_in(const clang::CXXRecordDecl* record, llvm::StringRef name) {
-  if (!record || !record->hasDefinition()) return {};
-  for (const clang::Decl* decl : record->decls())
-    if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(decl); alias && alias->getName() == name)
-      return alias->getUnderlyingType().getCanonicalType();
-  for (const clang::CXXBaseSpecifier& base : record->bases())
-    if (const clang::QualType found = named_in(base.getType()->getAsCXXRecordDecl(), name); !found.isNull())
-      return found;
-  return {};
-}
-
-/// Of an iterator, or of one that inserts into a container; null: it is none.
-clang::QualType element_of(const clang::CXXRecordDecl* iterator) {
-  const clang::QualType value = named_in(iterator, "value_type");
-  if (!value.isNull() && !value->isVoidType()) return value;
-  const clang::QualType container = named_in(iterator, "container_type");
-  if (container.isNull()) return {};
-  const clang::QualType element = named_in(container->getAsCXXRecordDecl(), "value_type");
-  return element.isNull() ? container : element;
-}
-
 /// Of a library, and known: its operators compare it, or give another one, or a distance.
 bool is_iterator(clang::QualType type) {
   const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
   return is_view(type) && record && !named_in(record, "iterator_category").isNull();
-}
-
-/// Of std::reference_wrapper<T>, std::pair<T, U>.
-bool leads_to_pointers(const clang::TemplateArgument& argument) {
-  if (argument.getKind() != clang::TemplateArgument::Type) return false;
-  const clang::QualType type = argument.getAsType().getCanonicalType();
-  if (type->isPointerType()) return may_hold_pointer(type->getPointeeType());
-  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-  return record && is_owner_class(qualified_name_of(record)) && may_hold_pointer(type);
-}
-
-/// A pointer, array or iterator to elements that are, or hold, pointers; an owner of some, or a reference to an object of a class.
-bool reaches_pointers(clang::QualType type) {
-  type = type.getNonReferenceType().getCanonicalType();
-  if (type->isArrayType()) return may_hold_pointer(type);
-  if (type->isVoidPointerType() || type->isFunctionPointerType()) return false;
-  if (type->isPointerType()) return may_hold_pointer(type->getPointeeType());
-  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-  if (!record) return false;
-  if (is_owner_class(qualified_name_of(record))) return may_hold_pointer(type);
-  const clang::QualType element = element_of(record);
-  if (!element.isNull()) return may_hold_pointer(element);
-  const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
-  return made && is_view_class(qualified_name_of(record)) &&
-         llvm::any_of(made->getTemplateArgs().asArray(), leads_to_pointers);
 }
 
 bool is_moved(const clang::Expr* expr) {
@@ -118,7 +72,8 @@ bool CallSteps::into_member(const clang::MemberExpr* member) {
     if (!member->getMemberDecl()->getType()->isReferenceType() && at_.how == Reference::view &&
         !may_hold_pointer(member->getType()))
       return done();
-    return go_on(member, Reference::elements);
+    const bool is_array = points_to_array(member->getMemberDecl()->getType());
+    return go_on(member, is_array ? Reference::array : Reference::elements);
   }
   const auto* call = llvm::dyn_cast_or_null<clang::CXXMemberCallExpr>(view_.parent(member));
   if (!call) return escape("is used in a way that is not understood");
@@ -193,6 +148,7 @@ bool CallSteps::into_element_method(const clang::CXXMemberCallExpr* call) {
 bool CallSteps::into_result(const clang::Expr* call) {
   const clang::QualType type = call->getType();
   if (call->isPRValue() && !may_hold_pointer(type)) return done();
+  if (points_to_array(at_.expr->getType()) && names_array(type)) return go_on(call, Reference::array);
   if (call->isGLValue() && type.getCanonicalType()->isRecordType() && is_view(type))
     return go_on(call, Reference::view);
   if (call->isGLValue() || type->isAnyPointerType()) return go_on(call, Reference::elements);
@@ -223,6 +179,7 @@ bool CallSteps::into_operator(const clang::CXXOperatorCallExpr* call) {
   if (!callee || context_.unit.declares(callee)) return into_call(call);
   if (index == 0 && is_method) return into_object_operator(call);
   if (call->getOperator() == clang::OO_Equal) {
+    check_pair(call->getArg(0)->getType());
     if (copies_value(callee)) return done();
     if (at_.how != Reference::array) return into_assignment(call->getArg(0));
     if (is_moved(at_.expr)) return escape("moves with the array", false);
@@ -258,6 +215,8 @@ bool CallSteps::into_call(const clang::CallExpr* call) {
   const bool shifted = llvm::isa<clang::CXXOperatorCallExpr>(call) && llvm::isa<clang::CXXMethodDecl>(callee);
   if (shifted && index > 0) --index;
   const std::string name = qualified_name_of(callee);
+  if (at_.how == Reference::array && index >= callee->getNumParams())
+    return escape("is a variable argument of '" + name + "'");
   if (at_.how == Reference::array && (name == "std::move" || name == "std::forward"))
     return call->isXValue() && !call->getType().isConstQualified() ? escape("moves with the array", false)
                                                                    : go_on(call);
@@ -270,10 +229,23 @@ bool CallSteps::into_call(const clang::CallExpr* call) {
   if (at_.how == Reference::elements && exchanges_values(name, at_.expr)) return done();
   const Keeping keeping = context_.keeping_of(callee, at_.messages);
   if (keeping != Keeping::unknown) return into_known_call(call, keeping != Keeping::nothing);
-  // What takes a std::vector does not take the ported array: the compiler refuses it.
+  // What takes a std::vector does not take the ported array: the compiler refuses it. void* takes both.
   const bool own = context_.unit.declares(callee);
-  if (!own && at_.how == Reference::array && !callee->getPrimaryTemplate()) return done();
-  return escape("is passed to '" + name + "'");
+  if (!own && at_.how == Reference::array && !callee->getPrimaryTemplate() &&
+      names_array(callee->getParamDecl(index)->getType()))
+    return done();
+  return escape_into_call("is passed to '" + name + "'");
+}
+
+/// A pointer to an array may be made a void* within a template, as std::map<int, void*>::insert does with a pair.
+bool CallSteps::escape_into_call(const std::string& how) {
+  return escape(how, at_.how != Reference::array && !points_to_array(at_.expr->getType()));
+}
+
+/// std::pair<void*, int>: the conversion is in its constructor, so no step of the climb shows it.
+void CallSteps::check_pair(clang::QualType made) {
+  const clang::QualType from = at_.expr->getType();
+  if (is_pair(made) && points_to_array(from) && !points_to_array(made)) escape_as(made);
 }
 
 /// A known function keeps nothing itself, but it may copy a pointer to where another argument points.
@@ -300,7 +272,8 @@ bool CallSteps::makes_element(const clang::CallExpr* call) const {
 }
 
 bool CallSteps::into_known_call(const clang::CallExpr* call, bool result_is_new) {
-  if (at_.how != Reference::array && may_store_pointer(call)) return escape("may be stored by a call");
+  if (at_.how != Reference::array && may_store_pointer(call))
+    return escape_into_call("may be stored by a call");
   if (at_.how == Reference::array && makes_element(call))
     return escape_to_question("'" + qualified_name_of(call->getDirectCallee()) + "'");
   if (writes_address(qualified_name_of(call->getDirectCallee()), at_.expr->getType()))
@@ -353,6 +326,7 @@ bool CallSteps::into_construction(const clang::CXXConstructExpr* construct) {
   if (is_data_array(type) && at_.how == Reference::array) return into_copy(construct);
   if (constructor->isCopyOrMoveConstructor() && !context_.unit.declares(constructor))
     return may_hold_pointer(type) ? go_on(construct) : done();
+  check_pair(type);
   if (is_view(type)) return go_on(construct, Reference::view);
   if (context_.unit.declares(constructor)) {
     const unsigned index = argument_index(arguments, at_.expr);

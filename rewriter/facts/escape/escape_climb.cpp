@@ -5,6 +5,7 @@
 #include <clang/AST/DeclTemplate.h>
 #include <clang/AST/StmtCXX.h>
 
+#include "facts/flow/stock_vectors.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/known_functions.h"
 
@@ -67,7 +68,19 @@ Referring climb_reference(EscapeContext& context, const FunctionView& view, Esca
   return Climber(context, view, analysis, from).run();
 }
 
+/// The port puts a tzc::Array where the source has a std::vector, so whoever gets at it must name it by a type that follows, or that the
+/// compiler refuses. That holds for each step, whatever expression it is: while the climb is at an array, pointers and references to it,
+/// each type on the way is an array's. What is none (void*, const void*, a base, another object's pointer) may be made a std::vector
+/// again where no compiler sees it. Casts that keep the type, but write it out, are in into_explicit_cast().
 bool Climber::step() {
+  const bool was_named = at_.how == Reference::array && names_array(at_.expr->getType());
+  if (!step_up()) return false;
+  if (was_named && at_.how == Reference::array && !names_array(at_.expr->getType()))
+    escape_as(at_.expr->getType());
+  return true;
+}
+
+bool Climber::step_up() {
   const clang::Stmt* parent = view_.parent(at_.expr);
   if (!parent) return into_root();
   const auto* expr = llvm::dyn_cast<clang::Expr>(parent);
@@ -109,7 +122,19 @@ bool Climber::into_declaration(const clang::DeclStmt* declaration) {
   if (!type->isReferenceType() && !may_hold_pointer(type) && !gives_type(type)) return done();
   if (!variable->isLocalVarDecl() || variable->isStaticLocal())
     return escape("is kept in '" + variable->getNameAsString() + "'");
+  // Initialised directly, a reference to a const std::vector binds, with Clang, to a copy, as an explicit conversion makes one. With '='
+  // it takes no explicit conversion: the compiler refuses it.
+  if (at_.how == Reference::array && type->isReferenceType() &&
+      variable->getInitStyle() != clang::VarDecl::CInit &&
+      is_pointee_written_out(context_.unit.ast(), type) && !is_renamed(variable))
+    escape("is bound to '" + variable->getNameAsString() + "', a reference to a std::vector", false);
   return hold(variable);
+}
+
+/// Whether the port writes auto for the type of a variable that the array initialises.
+bool Climber::is_renamed(const clang::VarDecl* variable) const {
+  const auto* array = llvm::dyn_cast<clang::MemberExpr>(variable->getInit()->IgnoreParenImpCasts());
+  return array && is_data_array(array->getType()) && !changes_for_stock_vector(context_.unit, array).empty();
 }
 
 bool Climber::into_expression(const clang::Expr* parent) {
@@ -142,6 +167,7 @@ bool Climber::into_type_question() {
 }
 
 bool Climber::into_implicit_cast(const clang::ImplicitCastExpr* cast) {
+  if (cast->getCastKind() == clang::CK_PointerToBoolean) return done();
   const bool is_value =
       at_.how != Reference::array && cast->isPRValue() && !may_hold_pointer(cast->getType());
   if (!is_value) return go_on(cast);
@@ -167,6 +193,11 @@ bool Climber::into_explicit_cast(const clang::ExplicitCastExpr* cast) {
     if (at_.read_only) return escape("loses its const", false);
   }
   if (type->isVoidType() || type->isBooleanType()) return done();
+  // The cast stays one to std::vector where the array is none: a reinterpret_cast, or, with Clang, a reference to a copy.
+  if (at_.how == Reference::array && is_pointee_written_out(context_.unit.ast(), cast->getTypeAsWritten()) &&
+      names_array(cast->getTypeAsWritten()))
+    escape("is cast to '" + cast->getTypeAsWritten().getAsString() + "', which its array is not in the port",
+           false);
   if (type->isAnyPointerType() || cast->isGLValue() || type->isRecordType()) return go_on(cast);
   return escape("is cast to '" + type.getAsString() + "'");
 }

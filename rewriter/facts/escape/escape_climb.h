@@ -39,6 +39,11 @@ class ClimbState {
   bool gives_type(clang::QualType target) const {
     return at_.how == Reference::array && !is_written_out(context_.unit.ast(), target);
   }
+  /// Behind a type that does not name it, the program may expect a std::vector: no lifetime excuses that. The climb goes on all the
+  /// same, since const may be cast away there.
+  void escape_as(clang::QualType type) {
+    escape("becomes a '" + type.getAsString() + "', which does not tell that an array lies there", false);
+  }
   /// Into a local variable of its own, or elsewhere.
   bool into_assignment(const clang::Expr* target);
 
@@ -66,6 +71,8 @@ class CallSteps : protected ClimbState {
   bool makes_element(const clang::CallExpr* call) const;
   bool into_copy(const clang::CXXConstructExpr* construct);
   bool escape_to_question(const std::string& function);
+  bool escape_into_call(const std::string& how);
+  void check_pair(clang::QualType made);
   bool into_known_call(const clang::CallExpr* call, bool result_is_new);
   /// The value of a call: part of what it was given, when its type can be.
   bool into_result(const clang::Expr* call);
@@ -93,12 +100,14 @@ class Climber : private CallSteps {
 
  private:
   bool step();
+  bool step_up();
   bool into_root();
   bool into_statement(const clang::Stmt* parent);
   bool into_expression(const clang::Expr* parent);
   bool into_declaration(const clang::DeclStmt* declaration);
   bool into_implicit_cast(const clang::ImplicitCastExpr* cast);
   bool into_explicit_cast(const clang::ExplicitCastExpr* cast);
+  bool is_renamed(const clang::VarDecl* variable) const;
   bool into_unary(const clang::UnaryOperator* op);
   bool into_binary(const clang::BinaryOperator* op);
   bool into_list(const clang::InitListExpr* list);

@@ -3,6 +3,8 @@
 
 #include <clang/AST/ASTContext.h>
 
+#include "facts/syntax/message_type.h"
+
 namespace tzc::rewriter {
 namespace {
 
@@ -31,6 +33,23 @@ bool is_written_out(const clang::ASTContext& ast, clang::QualType type) {
     if (next == type) return true;
     type = next;
   }
+}
+
+bool is_pointee_written_out(const clang::ASTContext& ast, clang::QualType type) {
+  while (is_written_out(ast, type))
+    // T&& with T = std::vector<float>& is the reference that T is.
+    if (const auto* reference = type->getAs<clang::ReferenceType>())
+      type = reference->getPointeeTypeAsWritten();
+    else if (type->isPointerType())
+      type = type->getPointeeType();
+    else
+      return true;
+  return false;
+}
+
+bool names_array(clang::QualType type) {
+  while (type->isPointerType() || type->isReferenceType()) type = type->getPointeeType();
+  return is_data_array(type);
 }
 
 }  // namespace tzc::rewriter

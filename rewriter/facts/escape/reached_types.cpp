@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "facts/escape/reached_types.h"
+
+#include <clang/AST/DeclTemplate.h>
+
+#include "facts/escape/escape.h"
+#include "facts/escape/written_types.h"
+#include "facts/syntax/known_functions.h"
+
+namespace tzc::rewriter {
+namespace {
+
+/// Of an iterator, or of one that inserts into a container; null: it is none.
+clang::QualType element_of(const clang::CXXRecordDecl* iterator) {
+  const clang::QualType value = named_in(iterator, "value_type");
+  if (!value.isNull() && !value->isVoidType()) return value;
+  const clang::QualType container = named_in(iterator, "container_type");
+  if (container.isNull()) return {};
+  const clang::QualType element = named_in(container->getAsCXXRecordDecl(), "value_type");
+  return element.isNull() ? container : element;
+}
+
+/// Of std::reference_wrapper<T>, std::pair<T, U>.
+bool leads_to_pointers(const clang::TemplateArgument& argument) {
+  if (argument.getKind() != clang::TemplateArgument::Type) return false;
+  const clang::QualType type = argument.getAsType().getCanonicalType();
+  if (type->isPointerType()) return may_hold_pointer(type->getPointeeType());
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  return record && is_owner_class(qualified_name_of(record)) && may_hold_pointer(type);
+}
+
+}  // namespace
+
+clang::QualType named_in(const clang::CXXRecordDecl* record, llvm::StringRef name) {
+  if (!record || !record->hasDefinition()) return {};
+  for (const clang::Decl* decl : record->decls())
+    if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(decl); alias && alias->getName() == name)
+      return alias->getUnderlyingType().getCanonicalType();
+  for (const clang::CXXBaseSpecifier& base : record->bases())
+    if (const clang::QualType found = named_in(base.getType()->getAsCXXRecordDecl(), name); !found.isNull())
+      return found;
+  return {};
+}
+
+bool reaches_pointers(clang::QualType type) {
+  type = type.getNonReferenceType().getCanonicalType();
+  if (type->isArrayType()) return may_hold_pointer(type);
+  if (type->isVoidPointerType() || type->isFunctionPointerType()) return false;
+  if (type->isPointerType()) return may_hold_pointer(type->getPointeeType());
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  if (!record) return false;
+  if (is_owner_class(qualified_name_of(record))) return may_hold_pointer(type);
+  const clang::QualType element = element_of(record);
+  if (!element.isNull()) return may_hold_pointer(element);
+  const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
+  return made && is_view_class(qualified_name_of(record)) &&
+         llvm::any_of(made->getTemplateArgs().asArray(), leads_to_pointers);
+}
+
+bool is_pair(clang::QualType type) {
+  const clang::CXXRecordDecl* record = type.getNonReferenceType()->getAsCXXRecordDecl();
+  return record && qualified_name_of(record) == "std::pair";
+}
+
+bool points_to_array(clang::QualType type) {
+  if (is_pair(type)) {
+    const auto* pair = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(
+        type.getNonReferenceType()->getAsCXXRecordDecl());
+    return pair && llvm::any_of(pair->getTemplateArgs().asArray(), [](const clang::TemplateArgument& part) {
+             return part.getKind() == clang::TemplateArgument::Type && points_to_array(part.getAsType());
+           });
+  }
+  return (type->isPointerType() || type->isReferenceType()) && names_array(type);
+}
+
+}  // namespace tzc::rewriter

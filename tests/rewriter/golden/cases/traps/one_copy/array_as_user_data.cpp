@@ -1,0 +1,22 @@
+// What is called back with the array's address makes it a std::vector again.
+#include <pthread.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+static void append(void* user, const uint8_t* bytes, size_t n) {
+  std::vector<uint8_t>* out = static_cast<std::vector<uint8_t>*>(user);
+  out->insert(out->end(), bytes, bytes + n);
+}
+
+void run(ros::NodeHandle& nh, pthread_key_t key) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+  const uint8_t part[] = {1, 2, 3};
+  sensor_msgs::Image called;
+  append(&called.data, part, 3);
+  pub.publish(called);
+  sensor_msgs::Image kept;
+  pthread_setspecific(key, &kept.data);
+  append(pthread_getspecific(key), part, 3);
+  pub.publish(kept);
+}
+//--- expected
