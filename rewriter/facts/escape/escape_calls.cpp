@@ -5,6 +5,7 @@
 
 #include "facts/escape/escape_climb.h"
 #include "facts/escape/reached_types.h"
+#include "facts/escape/type_questions.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/known_functions.h"
 #include "facts/syntax/type_blind.h"
@@ -199,10 +200,10 @@ bool CallSteps::escape_to_question(const std::string& function) {
   return escape("goes to " + function + ", which asks for its type", false);
 }
 
-/// An array, or an iterator: what is a class becomes a pointer.
+/// An array, an iterator, or what is made of either: what is a class becomes a pointer.
 bool CallSteps::changes_type() const {
   const clang::CXXRecordDecl* record = at_.expr->getType()->getAsCXXRecordDecl();
-  return at_.how == Reference::array ||
+  return at_.how == Reference::array || is_made_of_array(at_.expr->getType()) ||
          (record && record->getIdentifier() && record->getName().ends_with_insensitive("iterator"));
 }
 

@@ -262,6 +262,10 @@ std::vector<const clang::Expr*> type_questions(const Unit& unit, const FunctionV
   return Questions(unit, view).run();
 }
 
+bool is_made_of_array(clang::QualType type) {
+  return has_array(type);
+}
+
 std::vector<EntityId> messages_named(EscapeContext& context, const FunctionView& view) {
   std::set<EntityId> found;
   for (const clang::Stmt* stmt : view.statements()) {

@@ -14,6 +14,9 @@ namespace tzc::rewriter {
 /// Each is a question about every message that the function names (`messages_named`), since what is asked about may have come from any.
 std::vector<const clang::Expr*> type_questions(const Unit& unit, const FunctionView& view);
 
+/// Whether a type is another one in the port, because it is an array's, its iterator's, or names one: std::pair<It, It>.
+bool is_made_of_array(clang::QualType type);
+
 std::vector<EntityId> messages_named(EscapeContext& context, const FunctionView& view);
 
 }  // namespace tzc::rewriter
