@@ -13,6 +13,7 @@
 #include "facts/escape/threads.h"
 #include "facts/escape/type_questions.h"
 #include "facts/escape/written_types.h"
+#include "facts/syntax/ast_walk.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -59,9 +60,13 @@ bool is_read_at_once(const FunctionView& view, const clang::Expr* born) {
   return cast && cast->getCastKind() == clang::CK_LValueToRValue && !may_hold_pointer(cast->getType());
 }
 
+/// A parameter of a closure begins with the closure's body: each call has its own, which is gone when the call returns. A function's
+/// parameters are there from the start; so are those of a closure's body that is looked at by itself.
 unsigned declared_at(const FunctionView& view, const clang::VarDecl* variable) {
-  const clang::DeclStmt* declaration = view.declaration(variable);
-  return declaration ? view.span(declaration).enter : 0;
+  if (const clang::DeclStmt* declaration = view.declaration(variable)) return view.span(declaration).enter;
+  const auto* closure = llvm::dyn_cast<clang::CXXMethodDecl>(variable->getDeclContext());
+  const bool is_parameter = llvm::isa<clang::ParmVarDecl>(variable) && closure && is_lambda(closure);
+  return is_parameter ? view.span(closure->getBody()).enter : 0;
 }
 
 /// Tells threads' events apart.

@@ -1,0 +1,50 @@
+// A closure's parameter is gone when the closure returns, in each round of the loop around it.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/PointCloud.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+void each(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("each", 10);
+  while (ros::ok()) {
+    sensor_msgs::Image image;
+    image.data.resize(100, 1);
+    std::for_each(image.data.begin(), image.data.end(), [](uint8_t& x) { x += 3; });
+    pub.publish(image);
+  }
+}
+void sorted(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::PointCloud>("sorted", 10);
+  while (ros::ok()) {
+    sensor_msgs::PointCloud cloud;
+    cloud.points.resize(100);
+    std::sort(cloud.points.begin(), cloud.points.end(),
+              [](const geometry_msgs::Point32& a, const geometry_msgs::Point32& b) { return a.x < b.x; });
+    pub.publish(cloud);
+  }
+}
+void summed(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::LaserScan>("summed", 10);
+  while (ros::ok()) {
+    sensor_msgs::LaserScan scan;
+    scan.ranges.resize(100, 3);
+    scan.range_max = std::accumulate(scan.ranges.begin(), scan.ranges.end(), 0.f,
+                                     [](float a, const float& b) { return a + b; });
+    pub.publish(scan);
+  }
+}
+void transformed(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::LaserScan>("transformed", 10);
+  std::vector<double> values(100, 1.5);
+  while (ros::ok()) {
+    sensor_msgs::LaserScan scan;
+    scan.ranges.resize(100);
+    std::transform(values.begin(), values.end(), scan.ranges.begin(), [](const double& v) { return float(v); });
+    pub.publish(scan);
+  }
+}
+//--- expected
