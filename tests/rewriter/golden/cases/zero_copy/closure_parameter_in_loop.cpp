@@ -23,7 +23,7 @@ void sorted(ros::NodeHandle& nh) {
     sensor_msgs::PointCloud cloud;
     cloud.points.resize(100);
     std::sort(cloud.points.begin(), cloud.points.end(),
-              [](const geometry_msgs::Point32& a, const geometry_msgs::Point32& b) { return a.x < b.x; });
+              [](const geometry_msgs::Point& a, const geometry_msgs::Point& b) { return a.x < b.x; });
     pub.publish(cloud);
   }
 }
@@ -32,7 +32,7 @@ void summed(ros::NodeHandle& nh) {
   while (ros::ok()) {
     sensor_msgs::LaserScan scan;
     scan.ranges.resize(100, 3);
-    scan.range_max = std::accumulate(scan.ranges.begin(), scan.ranges.end(), 0.f,
+    scan.angle_max = std::accumulate(scan.ranges.begin(), scan.ranges.end(), 0.f,
                                      [](float a, const float& b) { return a + b; });
     pub.publish(scan);
   }
