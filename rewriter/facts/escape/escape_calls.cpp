@@ -3,8 +3,10 @@
 // bodies are followed, and everything else, which is an escape.
 #include <clang/AST/DeclTemplate.h>
 
+#include "facts/escape/array_pointers.h"
 #include "facts/escape/escape_climb.h"
-#include "facts/escape/reached_types.h"
+#include "facts/escape/function_objects.h"
+#include "facts/escape/range_types.h"
 #include "facts/escape/type_questions.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/known_functions.h"
@@ -28,12 +30,6 @@ const clang::LambdaExpr* lambda_in(const clang::Expr* expr) {
   if (const auto* bound = llvm::dyn_cast<clang::CXXBindTemporaryExpr>(expr))
     return lambda_in(bound->getSubExpr());
   return llvm::dyn_cast<clang::LambdaExpr>(expr);
-}
-
-/// Of a library, and known: its operators compare it, or give another one, or a distance.
-bool is_iterator(clang::QualType type) {
-  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-  return is_view(type) && record && !named_in(record, "iterator_category").isNull();
 }
 
 bool is_moved(const clang::Expr* expr) {
@@ -249,6 +245,27 @@ void CallSteps::check_pair(clang::QualType made) {
   if (is_pair(made) && points_to_array(from) && !points_to_array(made)) escape_as(made);
 }
 
+namespace {
+
+/// An object of a class, before it is passed as its base.
+clang::QualType class_given(const clang::Expr* argument) {
+  const clang::QualType given = argument->IgnoreParenImpCasts()->getType();
+  return given->isRecordType() ? given : argument->getType();
+}
+
+/// What these do with elements, the function object that they are given does; its result is a new value, or it returned an element,
+/// which is an escape. So it does not matter of what class the elements of other ranges are.
+bool calls_operation_only(const clang::FunctionDecl* function) {
+  static const std::set<std::string> known = {"std::transform", "std::for_each", "std::for_each_n"};
+  return known.count(qualified_name_of(function)) != 0;
+}
+
+bool walks_elements(clang::QualType type) {
+  return type->isObjectPointerType() || is_iterator(type);
+}
+
+}  // namespace
+
 /// A known function keeps nothing itself, but it may copy a pointer to where another argument points.
 bool CallSteps::may_store_pointer(const clang::CallExpr* call) {
   const clang::QualType type = at_.expr->IgnoreParenCasts()->getType().getCanonicalType();
@@ -286,18 +303,20 @@ bool CallSteps::into_known_call(const clang::CallExpr* call, bool result_is_new)
   return into_result(call);
 }
 
-/// A function object that an algorithm calls gets references to elements.
+/// What a library is given beside the elements may lead them to code of the package (function_objects.h).
 void CallSteps::check_callables(const clang::CallExpr* call) {
+  const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
+  const clang::Expr* object = method ? method->getImplicitObjectArgument() : nullptr;
+  if (object && may_pass_elements(context_.unit, object->getType()))
+    return void(escape("is passed to a function object"));
+  const bool has_operation = calls_operation_only(call->getDirectCallee());
   for (const clang::Expr* argument : call->arguments()) {
-    if (const clang::LambdaExpr* lambda = lambda_in(argument)) {
+    if (const clang::LambdaExpr* lambda = lambda_in(argument))
       hold_parameters(lambda);
-      continue;
-    }
-    const clang::QualType type = argument->getType();
-    const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-    const bool callable = type->isFunctionPointerType() || type->isFunctionType() ||
-                          (record && context_.unit.source.in_package(record->getLocation()));
-    if (callable) escape("is passed to a function object");
+    else if (argument != at_.expr && !(has_operation && walks_elements(argument->getType())) &&
+             (may_pass_elements(context_.unit, argument->getType()) ||
+              may_pass_elements(context_.unit, class_given(argument))))
+      escape("is passed to a function object");
   }
 }
 
@@ -336,7 +355,8 @@ bool CallSteps::into_construction(const clang::CXXConstructExpr* construct) {
     const bool followed = analysis_.follow(constructor, index, at_);
     return followed ? done() : escape("is passed to '" + record->getNameAsString() + "'");
   }
-  if (is_owner_class(qualified_name_of(record)) && !may_hold_pointer(type)) return done();
+  if (is_owner_class(qualified_name_of(record)) && !may_hold_pointer(type))
+    return may_pass_elements(context_.unit, type) ? escape("is passed to a function object") : done();
   return escape("is kept in a '" + qualified_name_of(record) + "'");
 }
 

@@ -5,8 +5,6 @@
 #include <clang/AST/DeclTemplate.h>
 #include <clang/AST/ExprCXX.h>
 
-#include <vector>
-
 namespace tzc::rewriter {
 namespace {
 
@@ -44,27 +42,15 @@ bool takes(const clang::ParmVarDecl* parameter, const clang::TagDecl* tag) {
   return taken && taken->getCanonicalDecl() == tag->getCanonicalDecl();
 }
 
-/// operator<< and swap of the namespace of the class, or of its bases, which a library finds by the type of what it has.
+/// Of the namespace of a class or enumeration, or of its bases.
 bool has_functions_beside_it(const Unit& unit, const clang::TagDecl* tag) {
-  clang::ASTContext& ast = unit.ast();
-  std::vector<clang::DeclarationName> names{&ast.Idents.get("swap")};
-  for (int op = clang::OO_None + 1; op < clang::NUM_OVERLOADED_OPERATORS; ++op)
-    names.push_back(ast.DeclarationNames.getCXXOperatorName(static_cast<clang::OverloadedOperatorKind>(op)));
-  const clang::DeclContext* space = tag->getEnclosingNamespaceContext();
-  const bool found_here = llvm::any_of(names, [&](clang::DeclarationName name) {
-    return llvm::any_of(space->lookup(name), [&](const clang::NamedDecl* found) {
-      const clang::FunctionDecl* function = found->getAsFunction();
-      return function && unit.source.in_package(function->getLocation()) &&
-             llvm::any_of(function->parameters(),
-                          [&](const clang::ParmVarDecl* parameter) { return takes(parameter, tag); });
-    });
-  });
+  if (!functions_beside(unit, tag).empty()) return true;
   const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(tag);
-  return found_here || (record && record->hasDefinition() &&
-                        llvm::any_of(record->bases(), [&](const clang::CXXBaseSpecifier& base) {
-                          const clang::TagDecl* parent = base.getType()->getAsTagDecl();
-                          return !parent || has_functions_beside_it(unit, parent);
-                        }));
+  return record && record->hasDefinition() &&
+         llvm::any_of(record->bases(), [&](const clang::CXXBaseSpecifier& base) {
+           const clang::TagDecl* parent = base.getType()->getAsTagDecl();
+           return !parent || has_functions_beside_it(unit, parent);
+         });
 }
 
 bool involves(const Unit& unit, const clang::TemplateArgument& argument, unsigned depth) {
@@ -93,6 +79,24 @@ bool involves(const Unit& unit, clang::QualType type, unsigned depth) {
 }
 
 }  // namespace
+
+std::vector<const clang::FunctionDecl*> functions_beside(const Unit& unit, const clang::TagDecl* tag) {
+  clang::ASTContext& ast = unit.ast();
+  std::vector<clang::DeclarationName> names{&ast.Idents.get("swap")};
+  for (int op = clang::OO_None + 1; op < clang::NUM_OVERLOADED_OPERATORS; ++op)
+    names.push_back(ast.DeclarationNames.getCXXOperatorName(static_cast<clang::OverloadedOperatorKind>(op)));
+  std::vector<const clang::FunctionDecl*> functions;
+  const clang::DeclContext* space = tag->getEnclosingNamespaceContext();
+  for (const clang::DeclarationName name : names)
+    for (const clang::NamedDecl* found : space->lookup(name)) {
+      const clang::FunctionDecl* function = found->getAsFunction();
+      if (function && unit.source.in_package(function->getLocation()) &&
+          llvm::any_of(function->parameters(),
+                       [&](const clang::ParmVarDecl* parameter) { return takes(parameter, tag); }))
+        functions.push_back(function);
+    }
+  return functions;
+}
 
 bool involves_package(const Unit& unit, clang::QualType type) {
   return involves(unit, type, 0);

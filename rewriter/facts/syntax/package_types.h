@@ -3,6 +3,8 @@
 
 #include <clang/AST/DeclCXX.h>
 
+#include <vector>
+
 #include "facts/syntax/unit.h"
 
 namespace tzc::rewriter {
@@ -10,6 +12,8 @@ namespace tzc::rewriter {
 /// Whether a record of the package takes part in a type, so that code of a library that handles objects of the
 /// type may call the package.
 bool involves_package(const Unit& unit, clang::QualType type);
+/// The package's operators and swap for a class or enumeration, which a library finds by the type of what it has: those of its namespace.
+std::vector<const clang::FunctionDecl*> functions_beside(const Unit& unit, const clang::TagDecl* tag);
 /// Whether a function that the compiler writes for a class calls code of the package: for its members and bases.
 bool parts_involve_package(const Unit& unit, const clang::CXXRecordDecl* record);
 /// Whether a call of the destructor by a pointer or reference may end an object of a derived class.

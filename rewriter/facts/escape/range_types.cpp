@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "facts/escape/reached_types.h"
+#include "facts/escape/range_types.h"
 
 #include <clang/AST/DeclTemplate.h>
 
 #include "facts/escape/escape.h"
-#include "facts/escape/written_types.h"
 #include "facts/syntax/known_functions.h"
 
 namespace tzc::rewriter {
+
+clang::QualType named_in(const clang::CXXRecordDecl* record, llvm::StringRef name) {
+  if (!record || !record->hasDefinition()) return {};
+  for (const clang::Decl* decl : record->decls())
+    if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(decl); alias && alias->getName() == name)
+      return alias->getUnderlyingType().getCanonicalType();
+  for (const clang::CXXBaseSpecifier& base : record->bases())
+    if (const clang::QualType found = named_in(base.getType()->getAsCXXRecordDecl(), name); !found.isNull())
+      return found;
+  return {};
+}
+
 namespace {
 
 /// Of an iterator, or of one that inserts into a container; null: it is none.
@@ -31,15 +42,9 @@ bool leads_to_pointers(const clang::TemplateArgument& argument) {
 
 }  // namespace
 
-clang::QualType named_in(const clang::CXXRecordDecl* record, llvm::StringRef name) {
-  if (!record || !record->hasDefinition()) return {};
-  for (const clang::Decl* decl : record->decls())
-    if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(decl); alias && alias->getName() == name)
-      return alias->getUnderlyingType().getCanonicalType();
-  for (const clang::CXXBaseSpecifier& base : record->bases())
-    if (const clang::QualType found = named_in(base.getType()->getAsCXXRecordDecl(), name); !found.isNull())
-      return found;
-  return {};
+bool is_iterator(clang::QualType type) {
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  return is_view(type) && record && !named_in(record, "iterator_category").isNull();
 }
 
 bool reaches_pointers(clang::QualType type) {
@@ -55,22 +60,6 @@ bool reaches_pointers(clang::QualType type) {
   const auto* made = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
   return made && is_view_class(qualified_name_of(record)) &&
          llvm::any_of(made->getTemplateArgs().asArray(), leads_to_pointers);
-}
-
-bool is_pair(clang::QualType type) {
-  const clang::CXXRecordDecl* record = type.getNonReferenceType()->getAsCXXRecordDecl();
-  return record && qualified_name_of(record) == "std::pair";
-}
-
-bool points_to_array(clang::QualType type) {
-  if (is_pair(type)) {
-    const auto* pair = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(
-        type.getNonReferenceType()->getAsCXXRecordDecl());
-    return pair && llvm::any_of(pair->getTemplateArgs().asArray(), [](const clang::TemplateArgument& part) {
-             return part.getKind() == clang::TemplateArgument::Type && points_to_array(part.getAsType());
-           });
-  }
-  return (type->isPointerType() || type->isReferenceType()) && names_array(type);
 }
 
 }  // namespace tzc::rewriter
