@@ -11,6 +11,7 @@
 
 #include "facts/escape/escape.h"
 #include "facts/escape/hidden_calls.h"
+#include "facts/escape/quiet_streams.h"
 #include "facts/syntax/known_functions.h"
 #include "facts/syntax/package_types.h"
 #include "model/codes.h"
@@ -139,7 +140,7 @@ bool QuietCheck::is_quiet_operator(const clang::CXXOperatorCallExpr* call) {
   if (op == clang::OO_Equal && runs(context_.hidden.at_end_of(call->getArg(0)->getType()))) return false;
   if (op == clang::OO_Equal || call->isAssignmentOp() || op == clang::OO_PlusPlus)
     return is_quiet_target(call->getArg(0)) && !may_hold_pointer(call->getArg(0)->getType());
-  return is_quiet_function(qualified_name_of(callee));
+  return is_quiet_function(qualified_name_of(callee)) && llvm::all_of(call->arguments(), is_quiet_stream);
 }
 
 bool QuietCheck::is_quiet_call(const clang::CallExpr* call) {
@@ -164,7 +165,8 @@ bool QuietCheck::is_quiet_call(const clang::CallExpr* call) {
   const bool calls_back = llvm::any_of(call->arguments(), [&](const clang::Expr* argument) {
     return involves_package(context_.unit, argument->getType());
   });
-  return !calls_back && is_quiet_function(qualified_name_of(callee));
+  return !calls_back && is_quiet_function(qualified_name_of(callee)) &&
+         (!object || is_quiet_stream(object)) && llvm::all_of(call->arguments(), is_quiet_stream);
 }
 
 bool QuietCheck::is_quiet_declaration(const clang::DeclStmt* declaration) {
