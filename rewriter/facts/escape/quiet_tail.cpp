@@ -192,6 +192,10 @@ bool QuietCheck::is_quiet(const clang::Stmt* stmt) {
     if (op->isIncrementDecrementOp()) return is_quiet_target(op->getSubExpr());
     return op->getOpcode() != clang::UO_Deref || is_message_pointer(context_, op->getSubExpr()->getType());
   }
+  // std::cout << manipulator: named, it is called by what gets it.
+  if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stmt))
+    if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(reference->getDecl()))
+      return !context_.unit.declares(function);
   if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(stmt)) {
     const clang::Expr* base = member->getBase()->IgnoreParenImpCasts();
     return !member->isArrow() || llvm::isa<clang::CXXThisExpr, clang::CXXOperatorCallExpr>(base) ||
