@@ -350,6 +350,7 @@ Facts Collectors::finish() {
   facts_.hidden_code = hidden_.shown();
   static_cast<EntityFacts&>(facts_) = entities_.take();
   facts_.const_casts = flow_.const_casts();
+  facts_.foreign_casts = flow_.foreign_casts();
   if (facts_.programs.empty()) facts_.parts.insert(main_file(unit_));
   return std::move(facts_);
 }

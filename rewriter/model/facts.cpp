@@ -177,6 +177,7 @@ void Facts::merge(Facts&& other) {
   unite(factories, other.factories);
   append(data_uses, other.data_uses);
   append(const_casts, other.const_casts);
+  append(foreign_casts, other.foreign_casts);
   append(escapes, other.escapes);
   append(holds, other.holds);
   append(loud_tails, other.loud_tails);

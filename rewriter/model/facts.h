@@ -301,6 +301,7 @@ struct EntityFacts {
   std::map<EntityId, Cut> cuts;  ///< in front of a declarator
   std::vector<DataUse> data_uses;
   std::vector<ConstCast> const_casts;
+  std::vector<ConstCast> foreign_casts;  ///< something else is taken for a message, any of the type
   std::set<EntityId> objects;                  ///< messages, and new ones: what flows into them is copied
   std::map<EntityId, std::string> parameters;  ///< USR of their function
   /// Of what is private in exported headers: friends of its class, by USR, "" for one that has none.

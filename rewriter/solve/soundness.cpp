@@ -67,6 +67,19 @@ bool Soundness::ends_loudly() {
          });
 }
 
+/// A cast that may find one of the messages by the address of something else, and then uses it as what it is not any more. What is found so
+/// lies in another object, or its address was kept without its type. Each use of a local variable is followed, so nothing else knows its
+/// address: one whose address goes where its type is lost has an obstacle of its own, and one that is given to an object's member is one
+/// with that. So local messages are not meant; members, globals and what closures hold are.
+const ConstCast* Soundness::cast_to(const Component& component) const {
+  if (!lasting_) return nullptr;
+  for (const ConstCast& cast : facts_.foreign_casts)
+    for (const Entity* entity : component.entities)
+      if (entity->type == cast.type && facts_.share_a_process(entity->where.file, cast.obstacle.where.file))
+        return &cast;
+  return nullptr;
+}
+
 std::optional<Soundness::Danger> Soundness::danger(const Component& component) {
   component_ = &component;
   lasting_ = outlives_scope(component);
@@ -78,6 +91,8 @@ std::optional<Soundness::Danger> Soundness::danger(const Component& component) {
   for (const DataEscape& escape : facts_.escapes)
     if (is_in(escape.message) && (!escape.ends_with_scope || ends_loudly()))
       return Danger{escape.obstacle, escape.message};
+  if (const ConstCast* cast = cast_to(component))
+    return Danger{cast->obstacle, component.entities.front()->id};
   const ElementUse* use = concurrent_.of(component);
   if (!use) return {};
   return Danger{{codes::TZC1003,

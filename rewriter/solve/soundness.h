@@ -11,7 +11,8 @@
 
 namespace tzc::rewriter {
 
-/// Whether a pointer into the data of a component's messages may live across one of its publishes, by the same thread or by another.
+/// Whether a pointer into the data of a component's messages may live across one of its publishes, by the same thread or by another, or code
+/// that knows the stock type alone may find one of the messages.
 class Soundness {
  public:
   Soundness(const Facts& facts, const Components& components)
@@ -34,6 +35,7 @@ class Soundness {
   bool may_reach(const std::string& function, Reach reach);
   const std::set<std::string>& reaching(Reach reach);
   bool ends_loudly();
+  const ConstCast* cast_to(const Component& component) const;
 
   const Facts& facts_;
   const Components& components_;

@@ -76,6 +76,7 @@ void ValueFlow::check_source_of(const clang::VarDecl* variable) {
 void ValueFlow::check_const_cast(const clang::ExplicitCastExpr* cast) {
   const clang::Expr* from = cast->getSubExpr();
   note_writable(cast);
+  add_foreign(foreign_cast(unit_, cast), cast->getBeginLoc());
   for (const clang::QualType message : messages_of_cast_function(unit_, cast))
     add_writable({message, {}, of_cast_function}, cast->getBeginLoc());
   if (!removes_const(cast) || !carried_by(from->getType(), unit_.rules)) return;
@@ -102,6 +103,7 @@ void ValueFlow::note_writable(const clang::ExplicitCastExpr* cast) {
 
 void ValueFlow::check_call(const clang::CallExpr* call) {
   for (const clang::Expr* argument : call->arguments()) note_as_bytes(argument);
+  add_foreign(foreign_cast(unit_, call), call->getBeginLoc());
   if (const auto event = uncopied_event(unit_, call)) note_event(*event, call->getBeginLoc());
   const clang::FunctionDecl* function = call->getDirectCallee();
   note_foreign_body(call, function);
@@ -160,6 +162,7 @@ void ValueFlow::note_as_bytes(const clang::Expr* converted) {
 
 /// Of a union, which may have been given a pointer to a const one.
 void ValueFlow::check_union(const clang::MemberExpr* member) {
+  add_foreign(foreign_cast(unit_, member), member->getMemberLoc());
   const auto* field = llvm::dyn_cast<clang::FieldDecl>(member->getMemberDecl());
   if (field && field->getParent()->isUnion() && is_writable(pointee_of(field->getType())))
     add_writable({field->getType(), {}, loses_its_const}, member->getMemberLoc());
@@ -171,6 +174,11 @@ void ValueFlow::add_writable(Writable writable, clang::SourceLocation where) {
     const_casts_.push_back({carried->message->name,
                             std::move(writable.messages),
                             {codes::TZC2002, std::move(writable.reason), unit_.location(where)}});
+}
+
+void ValueFlow::add_foreign(const std::optional<ForeignCast>& cast, clang::SourceLocation where) {
+  if (cast && unit_.source.in_package(where))
+    foreign_casts_.push_back({cast->type, {}, {codes::TZC1001, cast->reason, unit_.location(where)}});
 }
 
 void ValueFlow::loop_over(const clang::CXXForRangeStmt* loop) {

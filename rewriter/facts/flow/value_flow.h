@@ -7,6 +7,7 @@
 
 #include "facts/flow/flow_uses.h"
 #include "facts/flow/foreign_bodies.h"
+#include "facts/flow/foreign_casts.h"
 #include "facts/flow/lost_const.h"
 
 namespace tzc::rewriter {
@@ -35,6 +36,8 @@ class ValueFlow {
   /// @}
   /// What these found, const_cast included.
   const std::vector<ConstCast>& const_casts() const { return const_casts_; }
+  /// Where something else is taken for a message, const or not.
+  const std::vector<ConstCast>& foreign_casts() const { return foreign_casts_; }
   /// The elements of a container become the loop's variable.
   void loop_over(const clang::CXXForRangeStmt* loop);
 
@@ -51,12 +54,13 @@ class ValueFlow {
     std::string reason;
   };
   void add_writable(Writable writable, clang::SourceLocation where);
+  void add_foreign(const std::optional<ForeignCast>& cast, clang::SourceLocation where);
 
   const Unit& unit_;
   EntityTable& entities_;
   SourceFinder sources_;
   ForeignBodies bodies_;
-  std::vector<ConstCast> const_casts_;
+  std::vector<ConstCast> const_casts_, foreign_casts_;
   UseFollower uses_;
 };
 
