@@ -21,6 +21,7 @@
 #include "facts/sites/lock_guarded.h"
 #include "facts/sites/publish_sites.h"
 #include "facts/syntax/ast_walk.h"
+#include "facts/syntax/bodies.h"
 #include "facts/syntax/calls.h"
 #include "facts/syntax/library_advertise.h"
 #include "facts/syntax/lock_names.h"
@@ -83,6 +84,17 @@ bool makes_program(const Unit& unit, const clang::FunctionDecl* function) {
   const clang::LangOptions& options = unit.ast().getLangOpts();
   const bool is_for_library = options.PICLevel != 0 && !options.PIE;
   return function->isMain() && function->isThisDeclarationADefinition() && !is_for_library;
+}
+
+/// Units that do not see that it is weak call it, too.
+void note_body(const clang::FunctionDecl* function, Facts& facts) {
+  const std::string usr = usr_of(pattern_of(function));
+  if (!may_have_another_body(function)) {
+    facts.bodies.insert(usr);
+    return;
+  }
+  facts.effects[usr].push_back({});  // what is not known
+  facts.locking.insert(usr);
 }
 
 /// Whether a function has to itself what it is given for a parameter of this type.
@@ -294,7 +306,7 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
   for (const clang::FunctionDecl* function : functions) {
     const SeenFunction seen = analysis.analyse(function);
     const FunctionView& view = seen.view;
-    facts_.bodies.insert(usr_of(pattern_of(function)));
+    note_body(function, facts_);
     const ThreadCode code(context, view);
     for (const clang::Stmt* stmt : view.statements()) {
       const std::string usr = usr_of(pattern_of(function));

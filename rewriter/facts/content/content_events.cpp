@@ -3,6 +3,7 @@
 
 #include "facts/flow/overwrites.h"
 #include "facts/syntax/ast_walk.h"
+#include "facts/syntax/bodies.h"
 #include "facts/syntax/calls.h"
 #include "facts/syntax/made_vectors.h"
 #include "facts/syntax/message_type.h"
@@ -191,9 +192,10 @@ void ContentReader::package_call(const clang::FunctionDecl* function,
                                  llvm::ArrayRef<const clang::Expr*> arguments, const clang::Stmt* at) {
   ContentEvent event;
   event.kind = Kind::call;
-  event.callee = usr_of(pattern_of(function));
+  const std::string callee = usr_of(pattern_of(function));
+  if (!may_have_another_body(function)) event.callee = callee;
   event.where = unit_.location(at->getBeginLoc());
-  if (returns_message(function)) event.part = result_root(event.callee);
+  if (returns_message(function)) event.part = result_root(callee);
   for (unsigned i = 0; i < arguments.size() && i < function->getNumParams(); ++i) {
     const clang::QualType type = arguments[i]->getType();
     if (is_foreign_container(unit_, type))  // whose elements have other names in the callee
@@ -203,7 +205,7 @@ void ContentReader::package_call(const clang::FunctionDecl* function,
     if (MessagePart part = parts_.part_of(arguments[i]); part.empty())
       log_.any(arguments[i]);
     else
-      event.passed.emplace(parameter_root(event.callee, i), std::move(part));
+      event.passed.emplace(parameter_root(callee, i), std::move(part));
   }
   log_.step(CallOfPackage{});
   log_.step(std::move(event));

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "facts/syntax/ast_walk.h"
+#include "facts/syntax/bodies.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -61,7 +62,7 @@ std::vector<EndedObjects::Ended> EndedObjects::ended_with(clang::QualType type, 
 void EndedObjects::add(const Ended& ended, bool perhaps, clang::SourceLocation where) {
   ContentEvent event;
   event.kind = ContentEvent::Kind::call;
-  event.callee = usr_of(pattern_of(ended.destructor));
+  if (!may_have_another_body(ended.destructor)) event.callee = usr_of(pattern_of(ended.destructor));
   event.where = unit_.location(where);
   if (perhaps)
     log_.step(PerhapsCall{std::move(event)});

@@ -14,6 +14,7 @@
 #include "facts/escape/type_questions.h"
 #include "facts/escape/written_types.h"
 #include "facts/syntax/ast_walk.h"
+#include "facts/syntax/bodies.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -251,9 +252,9 @@ void EscapeAnalysis::take(const FunctionView& view, const clang::VarDecl* vector
 
 bool EscapeAnalysis::follow(const clang::FunctionDecl* function, unsigned argument, const Referring& what) {
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
-  const clang::FunctionDecl* definition = nullptr;
-  if (!function->isDefined(definition) || !definition->getBody() || definition->isDependentContext() ||
-      (method && method->isVirtual()) || argument >= definition->getNumParams())
+  const clang::FunctionDecl* definition = shown_body(function);
+  if (!definition || definition->isDependentContext() || (method && method->isVirtual()) ||
+      argument >= definition->getNumParams())
     return false;
   const clang::ParmVarDecl* parameter = definition->getParamDecl(argument);
   const bool by_value = !parameter->getType()->isReferenceType();

@@ -203,7 +203,7 @@ void EventFinder::end_of(const clang::Stmt* at, unsigned when, clang::QualType t
   if (destructor && !destructor->isUserProvided() && !parts_involve_package(context_.unit, record))
     return add_hidden(at, span, type, true);
   PublishEvent event;
-  if (destructor && !destructor->isVirtual() && context_.unit.declares(destructor)) {
+  if (destructor && !destructor->isVirtual() && context_.unit.declares_all_of(destructor)) {
     event.kind = PublishEvent::Kind::call;
     event.callee = usr_of(destructor->getCanonicalDecl());
   }

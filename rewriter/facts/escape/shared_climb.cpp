@@ -5,6 +5,7 @@
 
 #include "facts/escape/shared_types.h"
 #include "facts/syntax/ast_walk.h"
+#include "facts/syntax/bodies.h"
 #include "facts/syntax/bound_calls.h"
 #include "facts/syntax/calls.h"
 
@@ -119,9 +120,9 @@ SharedClimb::Next SharedClimb::into_operator(const clang::CXXOperatorCallExpr* c
 }
 
 bool SharedClimb::hold_parameter(const clang::FunctionDecl* function, unsigned parameter) {
-  const clang::FunctionDecl* definition = nullptr;
-  const bool is_seen = function->isDefined(definition) && definition->getBody() &&
-                       !definition->isDependentContext() && parameter < definition->getNumParams();
+  const clang::FunctionDecl* definition = shown_body(function);
+  const bool is_seen =
+      definition && !definition->isDependentContext() && parameter < definition->getNumParams();
   if (is_seen) elements_.hold(definition->getParamDecl(parameter));
   return is_seen;
 }

@@ -5,6 +5,7 @@
 #include "facts/flow/exported_uses.h"
 #include "facts/flow/spelling.h"
 #include "facts/syntax/ast_walk.h"
+#include "facts/syntax/bodies.h"
 #include "facts/syntax/calls.h"
 #include "model/codes.h"
 #include "parse/versions.h"
@@ -106,6 +107,8 @@ void EntityTable::check_signature(Entity& entity, const clang::FunctionDecl* fun
         add(entity, {codes::TZC1005, name + " overrides a function of another package", where});
   if (has_symbol_without_types(function))
     add(entity, {codes::TZC1005, "the symbol of " + name + " does not tell its types", where});
+  if (may_have_another_body(function))
+    add(entity, {codes::TZC1005, name + " may have another body where it is linked", where});
   const clang::FunctionDecl* first = function->getFirstDecl();
   if (first->getAccess() == clang::AS_private && !(method && method->isVirtual()))
     note_friends(facts_, entity.id, friends_of(unit_, first));

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "facts/syntax/bodies.h"
 #include "facts/syntax/calls.h"
 
 namespace tzc::rewriter {
@@ -15,9 +16,8 @@ bool may_change(const Unit& unit, const clang::Stmt* code, int functions = 0);
 /// ros::NodeHandle& node() { return nh_; }
 bool only_returns(const Unit& unit, const clang::FunctionDecl* function, int functions) {
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
-  const clang::FunctionDecl* definition = nullptr;
-  if ((method && method->isVirtual()) || functions == most_functions || !function->hasBody(definition))
-    return false;
+  const clang::FunctionDecl* definition = shown_body(function);
+  if ((method && method->isVirtual()) || functions == most_functions || !definition) return false;
   const auto* body = llvm::dyn_cast<clang::CompoundStmt>(definition->getBody());
   const auto* result =
       body && body->size() == 1 ? llvm::dyn_cast<clang::ReturnStmt>(body->body_front()) : nullptr;

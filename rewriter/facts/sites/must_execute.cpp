@@ -6,6 +6,7 @@
 
 #include "facts/sites/may_leave.h"
 #include "facts/syntax/ast_walk.h"
+#include "facts/syntax/bodies.h"
 #include "facts/syntax/calls.h"
 #include "facts/syntax/library_calls.h"
 #include "facts/syntax/lock_names.h"
@@ -133,9 +134,9 @@ class Reach : public AstVisitor {
   }
   void follow(const clang::FunctionDecl* callee) {
     const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(callee);
-    const clang::FunctionDecl* definition = nullptr;
     if (method && method->isTrivial()) return;  // it copies an object that look_at() sees
-    if (!callee || !callee->isDefined(definition) || (method && method->isVirtual())) {
+    const clang::FunctionDecl* definition = callee ? shown_body(callee) : nullptr;
+    if (!definition || (method && method->isVirtual())) {
       found = found || name_.exposed;  // a function pointer, another file, another class
       leaves = true;
       return;

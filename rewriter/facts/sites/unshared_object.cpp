@@ -4,6 +4,7 @@
 #include <set>
 
 #include "facts/syntax/ast_walk.h"
+#include "facts/syntax/bodies.h"
 #include "facts/syntax/lock_names.h"
 #include "parse/ast_visitor.h"
 
@@ -19,7 +20,8 @@ class Awaited : public AstVisitor {
 
   bool is(const clang::FunctionDecl* function) {
     const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
-    if (!function->hasBody(function) || (method && method->isVirtual())) return true;
+    function = shown_body(function);
+    if (!function || (method && method->isVirtual())) return true;
     if (seen_.insert(function).second && !found_) TraverseStmt(function->getBody());
     return found_;
   }
@@ -177,7 +179,8 @@ class ConstructorsOnly : public AstVisitor {
 
 bool is_seen_whole(const clang::CXXRecordDecl* record) {
   return !record->hasFriends() && llvm::all_of(record->methods(), [](const clang::CXXMethodDecl* method) {
-    return method->isImplicit() || method->isDefaulted() || method->isDeleted() || method->isDefined();
+    return method->isImplicit() || method->isDefaulted() || method->isDeleted() ||
+           (method->isDefined() && !may_have_another_body(method));
   });
 }
 

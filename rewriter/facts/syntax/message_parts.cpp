@@ -4,6 +4,7 @@
 #include <llvm/ADT/StringExtras.h>
 
 #include "facts/syntax/ast_walk.h"
+#include "facts/syntax/bodies.h"
 #include "facts/syntax/calls.h"
 #include "facts/syntax/element_names.h"
 #include "facts/syntax/message_type.h"
@@ -225,9 +226,9 @@ MessagePart MessageParts::element_of(const clang::Expr* container, const clang::
 
 /// A function that returns one object of its own class.
 MessagePart MessageParts::of_result(const clang::FunctionDecl* function, unsigned depth) const {
-  const clang::FunctionDecl* definition = nullptr;
+  const clang::FunctionDecl* definition = shown_body(function);
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
-  if ((method && method->isVirtual()) || !function->isDefined(definition)) return {};
+  if ((method && method->isVirtual()) || !definition) return {};
   const auto* body = llvm::dyn_cast_or_null<clang::CompoundStmt>(definition->getBody());
   const auto* returned =
       body && body->size() == 1 ? llvm::dyn_cast<clang::ReturnStmt>(body->body_front()) : nullptr;

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "facts/syntax/bodies.h"
 #include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
@@ -219,7 +220,7 @@ bool is_type_blind(const Unit& unit, const clang::FunctionDecl* function, unsign
   const clang::FunctionDecl* pattern = function->getTemplateInstantiationPattern();
   const clang::ParmVarDecl* parameter = pattern ? parameter_for(pattern, argument) : nullptr;
   if (!parameter || !parameter->getType()->isDependentType()) return true;
-  if (!pattern->isDefined()) return false;  // elsewhere, for the types that are instantiated there
+  if (!shown_body(pattern)) return false;  // elsewhere, for the types that are instantiated there
   TypeQuestions questions(unit);
   questions.look_at_parameters(pattern->getDescribedFunctionTemplate());
   questions.TraverseDecl(const_cast<clang::FunctionDecl*>(pattern));

@@ -6,6 +6,7 @@
 #include <llvm/ADT/STLExtras.h>
 #include <llvm/Support/FileSystem.h>
 
+#include "facts/syntax/bodies.h"
 #include "facts/syntax/message_type.h"
 
 namespace tzc::rewriter {
@@ -25,7 +26,9 @@ bool Unit::declares(const clang::FunctionDecl* function) const {
 }
 
 bool Unit::declares_all_of(const clang::FunctionDecl* function) const {
-  if (!declares(function) || function->getMostRecentDecl()->hasDefiningAttr()) return false;
+  if (!declares(function) || function->getMostRecentDecl()->hasDefiningAttr() ||
+      may_have_another_body(function))
+    return false;
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
   if (!method || !method->isVirtual()) return true;
   return method->hasAttr<clang::FinalAttr>() || method->getParent()->isEffectivelyFinal() ||
