@@ -2,27 +2,83 @@
 #include "facts/flow/size_questions.h"
 
 #include <clang/AST/DeclCXX.h>
+#include <clang/AST/DeclTemplate.h>
+
+#include <set>
+#include <vector>
 
 #include "facts/syntax/message_type.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
+namespace {
+
+/// Only what is as large can hold the other by value: std::optional<Image>, std::array<Image, 2>; not std::vector<Image>.
+bool has_room_for(const Unit& unit, clang::QualType type, clang::QualType part) {
+  const auto is_whole = [](clang::QualType one) {
+    return !one->isDependentType() && !one->isIncompleteType();
+  };
+  return is_whole(type) && is_whole(part) && part->isObjectType() &&
+         unit.ast().getTypeSizeInChars(part) <= unit.ast().getTypeSizeInChars(type);
+}
+
+/// The types that a library's class may hold by value; a class of the package, or a message, is looked at by itself.
+void add_parts(const Unit& unit, clang::QualType type, std::vector<clang::QualType>& parts) {
+  while (const clang::ArrayType* array = unit.ast().getAsArrayType(type)) type = array->getElementType();
+  const auto* made =
+      llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
+  if (!made || message_of(type) || unit.source.in_package(made->getLocation())) return parts.push_back(type);
+  std::vector<clang::TemplateArgument> open = made->getTemplateArgs().asArray().vec();
+  while (!open.empty()) {
+    const clang::TemplateArgument argument = open.back();
+    open.pop_back();
+    if (argument.getKind() == clang::TemplateArgument::Pack)
+      open.insert(open.end(), argument.pack_begin(), argument.pack_end());
+    else if (argument.getKind() == clang::TemplateArgument::Type &&
+             has_room_for(unit, type, argument.getAsType()))
+      add_parts(unit, argument.getAsType(), parts);
+  }
+}
+
+class SizeQuestion {
+ public:
+  SizeQuestion(const Unit& unit, EntityTable& entities, clang::SourceLocation where)
+      : unit_(unit), entities_(entities), where_(where) {}
+
+  void about(clang::QualType type) {
+    while (const clang::ArrayType* array = unit_.ast().getAsArrayType(type)) type = array->getElementType();
+    const clang::CXXRecordDecl* record = type->isDependentType() ? nullptr : type->getAsCXXRecordDecl();
+    if (!record || !record->hasDefinition() || !unit_.source.in_package(record->getLocation())) return;
+    record = record->getDefinition();
+    if (!seen_.insert(record).second) return;  // struct Tree { std::vector<Tree> trees; };
+    for (const clang::CXXBaseSpecifier& base : record->bases()) about(base.getType());
+    for (const clang::FieldDecl* field : record->fields()) about(field);
+  }
+
+ private:
+  void about(const clang::FieldDecl* field) {
+    std::vector<clang::QualType> parts;
+    add_parts(unit_, field->getType(), parts);
+    for (const clang::QualType part : parts) {
+      const EntityId id = message_of(part) ? entities_.declare(field) : EntityId();
+      if (!id.empty())
+        entities_.add_obstacle(id, codes::TZC1001, "the program asks for the size of a class that holds it",
+                               where_);
+      about(part);
+    }
+  }
+
+  const Unit& unit_;
+  EntityTable& entities_;
+  const clang::SourceLocation where_;
+  std::set<const clang::CXXRecordDecl*> seen_;
+};
+
+}  // namespace
 
 void note_size_question(const Unit& unit, EntityTable& entities, clang::QualType type,
                         clang::SourceLocation where) {
-  while (const clang::ArrayType* array = unit.ast().getAsArrayType(type)) type = array->getElementType();
-  const clang::CXXRecordDecl* record = type->isDependentType() ? nullptr : type->getAsCXXRecordDecl();
-  if (!record || !record->hasDefinition() || !unit.source.in_package(record->getLocation())) return;
-  record = record->getDefinition();
-  for (const clang::CXXBaseSpecifier& base : record->bases())
-    note_size_question(unit, entities, base.getType(), where);
-  for (const clang::FieldDecl* field : record->fields()) {
-    const EntityId id = message_of(field->getType()) ? entities.declare(field) : EntityId();
-    if (!id.empty())
-      entities.add_obstacle(id, codes::TZC1001, "the program asks for the size of a class that holds it",
-                            where);
-    note_size_question(unit, entities, field->getType(), where);
-  }
+  SizeQuestion(unit, entities, where).about(type);
 }
 
 }  // namespace tzc::rewriter
