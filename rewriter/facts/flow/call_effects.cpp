@@ -70,6 +70,18 @@ const clang::CXXConstructorDecl* only_constructor(const clang::CXXRecordDecl* re
   return only;
 }
 
+/// A ported message, publisher or filter has another type. A template that only calls its functions does the same with both. An object that
+/// is made of it may be one of a class that asks: Outlet outlet{publisher};
+bool asks_for_type(const Unit& unit, const clang::FunctionDecl* function, unsigned argument) {
+  if (!is_type_blind(unit, function, argument)) return true;
+  const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(function);
+  const clang::FunctionDecl* pattern = constructor ? constructor->getTemplateInstantiationPattern() : nullptr;
+  const auto* made =
+      pattern ? llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(constructor->getParent()) : nullptr;
+  return made && argument < pattern->getNumParams() &&
+         pattern->getParamDecl(argument)->getType()->isDependentType() && !is_type_blind(unit, made);
+}
+
 }  // namespace
 
 void retype(EntityTable& entities, const EntityId& id, llvm::ArrayRef<clang::TemplateArgumentLoc> written) {
@@ -133,8 +145,9 @@ CallEffect CallEffects::into_package(const EntityId& id, const Passed& passed) {
     return CallEffect::done;
   }
   const clang::ParmVarDecl* parameter = passed.function->getParamDecl(passed.argument);
-  if (entities_.is_message(id) && !is_type_blind(unit_, passed.function, passed.argument))
-    entities_.add_obstacle(id, codes::TZC1001, "'" + name + "' asks for its type", passed.where);
+  if (asks_for_type(unit_, passed.function, passed.argument))
+    entities_.add_obstacle(id, entities_.is_message(id) ? codes::TZC1001 : codes::TZC1010,
+                           "'" + name + "' asks for its type", passed.where);
   const EntityId received = entities_.declare(parameter);
   if (!received.empty())
     entities_.add_flow(id, received, {passed.where, "passed to '" + name + "'"});

@@ -51,6 +51,25 @@ bool lasts_in_template(const clang::VarDecl* variable) {
          (variable->isStaticDataMember() && variable->getDeclContext()->isDependentContext());
 }
 
+/// decltype(publisher): as the type of a declaration it is the ported one where the publisher is ported, and the declaration takes part in
+/// the port. Anywhere else (a template's argument, a name for the type, before ::) it is a question. The variable, parameter or member whose
+/// type is this one, or a reference or pointer to it; null: it is part of something else.
+const clang::ValueDecl* declared_as(clang::ASTContext& ast, const clang::TypeLoc& type) {
+  auto around = clang::DynTypedNode::create(type);
+  for (;;) {
+    const clang::DynTypedNodeList parents = ast.getParents(around);
+    if (parents.size() != 1) return nullptr;
+    around = parents[0];
+    if (const auto* variable = around.get<clang::VarDecl>()) return variable;
+    if (const auto* field = around.get<clang::FieldDecl>()) return field;
+    const auto* outer = around.get<clang::TypeLoc>();
+    const bool leads_to_it =
+        outer && (outer->getAs<clang::ReferenceTypeLoc>() || outer->getAs<clang::PointerTypeLoc>() ||
+                  outer->getUnqualifiedLoc().getAs<clang::DecltypeTypeLoc>());
+    if (!leads_to_it) return nullptr;
+  }
+}
+
 }  // namespace
 
 FlowEnd UseFollower::follow(const clang::Expr* leaf, const EntityId& id) {
@@ -102,9 +121,14 @@ bool UseFollower::step() {
 
 bool UseFollower::into(const clang::DynTypedNode& around) {
   if (const auto* decl = around.get<clang::Decl>()) return into_decl(decl);
-  // A publisher that decltype declares takes part in the port.
-  if (around.get<clang::TypeLoc>())
-    return entities_.is_message(id_) && refuse(codes::TZC1001, asks_for_its_type);
+  if (const auto* type = around.get<clang::TypeLoc>()) {
+    const clang::ValueDecl* declared = declared_as(unit_.ast(), *type);
+    if (entities_.is_message(id_) || !declared)
+      return refuse(entities_.is_message(id_) ? codes::TZC1001 : codes::TZC1010, asks_for_its_type);
+    entities_.add_flow(id_, entities_.declare(declared),
+                       {at_->getBeginLoc(), "gives '" + declared->getNameAsString() + "' its type"});
+    return false;
+  }
   const auto* statement = around.get<clang::Stmt>();
   if (!statement) return false;
   if (const auto* returned = llvm::dyn_cast<clang::ReturnStmt>(statement)) return into_return(returned);

@@ -218,6 +218,7 @@ const clang::ParmVarDecl* parameter_for(const clang::FunctionDecl* pattern, unsi
 
 bool is_type_blind(const Unit& unit, const clang::FunctionDecl* function, unsigned argument) {
   const clang::FunctionDecl* pattern = function->getTemplateInstantiationPattern();
+  if (!pattern && function->getDescribedFunctionTemplate()) pattern = function;
   const clang::ParmVarDecl* parameter = pattern ? parameter_for(pattern, argument) : nullptr;
   if (!parameter || !parameter->getType()->isDependentType()) return true;
   if (!shown_body(pattern)) return false;  // elsewhere, for the types that are instantiated there
