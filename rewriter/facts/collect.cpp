@@ -103,6 +103,10 @@ class Dispatcher : public AstVisitor {
                        question->getBeginLoc());
     return true;
   }
+  bool VisitPredefinedExpr(clang::PredefinedExpr* name) override {
+    note_signature_question(unit_, to_.entities(), name);
+    return true;
+  }
   bool VisitLambdaExpr(clang::LambdaExpr* lambda) override {
     callbacks_.check_lambda(lambda);
     if (unit_.source.in_package(lambda->getBeginLoc())) threads_.note(lambda);

@@ -7,7 +7,9 @@
 #include <set>
 #include <vector>
 
+#include "facts/syntax/ast_walk.h"
 #include "facts/syntax/message_type.h"
+#include "facts/syntax/type_blind.h"
 #include "model/codes.h"
 
 namespace tzc::rewriter {
@@ -79,6 +81,22 @@ class SizeQuestion {
 void note_size_question(const Unit& unit, EntityTable& entities, clang::QualType type,
                         clang::SourceLocation where) {
   SizeQuestion(unit, entities, where).about(type);
+}
+
+void note_signature_question(const Unit& unit, EntityTable& entities, const clang::PredefinedExpr* name) {
+  if (!tells_signature(unit, name)) return;
+  const auto ask = [&](const EntityId& id) {
+    if (!id.empty())
+      entities.add_obstacle(id, entities.is_message(id) ? codes::TZC1001 : codes::TZC1010,
+                            "the program asks for the text of its function's signature", name->getLocation());
+  };
+  const clang::DeclContext* around = enclosing_function(unit.ast(), *name);
+  for (; around; around = around->getParent())
+    if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(around)) {
+      if (function->isDependentContext()) continue;  // its instances tell
+      for (const clang::ParmVarDecl* parameter : function->parameters()) ask(entities.declare(parameter));
+      if (!llvm::isa<clang::CXXDestructorDecl>(function)) ask(entities.declare_result(function));
+    }
 }
 
 }  // namespace tzc::rewriter

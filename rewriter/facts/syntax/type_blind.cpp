@@ -143,12 +143,9 @@ class TypeQuestions : public AstVisitor {
   bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr*) override { return note(true); }
   bool VisitTypeTraitExpr(clang::TypeTraitExpr*) override { return note(true); }
   bool VisitCXXTypeidExpr(clang::CXXTypeidExpr*) override { return note(true); }
-  /// __PRETTY_FUNCTION__ names the template's arguments. Where a library's macro writes it, it is for the log.
+  /// It names the template's arguments.
   bool VisitPredefinedExpr(clang::PredefinedExpr* name) override {
-    const clang::SourceManager& manager = unit_.ast().getSourceManager();
-    const llvm::StringRef kind = name->getIdentKindName();
-    return note(kind != "__func__" && kind != "__FUNCTION__" &&
-                !manager.isInSystemHeader(manager.getSpellingLoc(name->getLocation())));
+    return note(tells_signature(unit_, name));
   }
   bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc) override { return note(true); }
   bool VisitVarDecl(clang::VarDecl* variable) override {
@@ -215,6 +212,13 @@ const clang::ParmVarDecl* parameter_for(const clang::FunctionDecl* pattern, unsi
 }
 
 }  // namespace
+
+bool tells_signature(const Unit& unit, const clang::PredefinedExpr* name) {
+  const clang::SourceManager& manager = unit.ast().getSourceManager();
+  const llvm::StringRef kind = name->getIdentKindName();
+  return kind != "__func__" && kind != "__FUNCTION__" &&
+         !manager.isInSystemHeader(manager.getSpellingLoc(name->getLocation()));
+}
 
 bool is_type_blind(const Unit& unit, const clang::FunctionDecl* function, unsigned argument) {
   const clang::FunctionDecl* pattern = function->getTemplateInstantiationPattern();
