@@ -5,6 +5,7 @@
 
 #include "facts/collectors.h"
 #include "facts/escape/thread_starts.h"
+#include "facts/flow/array_casts.h"
 #include "facts/flow/callbacks.h"
 #include "facts/flow/size_questions.h"
 #include "facts/syntax/ast_walk.h"
@@ -18,7 +19,11 @@ namespace {
 class Dispatcher : public AstVisitor {
  public:
   explicit Dispatcher(const Unit& unit)
-      : unit_(unit), to_(unit), callbacks_(unit, to_.entities()), threads_(unit) {}
+      : unit_(unit),
+        to_(unit),
+        callbacks_(unit, to_.entities()),
+        threads_(unit),
+        arrays_cast_(unit, to_.entities()) {}
   bool shouldVisitTemplateInstantiations() const override { return true; }
 
   bool VisitVarDecl(clang::VarDecl* variable) override {
@@ -63,6 +68,7 @@ class Dispatcher : public AstVisitor {
   bool VisitMemberExpr(clang::MemberExpr* member) override {
     if (is_data_array(member->getType()) && !member->isTypeDependent()) arrays_.push_back(member);
     to_.flow().check_union(member);
+    arrays_cast_.member(member);
     if (llvm::isa<clang::FieldDecl, clang::VarDecl>(member->getMemberDecl()))
       to_.name(member, member->getMemberDecl());
     return true;
@@ -77,7 +83,12 @@ class Dispatcher : public AstVisitor {
   }
   bool VisitExplicitCastExpr(clang::ExplicitCastExpr* cast) override {
     to_.flow().check_const_cast(cast);
+    arrays_cast_.cast(cast);
     to_.object(cast, cast->getTypeInfoAsWritten());
+    return true;
+  }
+  bool VisitImplicitCastExpr(clang::ImplicitCastExpr* cast) override {
+    arrays_cast_.cast(cast);
     return true;
   }
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) override {
@@ -87,10 +98,12 @@ class Dispatcher : public AstVisitor {
   }
   bool VisitVAArgExpr(clang::VAArgExpr* argument) override {
     to_.flow().check_variable_argument(argument);
+    arrays_cast_.variable_argument(argument);
     return true;
   }
   bool VisitCallExpr(clang::CallExpr* call) override {
     to_.flow().check_call(call);
+    arrays_cast_.call(call);
     to_.call(call);
     return true;
   }
@@ -117,6 +130,7 @@ class Dispatcher : public AstVisitor {
     to_.escapes(functions_, arrays_);
     Facts facts = to_.finish();
     facts.merge(threads_.take());
+    static_cast<ArrayCastFacts&>(facts) = arrays_cast_.found();
     facts.shadows_tzc = shadows_tzc_;
     return facts;
   }
@@ -130,6 +144,7 @@ class Dispatcher : public AstVisitor {
   Collectors to_;
   CallbackPins callbacks_;
   ThreadStarts threads_;
+  ArrayCastCollector arrays_cast_;
   std::vector<const clang::FunctionDecl*> functions_;
   std::vector<const clang::MemberExpr*> arrays_;
   bool shadows_tzc_ = false;

@@ -178,6 +178,9 @@ void Facts::merge(Facts&& other) {
   append(data_uses, other.data_uses);
   append(const_casts, other.const_casts);
   append(foreign_casts, other.foreign_casts);
+  append(array_casts, other.array_casts);
+  unite(given_arrays, other.given_arrays);
+  append(untyped_arrays, other.untyped_arrays);
   append(escapes, other.escapes);
   append(holds, other.holds);
   append(loud_tails, other.loud_tails);

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "model/array_casts.h"
 #include "model/content_flow.h"
 #include "model/escape_facts.h"
 #include "model/ids.h"
@@ -169,6 +170,7 @@ struct SiteFact {
   bool has_data_part = true;  ///< or is gathered
   bool is_gathered = false;   ///< a large message of which shared memory can hold no array in place
   bool has_varied_elements = false;         ///< an array whose elements have strings or arrays of their own
+  std::set<std::string> elements;           ///< types of its arrays' elements: "unsigned char"
   std::optional<std::uint64_t> most_bytes;  ///< that its arrays hold, by its type; none: any number
   std::vector<Obstacle> obstacles;
 
@@ -301,7 +303,7 @@ struct EntityFacts {
   std::map<EntityId, Cut> cuts;  ///< in front of a declarator
   std::vector<DataUse> data_uses;
   std::vector<ConstCast> const_casts;
-  std::vector<ConstCast> foreign_casts;  ///< something else is taken for a message, any of the type
+  std::vector<ConstCast> foreign_casts;        ///< something else is taken for a message, any of the type
   std::set<EntityId> objects;                  ///< messages, and new ones: what flows into them is copied
   std::map<EntityId, std::string> parameters;  ///< USR of their function
   /// Of what is private in exported headers: friends of its class, by USR, "" for one that has none.
@@ -331,7 +333,7 @@ struct UnitFacts {
   bool share_a_process(const std::string& file, const std::string& other) const;
 };
 
-struct Facts : EntityFacts, EscapeFacts, ThreadFacts, ClassFacts, UnitFacts {
+struct Facts : EntityFacts, EscapeFacts, ThreadFacts, ClassFacts, UnitFacts, ArrayCastFacts {
   std::vector<AllocationSite> allocations;
   std::map<EntityId, Factory> factories;  ///< by their result
   std::map<SiteId, Advertise> advertises;

@@ -5,6 +5,7 @@
 
 #include "model/codes.h"
 #include "model/erase_if.h"
+#include "solve/array_origins.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -109,6 +110,8 @@ std::optional<Obstacle> ReceivedWrites::to_message(const Subscribe& site) const 
       if (obstacle.code == codes::TZC2002 && meets(site, obstacle.where)) return obstacle;
   }
   if (const std::optional<Obstacle> array = write(site, true)) return array;
+  if (const std::optional<Obstacle> array = untraced_write(site, true)) return array;
+  if (const std::optional<Obstacle> array = array_cast(facts_, site)) return array;
   return untraced_cast(site);
 }
 
@@ -165,11 +168,15 @@ bool ReceivedWrites::is_traced(const EntityId& message, bool with_filters, std::
 /// Also counts writes through messages that were bound or handed to a thread, whose origin is not followed.
 std::optional<Obstacle> ReceivedWrites::to_elements(const Subscribe& site) const {
   if (const std::optional<Obstacle> known = write(site, false)) return known;
+  return untraced_write(site, false);
+}
+
+std::optional<Obstacle> ReceivedWrites::untraced_write(const Subscribe& site, bool to_array) const {
   for (const DataWrite& write : facts_.data_writes) {
     std::set<EntityId> seen;
     const auto message = facts_.entities.find(write.message);
     const bool is_of_type = message != facts_.entities.end() && message->second.type == site.type;
-    if (!write.to_array && is_of_type && meets(site, write.obstacle.where) &&
+    if (write.to_array == to_array && is_of_type && meets(site, write.obstacle.where) &&
         !is_traced(write.message, true, seen))
       return write.obstacle;
   }

@@ -34,6 +34,7 @@ class ReceivedWrites {
   bool meets(const Subscribe& site, const Location& code) const;
   std::set<EntityId> received(const Subscribe& site) const;
   std::optional<Obstacle> write(const Subscribe& site, bool to_array) const;
+  std::optional<Obstacle> untraced_write(const Subscribe& site, bool to_array) const;
   std::optional<Obstacle> untraced_cast(const Subscribe& site) const;
   bool is_traced(const EntityId& message, bool with_filters, std::set<EntityId>& seen) const;
 

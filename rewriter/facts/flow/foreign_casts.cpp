@@ -25,19 +25,6 @@ std::optional<MessageType> message_in_parts(const Unit& unit, clang::QualType ty
   return {};
 }
 
-/// The others compute an address, or make a new object, by what the classes say.
-bool keeps_bits(const clang::ExplicitCastExpr* cast) {
-  switch (cast->getCastKind()) {
-    case clang::CK_BitCast:
-    case clang::CK_LValueBitCast:
-    case clang::CK_LValueToRValueBitCast:
-    case clang::CK_IntegralToPointer:
-      return true;
-    default:
-      return false;
-  }
-}
-
 /// A pointer to a message of another type is something else, too: one message may begin with the other.
 std::optional<ForeignCast> between(const Unit& unit, clang::QualType from, clang::QualType to) {
   const std::optional<MessageType> message = message_in(unit, to);
@@ -55,6 +42,18 @@ bool are_related(clang::QualType one, clang::QualType other) {
 }
 
 }  // namespace
+
+bool keeps_bits(const clang::CastExpr* cast) {
+  switch (cast->getCastKind()) {
+    case clang::CK_BitCast:
+    case clang::CK_LValueBitCast:
+    case clang::CK_LValueToRValueBitCast:
+    case clang::CK_IntegralToPointer:
+      return true;
+    default:
+      return false;
+  }
+}
 
 std::optional<ForeignCast> foreign_cast(const Unit& unit, const clang::ExplicitCastExpr* cast) {
   const clang::Expr* from = cast->getSubExprAsWritten();

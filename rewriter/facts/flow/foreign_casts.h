@@ -19,6 +19,9 @@ struct ForeignCast {
   std::string reason;  ///< what makes it so
 };
 
+/// The others compute an address, or make a new object, by what the classes say.
+bool keeps_bits(const clang::CastExpr* cast);
+
 /// A cast that looks at the same address, or number, as something else. Casts between related classes find the same object, and null
 /// pointers find none.
 std::optional<ForeignCast> foreign_cast(const Unit& unit, const clang::ExplicitCastExpr* cast);

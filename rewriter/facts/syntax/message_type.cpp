@@ -71,7 +71,8 @@ std::string message_name(const clang::NamedDecl* record) {
   return (space ? qualified_name_of(space) : "") + "/" + record->getName().drop_back().str();
 }
 
-void note_data_array(bool nested, MessageType& message) {
+void note_data_array(clang::QualType element, bool nested, MessageType& message) {
+  message.elements.insert(element_name(element));
   message.has_data_part = true;
   if (!nested) message.has_direct_data_part = true;
   message.most_bytes.reset();
@@ -106,7 +107,7 @@ void look_into(clang::QualType type, bool nested, MessageType& message) {
       message.has_varied_elements = true;
       return look_into(element, true, message);
     }
-    note_data_array(nested, message);
+    note_data_array(element, nested, message);
   } else if (templated && templated->getName() == "array") {
     const std::optional<std::uint64_t> before = message.most_bytes;
     look_into(first_argument(templated), nested, message);
@@ -116,10 +117,6 @@ void look_into(clang::QualType type, bool nested, MessageType& message) {
   }
 }
 
-const clang::TemplateSpecializationType* template_type_of(clang::QualType type) {
-  return type->getAs<clang::TemplateSpecializationType>();
-}
-
 const clang::ClassTemplateDecl* template_decl_of(const clang::TemplateSpecializationType* type) {
   return type ? llvm::dyn_cast_or_null<clang::ClassTemplateDecl>(type->getTemplateName().getAsTemplateDecl())
               : nullptr;
@@ -127,7 +124,7 @@ const clang::ClassTemplateDecl* template_decl_of(const clang::TemplateSpecializa
 
 bool is_fixed_pattern(clang::QualType type, unsigned depth) {
   if (!type->isDependentType()) return is_fixed_length(type);
-  const auto* written = template_type_of(type);
+  const auto* written = type->getAs<clang::TemplateSpecializationType>();
   const clang::ClassTemplateDecl* decl = template_decl_of(written);
   if (!decl || depth > 8) return false;
   if (decl->getName() == "array")
@@ -140,7 +137,7 @@ bool is_fixed_pattern(clang::QualType type, unsigned depth) {
 
 void look_into_pattern(clang::QualType type, bool nested, MessageType& message, unsigned depth) {
   if (!type->isDependentType()) return look_into(type, nested, message);
-  const auto* written = template_type_of(type);
+  const auto* written = type->getAs<clang::TemplateSpecializationType>();
   const clang::ClassTemplateDecl* decl = template_decl_of(written);
   if (!decl || depth > 8) return;
   if (decl->getName() == "vector") {
@@ -149,7 +146,7 @@ void look_into_pattern(clang::QualType type, bool nested, MessageType& message, 
       message.has_varied_elements = true;
       return look_into_pattern(element, true, message, depth + 1);
     }
-    note_data_array(nested, message);
+    note_data_array(element, nested, message);
   } else if (decl->getName() == "array") {
     const std::optional<std::uint64_t> before = message.most_bytes;
     look_into_pattern(written->template_arguments()[0].getAsType(), nested, message, depth + 1);
@@ -202,10 +199,6 @@ std::optional<Carried> carried_by_template(const clang::ClassTemplateSpecializat
   return {};
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether the unit sees the service: Ask, which has the type Request, of AskRequest. A topic's message may be called so, too.
 bool is_part_of_service(const clang::ClassTemplateSpecializationDecl* message) {
   const llvm::StringRef name = message->getName().drop_back();
@@ -250,6 +243,7 @@ void set_message(SiteFact& site, const MessageType& message) {
   site.is_gathered = is_gathered(message);
   site.has_data_part = message.has_data_part || site.is_gathered;
   site.has_varied_elements = message.has_varied_elements;
+  site.elements = message.elements;
   site.most_bytes = site.is_gathered ? std::nullopt : message.most_bytes;
 }
 
@@ -269,6 +263,14 @@ std::optional<MessageType> twin_message_of(clang::QualType type) {
 bool is_data_array(clang::QualType type) {
   const auto* templated = specialization_of(type);
   return is_std_template(templated, "vector") && is_fixed_length(first_argument(templated));
+}
+
+std::string element_name(clang::QualType element) {
+  if (const clang::CXXRecordDecl* record = record_of(element)) return qualified_name_of(record);
+  if (const clang::ClassTemplateDecl* decl =
+          template_decl_of(element->getAs<clang::TemplateSpecializationType>()))
+    return qualified_name_of(decl);
+  return element.getCanonicalType().getUnqualifiedType().getAsString();
 }
 
 std::optional<Carried> carried_by(clang::QualType type, const RuleSet& rules) {

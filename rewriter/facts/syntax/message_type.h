@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,12 @@ namespace tzc::rewriter {
 /// A generated ROS message struct.
 struct MessageType {
   const clang::CXXRecordDecl* record = nullptr;
-  std::string name;                   ///< "sensor_msgs/Image"
-  bool has_data_part = false;         ///< has a data part: an array of a fixed-length type, at any depth
-  bool has_direct_data_part = false;  ///< has a data part outside arrays of messages
-  bool has_varied_elements = false;   ///< an array whose elements have strings or arrays of their own
-  bool service = false;               ///< request or response of a service
+  std::string name;                     ///< "sensor_msgs/Image"
+  bool has_data_part = false;           ///< has a data part: an array of a fixed-length type, at any depth
+  bool has_direct_data_part = false;    ///< has a data part outside arrays of messages
+  bool has_varied_elements = false;     ///< an array whose elements have strings or arrays of their own
+  std::set<std::string> elements = {};  ///< of its data parts, by element_name
+  bool service = false;                 ///< request or response of a service
   std::optional<std::uint64_t> most_bytes = 0;  ///< that its arrays hold, by the types they are part of
 };
 
@@ -49,6 +51,9 @@ void set_message(SiteFact& site, const MessageType& message);
 
 /// std::vector of a fixed-length type: a data array.
 bool is_data_array(clang::QualType type);
+
+/// The name of an array's element type, equal for all spellings and instances of it: "unsigned char", "geometry_msgs::Point32_".
+std::string element_name(clang::QualType element);
 
 /// Message, publisher or filter, directly or in pointers, references, containers and iterators.
 std::optional<Carried> carried_by(clang::QualType type, const RuleSet& rules);
