@@ -4,7 +4,7 @@
 #include <clang/AST/DeclTemplate.h>
 
 #include "facts/escape/written_types.h"
-#include "facts/syntax/known_functions.h"
+#include "parse/names.h"
 
 namespace tzc::rewriter {
 

@@ -188,7 +188,7 @@ bool CallSteps::into_operator(const clang::CXXOperatorCallExpr* call) {
     return done();
   const bool of_iterator = at_.how == Reference::elements
                                ? is_view(at_.expr->getType())
-                               : at_.how == Reference::view && is_iterator(at_.expr->getType());
+                               : at_.how == Reference::view && is_known_iterator(at_.expr->getType());
   return of_iterator ? into_result(call) : into_call(call);
 }
 
@@ -261,7 +261,7 @@ bool calls_operation_only(const clang::FunctionDecl* function) {
 }
 
 bool walks_elements(clang::QualType type) {
-  return type->isObjectPointerType() || is_iterator(type);
+  return type->isObjectPointerType() || is_known_iterator(type);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ bool leads_to_pointers(const clang::TemplateArgument& argument) {
 
 }  // namespace
 
-bool is_iterator(clang::QualType type) {
+bool is_known_iterator(clang::QualType type) {
   const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
   return is_view(type) && record && !named_in(record, "iterator_category").isNull();
 }

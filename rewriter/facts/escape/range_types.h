@@ -10,7 +10,7 @@ namespace tzc::rewriter {
 /// The type that a class names so, as `value_type`; null: it names none.
 clang::QualType named_in(const clang::CXXRecordDecl* record, llvm::StringRef name);
 /// Of a library, and known: its operators compare it, or give another one, or a distance.
-bool is_iterator(clang::QualType type);
+bool is_known_iterator(clang::QualType type);
 /// A pointer, array or iterator to elements that are, or hold, pointers; an owner of some, or a reference to an object of a class.
 bool reaches_pointers(clang::QualType type);
 

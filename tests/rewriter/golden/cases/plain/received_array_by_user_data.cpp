@@ -13,3 +13,4 @@ void on_image(const sensor_msgs::ImageConstPtr& image) {
 
 void run(ros::NodeHandle& nh) { ros::Subscriber images = nh.subscribe("image", 1, on_image); }
 //--- expected
+// subscribe src/node.cpp:14 sensor_msgs/Image plain 'image' TZC2002 an array that may be one of this message's is cast from 'const void *', which does not tell what lies there

@@ -33,3 +33,6 @@ void run(ros::NodeHandle& nh) {
   ros::Subscriber maps = nh.subscribe("map", 1, on_map);
 }
 //--- expected
+// subscribe src/node.cpp:31 sensor_msgs/Image plain 'image' TZC2002 const is cast away from an array that may be one of this message's
+// subscribe src/node.cpp:32 sensor_msgs/LaserScan plain 'scan' TZC2002 const is cast away from an array that may be one of this message's
+// subscribe src/node.cpp:33 nav_msgs/OccupancyGrid plain 'map' TZC2002 const is cast away from an array that may be one of this message's

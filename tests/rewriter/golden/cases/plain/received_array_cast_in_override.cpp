@@ -19,3 +19,4 @@ void on_cloud(const sensor_msgs::PointCloud2ConstPtr& cloud) { filter->apply(clo
 
 void run(ros::NodeHandle& nh) { ros::Subscriber clouds = nh.subscribe("cloud", 1, on_cloud); }
 //--- expected
+// subscribe src/node.cpp:20 sensor_msgs/PointCloud2 plain 'cloud' TZC2002 const is cast away from an array that may be one of this message's

@@ -11,3 +11,4 @@ void on_jpeg(const sensor_msgs::CompressedImageConstPtr& jpeg) {
 
 void run(ros::NodeHandle& nh) { ros::Subscriber jpegs = nh.subscribe("jpeg", 1, on_jpeg); }
 //--- expected
+// subscribe src/node.cpp:12 sensor_msgs/CompressedImage plain 'jpeg' TZC2002 const is cast away from an array that may be one of this message's

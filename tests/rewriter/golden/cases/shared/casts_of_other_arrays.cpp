@@ -40,3 +40,9 @@ class Node {
   ros::Subscriber subscriber_;
 };
 //--- expected
+// subscribe src/node.cpp:21 sensor_msgs/Image shared 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  explicit Node(ros::NodeHandle& nh) : subscriber_(nh.subscribe("image", 1, &Node::on_image, this)) {
+// +  explicit Node(ros::NodeHandle& nh) : subscriber_(tzc::subscribe(nh, "image", 1, &Node::on_image, this)) {

@@ -61,3 +61,29 @@ void made_of_elements(ros::NodeHandle& nh) {
   change(1);
 }
 //--- expected
+// advertise src/node.cpp:28 sensor_msgs/Image zero_copy 'stock_functions'
+// publish src/node.cpp:36 sensor_msgs/Image zero_copy 'stock_functions'
+// advertise src/node.cpp:40 sensor_msgs/PointCloud zero_copy 'own_elements'
+// publish src/node.cpp:48 sensor_msgs/PointCloud zero_copy 'own_elements'
+// advertise src/node.cpp:52 sensor_msgs/PointCloud zero_copy 'made_of_elements'
+// publish src/node.cpp:60 sensor_msgs/PointCloud zero_copy 'made_of_elements'
+//
+// +++ src/node.cpp
+// +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/PointCloud.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("stock_functions", 10);
+// -  sensor_msgs::Image image;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "stock_functions", 10);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::PointCloud>("own_elements", 10);
+// -  sensor_msgs::PointCloud cloud;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::PointCloud>(nh, "own_elements", 10);
+// +  tzc::sensor_msgs::PointCloud cloud;
+// +  pub.allocate(cloud);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::PointCloud>("made_of_elements", 10);
+// -  sensor_msgs::PointCloud cloud;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::PointCloud>(nh, "made_of_elements", 10);
+// +  tzc::sensor_msgs::PointCloud cloud;
+// +  pub.allocate(cloud);

@@ -38,3 +38,16 @@ void run(ros::NodeHandle& nh, const std::vector<float>& from, std::FILE* file) {
   pub.publish(scan);
 }
 //--- expected
+// advertise src/node.cpp:24 sensor_msgs/LaserScan zero_copy 'scan'
+// publish src/node.cpp:38 sensor_msgs/LaserScan zero_copy 'scan'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/LaserScan.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::LaserScan>("scan", 10);
+// -  sensor_msgs::LaserScan scan;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh, "scan", 10);
+// +  tzc::sensor_msgs::LaserScan scan;
+// +  pub.allocate(scan);
+// -  const std::vector<float>& read(scan.ranges);
+// +  const auto& read(scan.ranges);

@@ -48,3 +48,37 @@ void transformed(ros::NodeHandle& nh) {
   }
 }
 //--- expected
+// advertise src/node.cpp:12 sensor_msgs/Image zero_copy 'each'
+// publish src/node.cpp:17 sensor_msgs/Image zero_copy 'each'
+// advertise src/node.cpp:21 sensor_msgs/PointCloud zero_copy 'sorted'
+// publish src/node.cpp:27 sensor_msgs/PointCloud zero_copy 'sorted'
+// advertise src/node.cpp:31 sensor_msgs/LaserScan zero_copy 'summed'
+// publish src/node.cpp:37 sensor_msgs/LaserScan zero_copy 'summed'
+// advertise src/node.cpp:41 sensor_msgs/LaserScan zero_copy 'transformed'
+// publish src/node.cpp:47 sensor_msgs/LaserScan zero_copy 'transformed'
+//
+// +++ src/node.cpp
+// +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/sensor_msgs/LaserScan.h>
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/PointCloud.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("each", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "each", 10);
+// -    sensor_msgs::Image image;
+// +    tzc::sensor_msgs::Image image;
+// +    pub.allocate(image);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::PointCloud>("sorted", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::PointCloud>(nh, "sorted", 10);
+// -    sensor_msgs::PointCloud cloud;
+// +    tzc::sensor_msgs::PointCloud cloud;
+// +    pub.allocate(cloud);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::LaserScan>("summed", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh, "summed", 10);
+// -    sensor_msgs::LaserScan scan;
+// +    tzc::sensor_msgs::LaserScan scan;
+// +    pub.allocate(scan);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::LaserScan>("transformed", 10);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh, "transformed", 10);
+// -    sensor_msgs::LaserScan scan;
+// +    tzc::sensor_msgs::LaserScan scan;
+// +    pub.allocate(scan);

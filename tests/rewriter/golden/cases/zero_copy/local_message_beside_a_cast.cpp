@@ -15,7 +15,8 @@ class Node {
     sensor_msgs::Image image;
     image.data.resize(n);
     images_.publish(image);
-    if (last_ == static_cast<sensor_msgs::LaserScan*>(nullptr)) scan_.ranges.resize(n);
+    scan_.ranges.assign(n, 0);
+    if (last_ == static_cast<sensor_msgs::LaserScan*>(nullptr)) scan_.angle_min = 0;
     scans_.publish(scan_);
   }
 
@@ -27,3 +28,21 @@ class Node {
   sensor_msgs::LaserScan scan_;
 };
 //--- expected
+// publish src/node.cpp:17 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:20 sensor_msgs/LaserScan zero_copy 'scan'
+// advertise src/node.cpp:25 sensor_msgs/Image zero_copy 'image'
+// advertise src/node.cpp:26 sensor_msgs/LaserScan zero_copy 'scan'
+//
+// +++ src/node.cpp
+// +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/LaserScan.h>
+// -    sensor_msgs::Image image;
+// +    tzc::sensor_msgs::Image image;
+// +    images_.allocate(image);
+// -  ros::Publisher images_ = nh_.advertise<sensor_msgs::Image>("image", 10);
+// -  ros::Publisher scans_ = nh_.advertise<sensor_msgs::LaserScan>("scan", 10);
+// +  tzc::Publisher images_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 10);
+// +  tzc::Publisher scans_ = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh_, "scan", 10);
+// -  sensor_msgs::LaserScan scan_;
+// +  tzc::sensor_msgs::LaserScan scan_;

@@ -25,3 +25,14 @@ void run(ros::NodeHandle& nh, bool verbose) {
   text << "sent " << 5;
 }
 //--- expected
+// advertise src/node.cpp:13 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:17 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// -  sensor_msgs::Image image;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 10);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);

@@ -34,3 +34,25 @@ class Node {
   static constexpr bool is_plain = std::is_same<decltype(pub_), ros::Publisher>::value;
 };
 //--- expected
+// advertise src/node.cpp:16 sensor_msgs/Image zero_copy 'wanted'
+// publish src/node.cpp:19 sensor_msgs/Image zero_copy 'wanted'
+// publish src/node.cpp:28 sensor_msgs/Image zero_copy 'member'
+// advertise src/node.cpp:33 sensor_msgs/Image zero_copy 'member'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("wanted", 1);
+// -  sensor_msgs::Image image;
+// +  ros::Publisher pub = tzc::attached<sensor_msgs::Image>(nh.advertise<sensor_msgs::Image>("wanted", 1));
+// +  tzc::sensor_msgs::Image image;
+// +  tzc::allocate(image);
+// -  if (is_wanted(pub)) pub.publish(image);
+// +  if (is_wanted(pub)) tzc::publish(pub, image);
+// -    sensor_msgs::Image image;
+// +    tzc::sensor_msgs::Image image;
+// +    tzc::allocate(image);
+// -    pub_.publish(image);
+// +    tzc::publish(pub_, image);
+// -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("member", 1);
+// +  ros::Publisher pub_ = tzc::attached<sensor_msgs::Image>(nh_.advertise<sensor_msgs::Image>("member", 1));

@@ -15,3 +15,14 @@ void run(ros::NodeHandle& nh) {
   if (is_wanted(same)) same.publish(image);
 }
 //--- expected
+// advertise src/node.cpp:11 sensor_msgs/Image zero_copy 'wanted'
+// publish src/node.cpp:15 sensor_msgs/Image zero_copy 'wanted'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("wanted", 1);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "wanted", 1);
+// -  sensor_msgs::Image image;
+// +  tzc::sensor_msgs::Image image;
+// +  same.allocate(image);

@@ -16,3 +16,14 @@ void run(ros::NodeHandle& nh) {
   }
 }
 //--- expected
+// advertise src/node.cpp:10 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:15 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 1);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1);
+// -    sensor_msgs::Image image;
+// +    tzc::sensor_msgs::Image image;
+// +    pub.allocate(image);

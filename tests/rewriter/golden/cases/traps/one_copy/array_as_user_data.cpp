@@ -20,3 +20,11 @@ void run(ros::NodeHandle& nh, pthread_key_t key) {
   pub.publish(kept);
 }
 //--- expected
+// advertise src/node.cpp:12 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:16 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data becomes a 'void *', which does not tell that an array lies there
+// publish src/node.cpp:20 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data becomes a 'const void *', which does not tell that an array lies there
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "image", 10);

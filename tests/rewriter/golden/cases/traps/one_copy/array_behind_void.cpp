@@ -55,3 +55,24 @@ void run(ros::NodeHandle& nh) {
   in_a_map(pub);
 }
 //--- expected
+// publish src/node.cpp:17 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data becomes a 'void *', which does not tell that an array lies there
+// publish src/node.cpp:25 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data becomes a 'value_type', which does not tell that an array lies there
+// publish src/node.cpp:31 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data becomes a 'std::pair<void *, size_t>', which does not tell that an array lies there
+// publish src/node.cpp:38 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is passed to 'std::make_pair'
+// publish src/node.cpp:46 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is passed to 'std::make_pair'
+// advertise src/node.cpp:50 sensor_msgs/Image one_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -void in_a_variable(ros::Publisher& pub) {
+// +void in_a_variable(tzc::Publisher& pub) {
+// -void in_a_container(ros::Publisher& pub) {
+// +void in_a_container(tzc::Publisher& pub) {
+// -void in_a_pair(ros::Publisher& pub) {
+// +void in_a_pair(tzc::Publisher& pub) {
+// -void in_a_pair_that_is_converted(ros::Publisher& pub) {
+// +void in_a_pair_that_is_converted(tzc::Publisher& pub) {
+// -void in_a_map(ros::Publisher& pub) {
+// +void in_a_map(tzc::Publisher& pub) {
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "image", 10);

@@ -25,3 +25,16 @@ void run(ros::NodeHandle& nh) {
   scans.publish(copied);
 }
 //--- expected
+// advertise src/node.cpp:9 sensor_msgs/Image one_copy 'image'
+// advertise src/node.cpp:10 sensor_msgs/LaserScan one_copy 'scan'
+// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is cast to 'std::vector<char> &', which its array is not in the port
+// publish src/node.cpp:17 sensor_msgs/LaserScan one_copy 'scan' TZC1003 a pointer into its data is cast to 'std::vector<float> &', which its array is not in the port
+// publish src/node.cpp:21 sensor_msgs/LaserScan one_copy 'scan' TZC1003 a pointer into its data is cast to 'const std::vector<float> &', which its array is not in the port
+// publish src/node.cpp:25 sensor_msgs/LaserScan one_copy 'scan' TZC1003 a pointer into its data is cast to 'const std::vector<float> &', which its array is not in the port
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher images = nh.advertise<sensor_msgs::Image>("image", 10);
+// -  ros::Publisher scans = nh.advertise<sensor_msgs::LaserScan>("scan", 10);
+// +  tzc::Publisher images = tzc::advertise<sensor_msgs::Image>(nh, "image", 10);
+// +  tzc::Publisher scans = tzc::advertise<sensor_msgs::LaserScan>(nh, "scan", 10);

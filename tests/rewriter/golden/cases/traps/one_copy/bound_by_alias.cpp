@@ -39,8 +39,8 @@ void run(ros::NodeHandle& nh, int n) {
 // publish src/node.cpp:18 std_msgs/Float32MultiArray zero_copy 'values'
 // publish src/node.cpp:22 std_msgs/Float32MultiArray zero_copy 'values'
 // publish src/node.cpp:25 std_msgs/Float32MultiArray one_copy 'values' TZC1009 ported, it would not compile: no matching function for call to 'grow'
-// publish src/node.cpp:28 std_msgs/Float32MultiArray one_copy 'values' TZC1009 ported, it would not compile: no matching function for call to 'grow_const'
-// publish src/node.cpp:32 std_msgs/Float32MultiArray one_copy 'values' TZC1009 ported, it would not compile: const_cast from 'const ::tzc::Array<float>' to 'std::vector<float> &' is not allowed
+// publish src/node.cpp:28 std_msgs/Float32MultiArray one_copy 'values' TZC1003 a pointer into its data is cast to 'std::vector<float> &', which its array is not in the port
+// publish src/node.cpp:32 std_msgs/Float32MultiArray one_copy 'values' TZC1003 a pointer into its data is cast to 'std::vector<float> &', which its array is not in the port
 // publish src/node.cpp:35 std_msgs/Float32MultiArray one_copy 'values' TZC1003 a pointer into its data is held by a closure
 //
 // +++ src/node.cpp

@@ -27,3 +27,14 @@ void in_loop(ros::NodeHandle& nh) {
   });
 }
 //--- expected
+// advertise src/node.cpp:8 sensor_msgs/Image one_copy 'in_order'
+// publish src/node.cpp:13 sensor_msgs/Image one_copy 'in_order' TZC1003 'x' points into its data and is used after the message may have been published
+// advertise src/node.cpp:19 sensor_msgs/Image one_copy 'in_loop'
+// publish src/node.cpp:25 sensor_msgs/Image one_copy 'in_loop' TZC1003 'x' points into its data and is used after the message may have been published
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("in_order", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "in_order", 10);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("in_loop", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "in_loop", 10);

@@ -104,3 +104,34 @@ void by_assignment(ros::NodeHandle& nh) {
   *const_cast<uint8_t*>(seen) = 1;
 }
 //--- expected
+// advertise src/node.cpp:36 sensor_msgs/Image one_copy 'by_reference'
+// publish src/node.cpp:41 sensor_msgs/Image one_copy 'by_reference' TZC1003 a pointer into its data is passed to a function object
+// advertise src/node.cpp:45 sensor_msgs/Image one_copy 'by_function'
+// publish src/node.cpp:54 sensor_msgs/Image one_copy 'by_function' TZC1003 a pointer into its data is passed to a function object
+// advertise src/node.cpp:58 sensor_msgs/Image one_copy 'by_binder'
+// publish src/node.cpp:64 sensor_msgs/Image one_copy 'by_binder' TZC1003 a pointer into its data is passed to a function object
+// advertise src/node.cpp:68 sensor_msgs/Image one_copy 'by_closure'
+// publish src/node.cpp:77 sensor_msgs/Image one_copy 'by_closure' TZC1003 a pointer into its data is passed to a function object
+// advertise src/node.cpp:81 sensor_msgs/Image one_copy 'by_order'
+// publish src/node.cpp:86 sensor_msgs/Image one_copy 'by_order' TZC1003 a pointer into its data is passed to a function object
+// advertise src/node.cpp:90 sensor_msgs/Image one_copy 'by_constructor'
+// publish src/node.cpp:94 sensor_msgs/Image one_copy 'by_constructor' TZC1003 a pointer into its data is passed to a function object
+// advertise src/node.cpp:98 sensor_msgs/Image one_copy 'by_assignment'
+// publish src/node.cpp:103 sensor_msgs/Image one_copy 'by_assignment' TZC1003 a pointer into its data is passed to a function object
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("by_reference", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "by_reference", 10);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("by_function", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "by_function", 10);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("by_binder", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "by_binder", 10);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("by_closure", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "by_closure", 10);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("by_order", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "by_order", 10);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("by_constructor", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "by_constructor", 10);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("by_assignment", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "by_assignment", 10);

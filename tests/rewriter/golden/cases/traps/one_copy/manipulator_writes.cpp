@@ -19,3 +19,10 @@ void run(ros::NodeHandle& nh) {
   std::cout << late;
 }
 //--- expected
+// advertise src/node.cpp:14 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:18 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is kept in 'raw'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "image", 10);

@@ -21,3 +21,10 @@ void run(ros::NodeHandle& nh) {
   pub.publish(frame.image);
 }
 //--- expected
+// advertise src/node.cpp:18 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:21 sensor_msgs/Image one_copy 'image' TZC1001 a message that may be this one is cast from 'void *', which does not tell what lies there
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "image", 10);

@@ -14,3 +14,10 @@ void run(ros::NodeHandle& nh) {
   send(pub, image);
 }
 //--- expected
+// publish src/node.cpp:8 sensor_msgs/Image one_copy 'image' TZC1001 the program asks for the text of its function's signature
+// advertise src/node.cpp:12 sensor_msgs/Image one_copy 'image' TZC1010 the program asks for the text of its function's signature
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 1);
+// +  ros::Publisher pub = tzc::attached<sensor_msgs::Image>(nh.advertise<sensor_msgs::Image>("image", 1));

@@ -29,3 +29,12 @@ void run(ros::NodeHandle& nh) {
   pub.publish(by_name);
 }
 //--- expected
+// advertise src/node.cpp:10 sensor_msgs/LaserScan one_copy 'scan'
+// publish src/node.cpp:16 sensor_msgs/LaserScan one_copy 'scan' TZC1003 a pointer into its data is bound to 'ranges', a reference to a std::vector
+// publish src/node.cpp:22 sensor_msgs/LaserScan one_copy 'scan' TZC1003 a pointer into its data is bound to 'same', a reference to a std::vector
+// publish src/node.cpp:29 sensor_msgs/LaserScan one_copy 'scan' TZC1003 a pointer into its data is bound to 'second', a reference to a std::vector
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::LaserScan>("scan", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::LaserScan>(nh, "scan", 10);

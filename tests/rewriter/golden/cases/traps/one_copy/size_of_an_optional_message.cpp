@@ -32,3 +32,11 @@ class Node {
   ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);
 };
 //--- expected
+// publish src/node.cpp:23 sensor_msgs/Image one_copy 'image' TZC1001 the program asks for the size of a class that holds it
+// publish src/node.cpp:27 sensor_msgs/Image one_copy 'image' TZC1001 the program asks for the size of a class that holds it
+// advertise src/node.cpp:32 sensor_msgs/Image one_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);
+// +  tzc::Publisher pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "image", 1);
