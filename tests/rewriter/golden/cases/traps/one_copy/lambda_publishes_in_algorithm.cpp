@@ -14,7 +14,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:12 sensor_msgs/Image one_copy 'image' TZC1003 'pixel' points into its data and is used after the message may have been published
+// publish src/node.cpp:12 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is used after the message may have been published
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
