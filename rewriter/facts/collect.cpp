@@ -15,12 +15,35 @@
 namespace tzc::rewriter {
 namespace {
 
+/// Takes what asks for the size or the name of a type.
+class Questions : public AstVisitor {
+ public:
+  explicit Questions(const Unit& unit) : unit_(unit), to_(unit) {}
+
+  bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* question) override {
+    note_size_question(unit_, to_.entities(), question->getTypeOfArgument(), question->getBeginLoc());
+    return true;
+  }
+  bool VisitOffsetOfExpr(clang::OffsetOfExpr* question) override {
+    note_size_question(unit_, to_.entities(), question->getTypeSourceInfo()->getType(),
+                       question->getBeginLoc());
+    return true;
+  }
+  bool VisitPredefinedExpr(clang::PredefinedExpr* name) override {
+    note_signature_question(unit_, to_.entities(), name);
+    return true;
+  }
+
+ protected:
+  const Unit& unit_;
+  Collectors to_;
+};
+
 /// The dispatch table: passes each kind of node to its collector.
-class Dispatcher : public AstVisitor {
+class Dispatcher : public Questions {
  public:
   explicit Dispatcher(const Unit& unit)
-      : unit_(unit),
-        to_(unit),
+      : Questions(unit),
         callbacks_(unit, to_.entities()),
         threads_(unit),
         arrays_cast_(unit, to_.entities()) {}
@@ -107,19 +130,6 @@ class Dispatcher : public AstVisitor {
     to_.call(call);
     return true;
   }
-  bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* question) override {
-    note_size_question(unit_, to_.entities(), question->getTypeOfArgument(), question->getBeginLoc());
-    return true;
-  }
-  bool VisitOffsetOfExpr(clang::OffsetOfExpr* question) override {
-    note_size_question(unit_, to_.entities(), question->getTypeSourceInfo()->getType(),
-                       question->getBeginLoc());
-    return true;
-  }
-  bool VisitPredefinedExpr(clang::PredefinedExpr* name) override {
-    note_signature_question(unit_, to_.entities(), name);
-    return true;
-  }
   bool VisitLambdaExpr(clang::LambdaExpr* lambda) override {
     callbacks_.check_lambda(lambda);
     if (unit_.source.in_package(lambda->getBeginLoc())) threads_.note(lambda);
@@ -140,8 +150,6 @@ class Dispatcher : public AstVisitor {
     if (callbacks_.check_address_taken(function, reference)) threads_.note(function, reference);
   }
 
-  const Unit& unit_;
-  Collectors to_;
   CallbackPins callbacks_;
   ThreadStarts threads_;
   ArrayCastCollector arrays_cast_;

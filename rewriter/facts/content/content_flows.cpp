@@ -77,6 +77,7 @@ class FlowBuilder {
   struct UnknownCode {
     AnyCode always, hidden;          ///< hidden code that nobody shows takes no room from the rest
     std::optional<Part> open;        ///< what is being added, and what calls in it run
+    std::vector<MessagePart> roots;  ///< of the closure that is being added then
     std::optional<unsigned> behind;  ///< where the graph goes on behind the last call
     IfShown last;                    ///< when that one happens
     std::optional<IfShown> any;      ///< when one of them happens; none: never
@@ -115,7 +116,6 @@ class FlowBuilder {
   std::vector<const clang::FunctionDecl*>
       run_elsewhere_;  ///< bodies of closures that an unknown call may run
   UnknownCode unknown_;
-  std::vector<MessagePart> own_roots_;  ///< of the closure that is being added as what unknown code runs
   std::map<std::pair<const clang::FunctionDecl*, std::vector<Given>>, Part> shared_;
 };
 
@@ -262,7 +262,7 @@ unsigned FlowBuilder::call_unknown(const IfShown& if_shown, unsigned at) {
 /// those that this one goes on with.
 unsigned FlowBuilder::back_in_closure(unsigned behind) {
   const unsigned back = new_block();
-  for (const MessagePart& root : own_roots_) {
+  for (const MessagePart& root : unknown_.roots) {
     ContentEvent reset;
     reset.kind = ContentEvent::Kind::reset;
     reset.part = root;
@@ -296,9 +296,9 @@ void FlowBuilder::add_closures(Part any) {
   const std::set<const clang::FunctionDecl*> open = std::exchange(open_, {});
   for (const clang::FunctionDecl* closure : run_elsewhere_) {
     // Another call of it than that which is being added, if one is: with variables of its own.
-    own_roots_ = own_roots(parts_, closure);
+    unknown_.roots = own_roots(parts_, closure);
     Given own;
-    for (const MessagePart& root : own_roots_) own.emplace_back(root, root + "'");
+    for (const MessagePart& root : unknown_.roots) own.emplace_back(root, root + "'");
     given_ = {std::move(own)};
     const Part part = body_of(closure);
     connect(any.entry, part.entry);
