@@ -163,6 +163,14 @@ void Facts::add_content(const std::string& usr, ContentFlow flow) {
   if (!is_new) known->second.add_alternative(std::move(flow));
 }
 
+static void merge_casts(Facts& facts, Facts& other) {
+  append(facts.const_casts, other.const_casts);
+  append(facts.foreign_casts, other.foreign_casts);
+  append(facts.array_casts, other.array_casts);
+  unite(facts.given_arrays, other.given_arrays);
+  append(facts.untyped_arrays, other.untyped_arrays);
+}
+
 void Facts::merge(Facts&& other) {
   unite(entities, other.entities);
   append(flows, other.flows);
@@ -176,11 +184,7 @@ void Facts::merge(Facts&& other) {
   append(allocations, other.allocations);
   unite(factories, other.factories);
   append(data_uses, other.data_uses);
-  append(const_casts, other.const_casts);
-  append(foreign_casts, other.foreign_casts);
-  append(array_casts, other.array_casts);
-  unite(given_arrays, other.given_arrays);
-  append(untyped_arrays, other.untyped_arrays);
+  merge_casts(*this, other);
   append(escapes, other.escapes);
   append(holds, other.holds);
   append(loud_tails, other.loud_tails);
