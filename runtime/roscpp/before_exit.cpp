@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -18,14 +19,14 @@ constexpr std::chrono::milliseconds longest_wait(1000), pause_between_looks(1);
 std::atomic<int> steps{0};
 std::atomic<bool> has_begun{false};
 std::atomic<pid_t> waiting_process{0};
-thread_local int own_steps = 0;
+thread_local int own_steps = 0;  // negative: a fiber has ended a step that another thread began
 
 /// A callback that calls exit() is inside a step of its own thread. A forked child has none of the threads.
 void wait_for_steps() {
   if (::getpid() != waiting_process) return;
   has_begun = true;
   const auto end = std::chrono::steady_clock::now() + longest_wait;
-  while (steps > own_steps && std::chrono::steady_clock::now() < end)
+  while (steps > std::max(own_steps, 0) && std::chrono::steady_clock::now() < end)
     std::this_thread::sleep_for(pause_between_looks);
 }
 
@@ -52,6 +53,10 @@ BeforeExit::BeforeExit() : may_run_(begin_step()) {}
 BeforeExit::~BeforeExit() {
   --steps;
   --own_steps;
+}
+
+bool exit_has_begun() {
+  return has_begun;
 }
 
 }  // namespace detail

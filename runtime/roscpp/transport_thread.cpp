@@ -5,6 +5,7 @@
 #include <ros/init.h>
 
 #include <exception>
+#include <new>
 #include <utility>
 
 #include "channel/fault_signals.h"
@@ -48,11 +49,12 @@ bool start_transport_thread(std::thread& thread, std::function<void()> body) {
   }
 }
 
-void run_job(const std::function<void()>& job) {
+void run_job(std::function<void()> job) {
   const BeforeExit step;
-  if (!step) return;
+  auto own = std::move(job);  // destroyed inside the step
+  if (!step) return static_cast<void>(new (std::nothrow) std::function<void()>(std::move(own)));
   try {
-    job();
+    own();
   } catch (const std::exception& error) {
     // A job may run while the process ends, when roscpp's and the log's own locks are destroyed already.
     if (ros::isShuttingDown()) return;

@@ -40,8 +40,7 @@ void Worker::run() {
       Job job = std::move(jobs_.begin()->second);
       jobs_.erase(jobs_.begin());
       lock.unlock();
-      run_job(job);
-      job = nullptr;  // destroying its captures may take locks
+      run_job(std::move(job));
       lock.lock();
     }
   }

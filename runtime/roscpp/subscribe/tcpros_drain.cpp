@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "roscpp/before_exit.h"
 #include "roscpp/roscpp_access.h"
 #include "sync_point/sync_point.h"
 
@@ -37,7 +38,8 @@ bool TcprosDrain::is_over(ros::Connection& connection) {
 }
 
 void TcprosDrain::wait(ros::Connection& connection) {
-  while (!is_over(connection)) std::this_thread::sleep_for(std::chrono::microseconds(200));
+  while (!is_over(connection) && !exit_has_begun())
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
 }
 
 }  // namespace detail

@@ -90,8 +90,7 @@ void PeerPool::run_next(std::unique_lock<std::mutex>& lock, Peers::iterator peer
   if (idle_ == 0 && threads_ < limits_.threads) start_thread();
   lock.unlock();
   const Clock::time_point start = Clock::now();
-  run_job(job);
-  job = nullptr;  // destroying its captures may take locks
+  run_job(std::move(job));
   lock.lock();
   serving_slow_ -= is_slow ? 1 : 0;
   finish(peer, Clock::now() - start);

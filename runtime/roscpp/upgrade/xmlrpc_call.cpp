@@ -4,6 +4,8 @@
 #include <ros/network.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 
+#include "roscpp/before_exit.h"
+
 namespace tzc {
 namespace detail {
 namespace {
@@ -11,10 +13,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Runs the client's own event loop in small steps until the answer arrives. False: the connection has ended,
-/// or time is up. executeNonBlock has added the client to the loop; adding it twice would make the loop spin.
+/// time is up, or the process ends. executeNonBlock has added the client to the loop; adding it twice would make the loop spin.
 bool wait_for_answer(XmlRpc::XmlRpcClient& client, XmlRpc::XmlRpcValue& result, Clock::time_point deadline) {
   while (!client.executeCheckDone(result)) {
-    if (client.getfd() < 0 || Clock::now() > deadline) return false;
+    if (client.getfd() < 0 || Clock::now() > deadline || exit_has_begun()) return false;
     client._disp.work(0.02);
   }
   return result.valid();  // or else the connection has ended

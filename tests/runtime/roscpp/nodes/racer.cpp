@@ -352,7 +352,7 @@ void exits(ros::NodeHandle& node) {
   tzc::sync_point_hook = [](const char* step) {
     if (std::string(step) != "take: has the subscription" || gate().happened("taking")) return;
     gate().tell("taking");
-    gate().wait_for({"never"}, std::chrono::milliseconds(500));
+    gate().wait_for({"never"}, std::chrono::milliseconds(200));
   };
   // Never destroyed, as those of many programs that end by exit().
   auto& own = *new ros::NodeHandle(node);

@@ -32,7 +32,7 @@ std::thread begin_long_step() {
   std::thread thread([] {
     const BeforeExit step;
     begun = true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
     if (is_destroyed) ::_exit(1);
   });
   while (!begun) std::this_thread::yield();
