@@ -213,11 +213,14 @@ const clang::ParmVarDecl* parameter_for(const clang::FunctionDecl* pattern, unsi
 
 }  // namespace
 
+/// What a library's macro writes is the library's, wherever its headers are found: ROS_INFO names the function that logs.
 bool tells_signature(const Unit& unit, const clang::PredefinedExpr* name) {
-  const clang::SourceManager& manager = unit.ast().getSourceManager();
   const llvm::StringRef kind = name->getIdentKindName();
-  return kind != "__func__" && kind != "__FUNCTION__" &&
-         !manager.isInSystemHeader(manager.getSpellingLoc(name->getLocation()));
+  if (kind == "__func__" || kind == "__FUNCTION__") return false;
+  const clang::SourceManager& manager = unit.ast().getSourceManager();
+  const clang::SourceLocation spelled = manager.getSpellingLoc(name->getLocation());
+  const bool is_of_library = name->getLocation().isMacroID() && !unit.source.in_package(spelled);
+  return !is_of_library && !manager.isInSystemHeader(spelled);
 }
 
 bool is_type_blind(const Unit& unit, const clang::FunctionDecl* function, unsigned argument) {

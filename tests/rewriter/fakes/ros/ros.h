@@ -119,7 +119,11 @@ namespace console {
 inline void print(const char*, ...) {}
 }  // namespace console
 }  // namespace ros
-#define ROS_INFO(...) ::ros::console::print(__VA_ARGS__)
+#define ROS_INFO(...)                       \
+  do {                                      \
+    ::ros::console::print(__VA_ARGS__);     \
+    static_cast<void>(__PRETTY_FUNCTION__); \
+  } while (false)
 #define ROS_WARN_STREAM(args)                  \
   do {                                         \
     std::stringstream text;                    \
