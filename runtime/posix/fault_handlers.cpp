@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "posix/fault_handlers.h"
 
+#include <pthread.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,8 +16,16 @@ namespace tzc {
 namespace posix {
 namespace {
 
-/// The handlers of other code, the latest one last. Never freed: a signal handler may read it at any time.
-using Chain = std::vector<struct sigaction>;
+/// A handler of other code, as it was installed.
+struct Handler {
+  explicit Handler(const struct sigaction& installed) : action(installed) {}
+
+  const struct sigaction action;
+  std::atomic<bool> is_reset{false};  // it had its one call (SA_RESETHAND), and counts as SIG_DFL
+};
+
+/// The latest one last. Neither a chain nor a handler is ever freed: a signal handler may read them at any time.
+using Chain = std::vector<Handler*>;
 
 constexpr std::size_t most_handlers = 8;
 
@@ -71,12 +80,52 @@ void take_default_action(const Fault& fault) {
   if (fault.info->si_code <= 0) ::raise(fault.number);
 }
 
-void call(const struct sigaction& handler, const Fault& fault) {
-  if ((handler.sa_flags & SA_SIGINFO) != 0)
-    return handler.sa_sigaction(fault.number, fault.info, fault.context);
-  if (handler.sa_handler == SIG_IGN && fault.info->si_code <= 0) return;
-  if (handler.sa_handler != SIG_DFL && handler.sa_handler != SIG_IGN) return handler.sa_handler(fault.number);
-  take_default_action(fault);
+void on_fault(int number, siginfo_t* info, void* context);
+
+bool is_ours(const struct sigaction& action) {
+  return (action.sa_flags & SA_SIGINFO) != 0 && action.sa_sigaction == on_fault;
+}
+
+/// Otherwise a handler that was installed since may have called ours.
+bool is_called_by_the_kernel(std::uint32_t turns_taken) {
+  struct sigaction now{};
+  return turns_taken == 0 && (::sigaction(SIGSEGV, nullptr, &now) != 0 || is_ours(now));
+}
+
+bool is_a_function(const struct sigaction& action) {
+  return action.sa_handler != SIG_DFL && action.sa_handler != SIG_IGN;
+}
+
+// The kernel leaves the flags of a handler that it has reset, so SA_SIGINFO may stand beside SIG_DFL.
+void call(const struct sigaction& action, const Fault& fault) {
+  if (action.sa_handler == SIG_IGN && fault.info->si_code <= 0) return;
+  if (!is_a_function(action)) return take_default_action(fault);
+  if ((action.sa_flags & SA_SIGINFO) != 0)
+    return action.sa_sigaction(fault.number, fault.info, fault.context);
+  action.sa_handler(fault.number);
+}
+
+/// As the kernel would have called it if ours were not there. With SA_RESETHAND one thread calls it, once. What its sa_mask
+/// names is blocked, and the signal itself unless there is SA_NODEFER, so a fault in the handler ends the process there. A
+/// handler that jumps out leaves them blocked, as it would without us. Only the stack may be another: ours runs on the
+/// alternate one where the thread has one, because a handler that asks for it cannot do without, and others can do with it.
+void call_as_kernel(Handler& handler, const Fault& fault) {
+  const struct sigaction& action = handler.action;
+  if (!is_a_function(action)) return call(action, fault);
+  if ((action.sa_flags & SA_RESETHAND) != 0 && handler.is_reset.exchange(true))
+    return take_default_action(fault);
+  sigset_t blocked = action.sa_mask;
+  sigset_t before;
+  if ((action.sa_flags & SA_NODEFER) == 0) sigaddset(&blocked, fault.number);
+  pthread_sigmask(SIG_BLOCK, &blocked, &before);
+  call(action, fault);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+/// As a later handler calls the one that it found: nothing is blocked, nothing reset.
+void call_as_predecessor(const Handler& handler, const Fault& fault) {
+  if (handler.is_reset.load(std::memory_order_acquire)) return take_default_action(fault);
+  call(handler.action, fault);
 }
 
 void on_fault(int number, siginfo_t* info, void* context) {
@@ -88,28 +137,32 @@ void on_fault(int number, siginfo_t* info, void* context) {
   const Chain& others = *chain.load(std::memory_order_acquire);
   const std::uint32_t taken = turns_taken(*info);
   if (taken >= others.size()) return take_default_action(fault);
+  Handler& next = *others[others.size() - 1 - taken];
+  const bool as_kernel = is_called_by_the_kernel(taken);
   set_turns_taken(*info, taken + 1);
-  call(others[others.size() - 1 - taken], fault);
+  as_kernel ? call_as_kernel(next, fault) : call_as_predecessor(next, fault);
   set_turns_taken(*info, taken);
 }
 
-bool is_ours(const struct sigaction& action) {
-  return (action.sa_flags & SA_SIGINFO) != 0 && action.sa_sigaction == on_fault;
-}
-
-bool is_same(const struct sigaction& a, const struct sigaction& b) {
+bool has_same_code(const struct sigaction& a, const struct sigaction& b) {
   return (a.sa_flags & SA_SIGINFO) == (b.sa_flags & SA_SIGINFO) && a.sa_sigaction == b.sa_sigaction;
 }
 
-// One that was there already has been installed again: it is the latest now.
+bool is_same(const struct sigaction& a, const struct sigaction& b) {
+  return has_same_code(a, b) && a.sa_flags == b.sa_flags &&
+         std::memcmp(&a.sa_mask, &b.sa_mask, sizeof a.sa_mask) == 0;
+}
+
+// One that was there already has been installed again: it is the latest now, and has its one call before it.
 void add_to_chain(const struct sigaction& latest) {
   const Chain* const old = chain.load();
-  if (old != nullptr && is_same(old->back(), latest)) return;
+  if (old != nullptr && is_same(old->back()->action, latest)) return old->back()->is_reset.store(false);
   Chain next = old != nullptr ? *old : Chain();
-  next.erase(std::remove_if(next.begin(), next.end(), [&](const auto& one) { return is_same(one, latest); }),
+  next.erase(std::remove_if(next.begin(), next.end(),
+                            [&](const Handler* one) { return has_same_code(one->action, latest); }),
              next.end());
   if (next.size() == most_handlers) next.erase(next.begin() + 1);
-  next.push_back(latest);
+  next.push_back(new Handler(latest));
   chain.store(new const Chain(std::move(next)), std::memory_order_release);
 }
 
