@@ -12,6 +12,7 @@
 //              revoke  in flight - 1    after it won the record (channel/wire/delivery_cursors.h)
 //   subscriber: take   in flight - 1, taken + 1    after it won the record
 //               release taken - 1
+//               take_again  taken + 1, for a forked child, where it is not 0
 //
 // Every step is one compare-and-swap that also compares the generation, so no step can ever hit another block
 // that reuses the slot. The block is free for this subscriber when both counts are 0. A word of another
@@ -83,6 +84,13 @@ bool take(Atomic& word, std::uint32_t generation) {
   return update_ack(word, [generation](AckCounts& counts) {
     return counts.generation == generation && counts.in_flight-- > 0 && counts.taken++ < max_ack_count;
   });
+}
+
+/// For a process that has taken the block already.
+template <class Atomic>
+bool take_again(Atomic& word) {
+  return update_ack(word,
+                    [](AckCounts& counts) { return counts.taken > 0 && counts.taken++ < max_ack_count; });
 }
 
 template <class Atomic>

@@ -9,7 +9,9 @@ namespace tzc {
 namespace segment {
 
 OwnViews::~OwnViews() {
-  if (views_) registry().remove(views_->data());
+  if (!views_) return;
+  forget_at_forks(*this);
+  registry().remove(views_->data());
 }
 
 const std::uint8_t* OwnViews::begin(const Block& block) {
@@ -45,6 +47,7 @@ bool OwnViews::open() {
   views_ = std::move(*views);
   base_.store(views_->data(), std::memory_order_release);
   registry().add(MappedRange{views_->data(), views_->data() + file_.size(), &owner_});
+  copy_at_forks(*this);
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "segment/block.h"
+#include "segment/fork_copies.h"
 #include "segment/private_views.h"
 #include "segment/registry.h"
 #include "segment/segment_file.h"
@@ -17,7 +18,7 @@ namespace segment {
 /// The blocks of one segment as callbacks of the publisher's own process see them: in a mapping of their own, so that a write
 /// changes bytes of this process alone (private_views.h). Neither a subscriber nor the publisher's own message sees it. The
 /// mapping is made for the first view. A block has one view at a time: who had it may have written to it. Thread-safe.
-class OwnViews {
+class OwnViews final : public ForkCopied {
  public:
   /// Both outlive this.
   OwnViews(const SegmentFile& file, const OwnSegment& owner) : file_(file), owner_(owner) {}
@@ -34,6 +35,12 @@ class OwnViews {
   /// Whether the view of the payload that begins there was written to, so that it shows other bytes than the segment. After
   /// offset_of().
   bool is_written(std::uint64_t offset) const;
+
+  // A forked child goes on to see the views that the forking thread keeps until fork() returns.
+  bool hold_for_child() noexcept override { return views_->has_views(); }
+  bool copy_in_child() noexcept override { return views_->copy_in_child(); }
+  void release_for_child() noexcept override {}
+  void leave_to_child() noexcept override {}
 
  private:
   bool open();

@@ -72,6 +72,35 @@ void PrivateViews::restore(std::uint8_t* begin, std::size_t bytes) const {
   ::mlock(begin, bytes);
 }
 
+template <class Visit>
+void PrivateViews::for_each_view(Visit visit) const noexcept {
+  const std::size_t all = mapping_.size() / page_;
+  for (std::size_t first = 0; first < all;) {
+    const std::size_t pages = runs_[first].load(std::memory_order_acquire) & ~written;
+    if (pages != 0) visit(first, pages);
+    first += pages != 0 ? pages : 1;
+  }
+}
+
+bool PrivateViews::has_views() const noexcept {
+  bool found = false;
+  for_each_view([&found](std::size_t, std::size_t) { found = true; });
+  return found;
+}
+
+// Of a view that was written to, too: only the pages that were are copies already.
+bool PrivateViews::copy_in_child() noexcept {
+  bool copied = true;
+  for_each_view([this, &copied](std::size_t first, std::size_t pages) {
+    runs_[first].fetch_or(written, std::memory_order_acq_rel);
+    const bool writable =
+        ::mprotect(mapping_.data() + first * page_, pages * page_, PROT_READ | PROT_WRITE) == 0;
+    if (writable) mapping_.populate(first * page_, pages * page_);
+    copied = copied && writable;
+  });
+  return copied;
+}
+
 bool PrivateViews::make_writable(const posix::WriteFault& fault) noexcept {
   const auto faulted = static_cast<std::size_t>(fault.address - mapping_.data()) / page_;
   for (std::size_t first = faulted + 1; first-- > 0;) {

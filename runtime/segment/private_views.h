@@ -46,6 +46,10 @@ class PrivateViews final : public posix::WriteFaultArea {
   /// Whether the view that begins there was written to until now.
   bool is_written(std::uint64_t offset) const;
 
+  bool has_views() const noexcept;
+  /// In a forked child: every view is a copy from now on, whatever becomes of the memory. False: the system refuses that.
+  bool copy_in_child() noexcept;
+
   bool make_writable(const posix::WriteFault& fault) noexcept override;
 
  private:
@@ -56,6 +60,8 @@ class PrivateViews final : public posix::WriteFaultArea {
 
   PrivateViews(posix::Mapping mapping, WriteListener* listener);
   void restore(std::uint8_t* begin, std::size_t bytes) const;
+  template <class Visit>
+  void for_each_view(Visit visit) const noexcept;
 
   const posix::Mapping mapping_;
   const std::size_t page_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment/received_segment.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "posix/memory_file.h"
@@ -70,7 +71,7 @@ Expected<std::shared_ptr<ReceivedSegment>> ReceivedSegment::open(const SegmentOf
   segment->acknowledgements_ = std::move(*ack_map);
   segment->acks_ = AckView(segment->acknowledgements_.data(), offer.slots);
   segment->add_range(segment->data_.data());
-  if (segment->views_) segment->add_range(segment->views_->data());
+  if (segment->views_) segment->add_views();
   return segment;
 }
 
@@ -88,8 +89,15 @@ void ReceivedSegment::add_range(const std::uint8_t* begin) const {
   registry().add(MappedRange{begin, begin + data_.size(), nullptr});
 }
 
+void ReceivedSegment::add_views() {
+  add_range(views_->data());
+  held_for_child_.resize((acks_.slots() + 63) / 64);
+  copy_at_forks(*this);
+}
+
 ReceivedSegment::~ReceivedSegment() {
   if (data_.data() == nullptr) return;
+  if (views_) forget_at_forks(*this);
   registry().remove(data_.data());
   if (views_) registry().remove(views_->data());
 }
@@ -126,8 +134,38 @@ bool ReceivedSegment::take(const BlockRef& ref) {
 }
 
 void ReceivedSegment::release(const BlockRef& ref) {
-  segment::release(acks_.word(ref.slot), ref.generation);
-  add_hint(acks_.released(), acks_.leaf(ref.slot / 64), ref.slot, acks_.slots());
+  release(ref.slot, ref.generation);
+}
+
+void ReceivedSegment::release(std::uint32_t slot, std::uint32_t generation) {
+  segment::release(acks_.word(slot), generation);
+  add_hint(acks_.released(), acks_.leaf(slot / 64), slot, acks_.slots());
+}
+
+// Of a block that was never taken, or is released now, no message shows anything. Small ones, which messages have copied, are
+// held along with the others.
+bool ReceivedSegment::hold_for_child() noexcept {
+  bool any = false;
+  for (std::uint32_t slot = 0; slot < acks_.slots(); ++slot) {
+    auto& word = acks_.word(slot);
+    if (unpack(word.load(std::memory_order_acquire)).taken == 0 || !take_again(word)) continue;
+    held_for_child_[slot / 64] |= std::uint64_t{1} << slot % 64;
+    any = true;
+  }
+  return any;
+}
+
+// What is taken keeps its generation.
+void ReceivedSegment::release_for_child() noexcept {
+  for (std::uint32_t slot = 0; slot < acks_.slots(); ++slot) {
+    if ((held_for_child_[slot / 64] >> slot % 64 & 1) == 0) continue;
+    release(slot, unpack(acks_.word(slot).load(std::memory_order_acquire)).generation);
+  }
+  leave_to_child();
+}
+
+void ReceivedSegment::leave_to_child() noexcept {
+  std::fill(held_for_child_.begin(), held_for_child_.end(), 0);
 }
 
 }  // namespace segment

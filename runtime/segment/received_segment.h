@@ -4,12 +4,14 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "posix/file_descriptor.h"
 #include "posix/hot.h"
 #include "posix/mapping.h"
 #include "segment/ack_view.h"
 #include "segment/block.h"
+#include "segment/fork_copies.h"
 #include "segment/layout.h"
 #include "segment/private_views.h"
 #include "tzc/error.h"
@@ -47,7 +49,7 @@ enum class ViewWrites {
 /// The subscriber's side of a segment: its data mapped read-only, once more for the views of payloads that have pages of
 /// their own (private_views.h), and its acknowledgements read-write. Thread-safe. Whatever the peer sent or writes
 /// meanwhile, nothing here reads or writes outside these mappings.
-class ReceivedSegment {
+class ReceivedSegment final : public ForkCopied {
  public:
   /// Error: sizes that don't agree, files that are not sealed, a header of another version.
   static Expected<std::shared_ptr<ReceivedSegment>> open(const SegmentOffer& offer,
@@ -73,9 +75,16 @@ class ReceivedSegment {
   TZC_HOT bool take(const BlockRef& ref);
   TZC_HOT void release(const BlockRef& ref);
 
+  bool hold_for_child() noexcept override;
+  bool copy_in_child() noexcept override { return views_->copy_in_child(); }
+  void release_for_child() noexcept override;
+  void leave_to_child() noexcept override;
+
  private:
   Status map_views(int fd, const SegmentOffer& offer, WriteListener* listener);
   void add_range(const std::uint8_t* begin) const;
+  void add_views();
+  void release(std::uint32_t slot, std::uint32_t generation);
 
   std::uint64_t id_ = 0;
   ViewWrites writes_ = ViewWrites::fault;
@@ -83,6 +92,7 @@ class ReceivedSegment {
   std::unique_ptr<PrivateViews> views_;  // null: there are none
   posix::Mapping acknowledgements_;
   AckView acks_;
+  std::vector<std::uint64_t> held_for_child_;  // a bit for each slot; empty: there are no views
 };
 
 /// What open() checks in the first bytes of a received data file.

@@ -37,6 +37,21 @@ TEST(AckWord, a_block_sent_twice_counts_twice) {
   EXPECT_TRUE(is_idle(word, 7));
 }
 
+TEST(AckWord, only_what_is_taken_is_taken_again) {
+  Word word{0};
+  mark_in_flight(word, 7);
+  EXPECT_FALSE(take_again(word));
+  take(word, 7);
+  EXPECT_TRUE(take_again(word));
+  release(word, 7);
+  EXPECT_FALSE(is_idle(word, 7));
+  release(word, 7);
+  EXPECT_TRUE(is_idle(word, 7));
+  Word full{pack({7, 1, max_ack_count})};
+  EXPECT_FALSE(take_again(full));
+  EXPECT_EQ(full.load(), pack({7, 1, max_ack_count}));
+}
+
 TEST(AckWord, other_generations_are_never_touched) {
   Word word{0};
   mark_in_flight(word, 7);

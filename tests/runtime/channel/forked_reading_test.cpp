@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A forked child goes on to read what its parent held when it called fork(), and its parent gives it back all the same.
+#include <pthread.h>
+#include <signal.h>
+
+#include <atomic>
+
+#include "support.h"
+
+namespace tzc {
+namespace channel {
+namespace test {
+namespace {
+
+std::atomic<bool> child_dies_at_fork{false};
+
+// As the program starts, so before those of the library, whose part in the child comes later therefore.
+[[maybe_unused]] const int registered = ::pthread_atfork(nullptr, nullptr, [] {
+  if (child_dies_at_fork) ::raise(SIGKILL);
+});
+
+/// A line on which the parent lets its child go on.
+class Whistle {
+ public:
+  Whistle() { EXPECT_EQ(::pipe(ends_), 0); }
+  ~Whistle() {
+    for (const int end : ends_) ::close(end);
+  }
+  void blow() const { EXPECT_EQ(::write(ends_[1], "!", 1), 1); }
+  bool await() const {
+    char heard = 0;
+    return ::read(ends_[0], &heard, 1) == 1;
+  }
+
+ private:
+  int ends_[2] = {-1, -1};
+};
+
+/// Publishes a block of 1 MB; where it lies in the publisher's memory.
+const std::uint8_t* publish_in_place(Publisher& out, unsigned char value) {
+  const BufferPtr buffer = filled(*out.memory(), mb, value);
+  out.publish(text_record("x", {buffer}));
+  return buffer->data();
+}
+
+/// A child that reads the message once the parent has let go of it and its memory is used again.
+template <class Prepare>
+void read_in_child_afterwards(Prepare prepare, unsigned char seen) {
+  const auto out = publisher(10, 4 * mb);
+  const auto in = idle_subscriber(out->address());
+  const Whistle whistle;
+  const std::uint8_t* const place = publish_in_place(*out, 1);
+  MessagePtr message = in->read();
+  prepare(message);
+  const pid_t child = in_child([&] {
+    const ConstBlock block = message->blocks()[0];
+    return whistle.await() && block.data[0] == seen && all_bytes_are({block.data + 4096, mb - 4096}, 1) ? 0
+                                                                                                        : 1;
+  });
+  message.reset();
+  for (unsigned char value = 2; value < 5; ++value) {
+    EXPECT_EQ(publish_in_place(*out, value), place) << "the child keeps the memory from the publisher";
+    EXPECT_TRUE(all_bytes_are(in->read()->blocks()[0], value));
+  }
+  whistle.blow();
+  EXPECT_EQ(exit_status(child), 0);
+}
+
+TEST(ForkedReading, goes_on_when_the_parent_has_let_go) {
+  read_in_child_afterwards([](const MessagePtr&) {}, 1);
+}
+
+TEST(ForkedReading, goes_on_also_where_a_part_was_written_to) {
+  read_in_child_afterwards(
+      [](const MessagePtr& message) { *const_cast<std::uint8_t*>(message->blocks()[0].data) = 9; }, 9);
+}
+
+TEST(ForkedReading, goes_on_in_a_childs_child) {
+  const auto out = publisher();
+  const auto in = idle_subscriber(out->address());
+  const Whistle whistle;
+  publish_in_place(*out, 1);
+  MessagePtr message = in->read();
+  const pid_t child = in_child([&] {
+    return exit_status(
+        in_child([&] { return whistle.await() && all_bytes_are(message->blocks()[0], 1) ? 0 : 1; }));
+  });
+  message.reset();
+  publish_in_place(*out, 2);
+  whistle.blow();
+  EXPECT_EQ(exit_status(child), 0);
+}
+
+TEST(ForkedReading, of_messages_that_come_and_go_on_another_thread) {
+  const auto out = publisher(10, 4 * mb);
+  const auto in = idle_subscriber(out->address()), other = idle_subscriber(out->address());
+  std::atomic<bool> stop{false};
+  std::thread others([&] {
+    for (unsigned char value = 0; !stop; ++value) {
+      publish_in_place(*out, value);
+      other->read();
+      in->read();
+    }
+  });
+  MessagePtr message;
+  for (int round = 0; round < 20; ++round) {
+    const auto own = publisher();
+    const auto own_in = idle_subscriber(own->address());
+    publish_in_place(*own, 1);
+    message = own_in->read();
+    EXPECT_EQ(exit_status(in_child([&] { return all_bytes_are(message->blocks()[0], 1) ? 0 : 1; })), 0);
+  }
+  stop = true;
+  others.join();
+  EXPECT_TRUE(eventually([&] { return out->memory()->allocate(3 * mb) != nullptr; }));
+}
+
+TEST(ForkedReading, a_child_that_is_killed_at_once_keeps_nothing) {
+  const auto out = publisher(10, 4 * mb);
+  const auto in = idle_subscriber(out->address());
+  const std::uint8_t* const place = publish_in_place(*out, 1);
+  MessagePtr message = in->read();
+  child_dies_at_fork = true;
+  const pid_t child = in_child([] { return 0; });
+  child_dies_at_fork = false;
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  message.reset();
+  EXPECT_EQ(publish_in_place(*out, 2), place);
+}
+
+TEST(ForkedReading, of_a_view_in_the_publishers_own_process) {
+  const auto memory = memory_of(4 * mb);
+  BufferPtr buffer = filled(*memory, mb, 1);
+  const std::uint8_t* const place = buffer->data();
+  BufferViews views = view_for_callbacks({buffer});
+  const Whistle whistle;
+  const pid_t child = in_child([&] { return whistle.await() && all_bytes_are(views.blocks[0], 1) ? 0 : 1; });
+  views = BufferViews();
+  buffer.reset();
+  EXPECT_EQ(filled(*memory, mb, 2)->data(), place);
+  whistle.blow();
+  EXPECT_EQ(exit_status(child), 0);
+}
+
+}  // namespace
+}  // namespace test
+}  // namespace channel
+}  // namespace tzc
