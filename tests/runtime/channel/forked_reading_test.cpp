@@ -2,8 +2,10 @@
 // A forked child goes on to read what its parent held when it called fork(), and its parent gives it back all the same.
 #include <pthread.h>
 #include <signal.h>
+#include <sys/resource.h>
 
 #include <atomic>
+#include <cerrno>
 
 #include "support.h"
 
@@ -128,6 +130,23 @@ TEST(ForkedReading, a_child_that_is_killed_at_once_keeps_nothing) {
   EXPECT_TRUE(WIFSIGNALED(status));
   message.reset();
   EXPECT_EQ(publish_in_place(*out, 2), place);
+}
+
+int fork_that_fails() {
+  const auto out = publisher(10, 4 * mb);
+  const auto in = idle_subscriber(out->address());
+  const std::uint8_t* const place = publish_in_place(*out, 1);
+  MessagePtr message = in->read();
+  const rlimit none{0, 0};
+  if (::setrlimit(RLIMIT_NPROC, &none) != 0) return 1;
+  if (::geteuid() == 0 && ::setuid(65534) != 0) return 2;  // root may have more
+  if (::fork() != -1 || errno != EAGAIN) return 3;
+  message.reset();
+  return publish_in_place(*out, 2) == place ? 0 : 4;
+}
+
+TEST(ForkedReading, a_fork_that_fails_keeps_nothing_in_a_child) {
+  EXPECT_EQ(exit_status(in_child(fork_that_fails)), 0);
 }
 
 TEST(ForkedReading, of_a_view_in_the_publishers_own_process) {
