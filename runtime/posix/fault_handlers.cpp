@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <mutex>
 #include <vector>
 
@@ -80,10 +81,20 @@ void take_default_action(const Fault& fault) {
   if (fault.info->si_code <= 0) ::raise(fault.number);
 }
 
-void on_fault(int number, siginfo_t* info, void* context);
+using Entry = void (*)(int, siginfo_t*, void*);
+
+/// Ours, as it is installed above that many handlers. A handler that puts back what it had found, as many do before they return,
+/// puts back the entry that it was installed above, and so is the latest no more, nor is any that was found after it.
+template <std::size_t beneath>
+void on_fault_above(int number, siginfo_t* info, void* context);
+
+constexpr Entry entries[most_handlers] = {on_fault_above<1>, on_fault_above<2>, on_fault_above<3>,
+                                          on_fault_above<4>, on_fault_above<5>, on_fault_above<6>,
+                                          on_fault_above<7>, on_fault_above<8>};
 
 bool is_ours(const struct sigaction& action) {
-  return (action.sa_flags & SA_SIGINFO) != 0 && action.sa_sigaction == on_fault;
+  return (action.sa_flags & SA_SIGINFO) != 0 &&
+         std::find(std::begin(entries), std::end(entries), action.sa_sigaction) != std::end(entries);
 }
 
 /// Otherwise a handler that was installed since may have called ours.
@@ -128,20 +139,27 @@ void call_as_predecessor(const Handler& handler, const Fault& fault) {
   call(handler.action, fault);
 }
 
-void on_fault(int number, siginfo_t* info, void* context) {
-  const Fault fault{number, info, context};
+void on_fault(const Fault& fault, std::size_t beneath) {
+  siginfo_t* const info = fault.info;
   const int saved = errno;
   const bool resolved = first.load(std::memory_order_acquire)(fault);
   errno = saved;
   if (resolved) return;
   const Chain& others = *chain.load(std::memory_order_acquire);
-  const std::uint32_t taken = turns_taken(*info);
+  const std::uint32_t before = turns_taken(*info);
+  const auto passed_over = static_cast<std::uint32_t>(others.size() - std::min(beneath, others.size()));
+  const std::uint32_t taken = std::max(before, passed_over);
   if (taken >= others.size()) return take_default_action(fault);
   Handler& next = *others[others.size() - 1 - taken];
-  const bool as_kernel = is_called_by_the_kernel(taken);
+  const bool as_kernel = is_called_by_the_kernel(before);
   set_turns_taken(*info, taken + 1);
   as_kernel ? call_as_kernel(next, fault) : call_as_predecessor(next, fault);
-  set_turns_taken(*info, taken);
+  set_turns_taken(*info, before);
+}
+
+template <std::size_t beneath>
+void on_fault_above(int number, siginfo_t* info, void* context) {
+  on_fault(Fault{number, info, context}, beneath);
 }
 
 bool has_same_code(const struct sigaction& a, const struct sigaction& b) {
@@ -174,7 +192,7 @@ bool install(FaultResolver resolver) {
   add_to_chain(now);
   first.store(resolver, std::memory_order_release);
   struct sigaction ours{};
-  ours.sa_sigaction = on_fault;
+  ours.sa_sigaction = entries[chain.load()->size() - 1];
   ours.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER;
   return ::sigaction(SIGSEGV, &ours, nullptr) == 0;
 }

@@ -216,6 +216,40 @@ int handler_of_one_call_installed_again() {
   return 1;
 }
 
+struct sigaction found_before;
+
+// As crash handlers do that let their predecessor report, or the system: the fault happens again.
+int handler_that_puts_back_what_it_found() {
+  const Exchange exchange;
+  EXPECT_IN_CHILD(exchange.write());
+  forbidden = read_only_page();
+  ::sigaction(SIGSEGV, nullptr, &found_before);
+  install(
+      [](int) {
+        count_call();
+        ::sigaction(SIGSEGV, &found_before, nullptr);
+      },
+      SA_NODEFER);
+  EXPECT_IN_CHILD(exchange.write());
+  *forbidden = 1;
+  return 1;
+}
+
+int handler_that_is_taken_back() {
+  Handler<'a'>::install();
+  const Exchange exchange;
+  EXPECT_IN_CHILD(exchange.write());
+  Handler<'b'>::install();
+  EXPECT_IN_CHILD(exchange.write() && who_hears() == "ba");
+  ::sigaction(SIGSEGV, &Handler<'b'>::before, nullptr);
+  EXPECT_IN_CHILD(who_hears() == "a");
+  EXPECT_IN_CHILD(exchange.write() && who_hears() == "a");
+  Handler<'c'>::install();
+  EXPECT_IN_CHILD(who_hears() == "ca");
+  EXPECT_IN_CHILD(exchange.write() && who_hears() == "ca");
+  return 0;
+}
+
 template <int flags>
 int mask_in_the_handler() {
   static bool is_as_asked = false;
@@ -264,6 +298,9 @@ TEST(WriteHandlers, one_that_insists_in_a_child) {
 TEST(WriteHandlers, one_of_one_call_is_not_reset_by_a_later_one_that_calls_it_in_a_child) {
   EXPECT_EQ(exit_status(in_fresh_child(earlier_handler_of_one_call_called_by_a_later_one)), 0);
 }
+TEST(WriteHandlers, that_are_taken_back_hear_no_more_in_a_child) {
+  EXPECT_EQ(exit_status(in_fresh_child(handler_that_is_taken_back)), 0);
+}
 TEST(WriteHandlers, run_with_the_signals_blocked_that_they_ask_for_in_a_child) {
   EXPECT_EQ(exit_status(in_fresh_child(mask_in_the_handler<0>)), 0);
   EXPECT_EQ(exit_status(in_fresh_child(mask_in_the_handler<SA_NODEFER>)), 0);
@@ -280,6 +317,9 @@ TEST(WriteHandlers, of_one_call_are_called_once_in_a_child) {
   EXPECT_EQ(signal_that_ends(one_call_that_returns), SIGSEGV);
   EXPECT_EQ(signal_that_ends(one_call_that_raises), SIGSEGV);
   EXPECT_EQ(signal_that_ends(one_call_that_raises_at_once), SIGSEGV);
+}
+TEST(WriteHandlers, that_put_back_what_they_found_are_called_once_in_a_child) {
+  EXPECT_EQ(signal_that_ends(handler_that_puts_back_what_it_found), SIGSEGV);
 }
 TEST(WriteHandlers, of_one_call_that_are_installed_again_are_called_again_in_a_child) {
   EXPECT_EQ(signal_that_ends(handler_of_one_call_installed_again), SIGSEGV);
