@@ -11,5 +11,9 @@ constexpr char closed_by_publisher[] = "the publisher closed the connection";
 constexpr char lent_socket_missed[] =
     "a socket that the publisher lent did not arrive; this process may have too many files open (ulimit -n)";
 
+/// Likewise.
+constexpr char segment_files_missed[] =
+    "the files of a segment did not arrive; this process may have too many files open (ulimit -n)";
+
 }  // namespace channel
 }  // namespace tzc

@@ -58,7 +58,7 @@ Status reserve(MemoryFile& file, std::size_t offset, std::size_t bytes);
 Status reserve(const MemoryFile& file, ReservedBytes& reserved, std::size_t offset, std::size_t bytes);
 
 /// What a receiver must know before it maps a peer's file of `size` bytes: that it is a memory file of that
-/// very size, and (on Linux) that the peer cannot truncate it any more.
+/// very size, that it may be mapped as `sharing` says, and (on Linux) that the peer cannot truncate it any more.
 Status check_received(int fd, std::size_t size, Sharing sharing);
 
 /// Tells one memory file from all others, for as long as it has a descriptor or a mapping.

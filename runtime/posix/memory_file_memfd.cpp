@@ -56,6 +56,12 @@ bool has_ordinary_pages(int fd) {
   return ::fstatfs(fd, &system) == 0 && static_cast<long>(system.f_type) == tmpfs_magic;
 }
 
+bool can_be_mapped(int fd, int seals, Sharing sharing) {
+  const int mode = ::fcntl(fd, F_GETFL) & O_ACCMODE;
+  if (sharing == Sharing::peers_read) return mode != O_WRONLY;
+  return mode == O_RDWR && (seals & (F_SEAL_WRITE | F_SEAL_FUTURE_WRITE)) == 0;
+}
+
 }  // namespace
 
 Expected<MemoryFile> create_memory_file(const char* name, std::size_t size, Sharing) {
@@ -91,11 +97,12 @@ void give_back(const MemoryFile& file, std::size_t offset, std::size_t bytes) no
               static_cast<off_t>(bytes));
 }
 
-Status check_received(int fd, std::size_t size, Sharing) {
+Status check_received(int fd, std::size_t size, Sharing sharing) {
   const int seals = ::fcntl(fd, F_GET_SEALS);
   if (seals < 0) return refused("it is not a memfd");
   if ((seals & size_seals) != size_seals) return refused("its size is not sealed");
   if (!has_ordinary_pages(fd)) return refused("it has huge pages");
+  if (!can_be_mapped(fd, seals, sharing)) return refused("it may not be mapped as it should");
   struct stat status{};
   if (::fstat(fd, &status) != 0) return system_error("inspect a received memory file");
   if (static_cast<std::size_t>(status.st_size) != size) return refused("its size is not the announced one");

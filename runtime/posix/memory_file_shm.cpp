@@ -20,6 +20,12 @@ namespace tzc {
 namespace posix {
 namespace {
 
+Error refused(const char* what) {
+  Error error;
+  error.what = std::string("refuse a received memory file: ") + what;
+  return error;
+}
+
 FileDescriptor open_shm(const std::string& name, int flags) {
   return within_share(FileDescriptor(::shm_open(name.c_str(), flags | O_CLOEXEC, S_IRUSR | S_IWUSR)));
 }
@@ -81,13 +87,13 @@ Status seal(MemoryFile&, Sharing) {
   return Success{};
 }
 
-Status check_received(int fd, std::size_t size, Sharing) {
+Status check_received(int fd, std::size_t size, Sharing sharing) {
   struct stat status{};
   if (::fstat(fd, &status) != 0) return system_error("inspect a received memory file");
-  if (static_cast<std::size_t>(status.st_size) == size) return Success{};
-  Error error;
-  error.what = "refuse a received memory file: its size is not the announced one";
-  return error;
+  if (static_cast<std::size_t>(status.st_size) != size) return refused("its size is not the announced one");
+  const int mode = ::fcntl(fd, F_GETFL) & O_ACCMODE;
+  const bool can_be_mapped = sharing == Sharing::peers_read ? mode != O_WRONLY : mode == O_RDWR;
+  return can_be_mapped ? Status(Success{}) : refused("it may not be mapped as it should");
 }
 
 }  // namespace posix

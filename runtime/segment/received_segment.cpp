@@ -15,11 +15,11 @@ namespace {
 
 constexpr std::uint32_t max_slots = 1 << 20;
 
-Error refused(const char* what) {
+Refusal refused(const char* what) {
   Error error;
   error.what = std::string("refuse a received segment: ") + what;
   error.hint = "the publisher is not a TZC process of this version";
-  return error;
+  return Refusal(std::move(error));
 }
 
 bool is_plausible(const SegmentOffer& offer) {
@@ -43,16 +43,17 @@ bool check_segment_header(const std::uint8_t* bytes, const SegmentOffer& offer) 
          header.id == offer.id && header.size == offer.size;
 }
 
-Expected<std::shared_ptr<ReceivedSegment>> ReceivedSegment::open(const SegmentOffer& offer,
-                                                                 posix::FileDescriptor data,
-                                                                 posix::FileDescriptor acknowledgements,
-                                                                 ViewWrites writes, WriteListener* listener) {
+// What was sent is checked before anything is mapped: that the files exist, have their size and may be mapped as they are below.
+// A mapping that fails then fails for want of memory or of mappings, or because a sandbox forbids it.
+OpenedSegment ReceivedSegment::open(const SegmentOffer& offer, posix::FileDescriptor data,
+                                    posix::FileDescriptor acknowledgements, ViewWrites writes,
+                                    WriteListener* listener) {
   if (!is_plausible(offer)) return refused("its sizes don't agree");
   const Status data_ok = posix::check_received(data.get(), offer.file_size, posix::Sharing::peers_read);
-  if (!data_ok) return data_ok.error();
+  if (!data_ok) return Refusal(data_ok.error());
   const Status acks_ok =
       posix::check_received(acknowledgements.get(), offer.ack_size, posix::Sharing::peers_write);
-  if (!acks_ok) return acks_ok.error();
+  if (!acks_ok) return Refusal(acks_ok.error());
   auto data_map = posix::Mapping::map(data.get(), offer.size, posix::Access::read_only, offer.offset);
   if (!data_map) return data_map.error();
   auto ack_map = posix::Mapping::map(acknowledgements.get(), offer.ack_size, posix::Access::read_write);

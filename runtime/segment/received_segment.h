@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "posix/file_descriptor.h"
@@ -46,17 +48,24 @@ enum class ViewWrites {
   fault,          ///< is a SIGSEGV; nothing is copied
 };
 
+/// Why what a peer sent is no segment: its fault. Any other error is this process's own lack of something.
+struct Refusal : Error {
+  explicit Refusal(Error error) : Error(std::move(error)) {}
+};
+
+class ReceivedSegment;
+using OpenedSegment = std::variant<std::shared_ptr<ReceivedSegment>, Refusal, Error>;
+
 /// The subscriber's side of a segment: its data mapped read-only, once more for the views of payloads that have pages of
 /// their own (private_views.h), and its acknowledgements read-write. Thread-safe. Whatever the peer sent or writes
 /// meanwhile, nothing here reads or writes outside these mappings.
 class ReceivedSegment final : public ForkCopied {
  public:
-  /// Error: sizes that don't agree, files that are not sealed, a header of another version.
-  static Expected<std::shared_ptr<ReceivedSegment>> open(const SegmentOffer& offer,
-                                                         posix::FileDescriptor data,
-                                                         posix::FileDescriptor acknowledgements,
-                                                         ViewWrites writes = ViewWrites::private_pages,
-                                                         WriteListener* listener = nullptr);
+  /// Refusal: sizes that don't agree, files that are not sealed or not of the promised kind, a header of another version.
+  /// Error: they may be what they should, and this process cannot map them.
+  static OpenedSegment open(const SegmentOffer& offer, posix::FileDescriptor data,
+                            posix::FileDescriptor acknowledgements,
+                            ViewWrites writes = ViewWrites::private_pages, WriteListener* listener = nullptr);
   ReceivedSegment() = default;
   ~ReceivedSegment();
 

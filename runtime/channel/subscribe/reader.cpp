@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <variant>
 
 #include "channel/end_reason.h"
 #include "channel/wire/age_stamp.h"
@@ -137,14 +138,22 @@ const std::shared_ptr<segment::ReceivedSegment>* Reader::find_segment(std::uint6
 bool Reader::open_segment(posix::ReceivedPacket& packet) {
   SegmentPacket offer{};
   if (packet.size != sizeof offer || !parse(packet.size, offer)) return broken("a malformed segment");
-  if (packet.descriptor_count != 2) return broken("a segment without its files (too many open files here?)");
+  if (packet.descriptor_count != 2) {
+    if (!packet.descriptors_lost) return broken("a segment without its files");
+    give_up(segment_files_missed);
+    return false;
+  }
   if (segments_.size() >= max_segments || find_segment(offer.offer.id) != nullptr)
     return broken("too many segments");
   auto opened = segment::ReceivedSegment::open(offer.offer, std::move(packet.descriptors[0]),
                                                std::move(packet.descriptors[1]), link_->view_use().writes,
                                                &link_->write_notice());
-  if (!opened) return broken(opened.error().text());
-  segments_.push_back(std::move(*opened));
+  if (const auto* refusal = std::get_if<segment::Refusal>(&opened)) return broken(refusal->text());
+  if (const auto* error = std::get_if<Error>(&opened)) {
+    give_up("this process cannot map a segment of the publisher: " + error->text());
+    return false;
+  }
+  segments_.push_back(std::get<std::shared_ptr<segment::ReceivedSegment>>(std::move(opened)));
   return true;
 }
 

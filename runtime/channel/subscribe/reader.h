@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "channel/latency_histogram.h"
@@ -42,7 +43,7 @@ class Reader {
   bool has_something();
   const std::string& reason() const { return reason_; }
   /// There is no further message.
-  void give_up(const char* reason) { reason_ = reason; }
+  void give_up(std::string reason) { reason_ = std::move(reason); }
   const ReaderCounters& counters() const { return counters_; }
   const TakeTrace& trace() const { return trace_; }
 

@@ -62,8 +62,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   auto ack_file = sealed_file(input.take_bytes(input.take<std::uint16_t>() % 1024),
                               input.take<std::uint16_t>(), {ack_header, sizeof ack_header, 0}, choice & 4);
   auto opened = segment::ReceivedSegment::open(offer, std::move(data_file), std::move(ack_file));
-  if (!opened) return 0;
-  segment::ReceivedSegment& segment = **opened;
+  const auto* segment_ptr = std::get_if<std::shared_ptr<segment::ReceivedSegment>>(&opened);
+  if (segment_ptr == nullptr) return 0;
+  segment::ReceivedSegment& segment = **segment_ptr;
   std::uint64_t sum = 0;
   for (int i = 0; i < 16 && !input.empty(); ++i) {
     const segment::BlockRef ref = take_ref(input);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Publishers that lie: the subscriber ends the connection, says why, and touches nothing that is not there.
 
+#include <unistd.h>
+
 #include "channel/wire/shared_page.h"
+#include "few_descriptors.h"
 #include "posix/address.h"
 #include "posix/futex.h"
 #include "posix/mapping.h"
@@ -114,6 +117,35 @@ TEST_F(HostilePublisher, a_file_shorter_than_announced_ends_it) {
   peer_->send(SegmentPacket{PacketKind::segment, 0, {1, mb, mb, mb, 0, 64}},
               {file->descriptor.get(), file->descriptor.get()});
   expect_broken("not the announced one");
+}
+
+// As for a subscriber with little address space: no process has so much.
+TEST_F(HostilePublisher, one_of_whose_segments_this_process_has_no_room_broke_no_protocol) {
+  subscribe();
+  const std::size_t vast = std::size_t{1} << 60;
+  auto data = posix::create_memory_file("vast", vast, posix::Sharing::peers_write);
+  auto acks = posix::create_memory_file("acks", mb, posix::Sharing::peers_write);
+  ASSERT_TRUE(data && acks);
+  posix::seal(*data, posix::Sharing::peers_write);
+  posix::seal(*acks, posix::Sharing::peers_write);
+  peer_->send(SegmentPacket{PacketKind::segment, 0, {1, vast, mb, vast, 0, 64}},
+              {data->descriptor.get(), acks->descriptor.get()});
+  const std::string reason = end_reason();
+  EXPECT_EQ(reason.find("broke the protocol"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("this process cannot map a segment"), std::string::npos) << reason;
+}
+
+TEST_F(HostilePublisher, nor_did_one_whose_files_find_no_descriptor_here) {
+  subscribe();
+  auto file = posix::create_memory_file("segment", mb, posix::Sharing::peers_write);
+  const int next = ::dup(file->descriptor.get());
+  ::close(next);
+  const FewDescriptors none_is_left(static_cast<rlim_t>(next));
+  peer_->send(SegmentPacket{PacketKind::segment, 0, {1, mb, mb, mb, 0, 64}},
+              {file->descriptor.get(), file->descriptor.get()});
+  const std::string reason = end_reason();
+  EXPECT_EQ(reason.find("broke the protocol"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("too many files open"), std::string::npos) << reason;
 }
 
 TEST_F(HostilePublisher, a_part_that_lies_outside_its_file_ends_it) {

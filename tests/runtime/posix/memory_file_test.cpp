@@ -75,7 +75,26 @@ TEST(MemoryFile, a_received_file_must_have_the_announced_size) {
   EXPECT_FALSE(check_received(file.shared_fd(), 2 * size, Sharing::peers_read));
 }
 
+// Or a mapping that fails would not tell whether the peer or this process is to blame.
+TEST(MemoryFile, a_received_file_must_be_open_for_what_it_is_sent_for) {
+  MemoryFile file = create(Sharing::peers_write);
+  ASSERT_TRUE(seal(file, Sharing::peers_write));
+  const std::string path = "/proc/self/fd/" + std::to_string(file.shared_fd());
+  const FileDescriptor reads(::open(path.c_str(), O_RDONLY)), writes(::open(path.c_str(), O_WRONLY));
+  EXPECT_TRUE(check_received(file.shared_fd(), size, Sharing::peers_write));
+  EXPECT_TRUE(check_received(reads.get(), size, Sharing::peers_read));
+  EXPECT_FALSE(check_received(reads.get(), size, Sharing::peers_write));
+  EXPECT_FALSE(check_received(writes.get(), size, Sharing::peers_read));
+}
+
 #ifndef TZC_PORTABLE
+TEST(MemoryFile, one_that_is_sealed_against_writing_is_refused_where_it_is_to_be_written) {
+  MemoryFile file = create(Sharing::peers_write);
+  ASSERT_EQ(::fcntl(file.shared_fd(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW), 0);
+  EXPECT_TRUE(check_received(file.shared_fd(), size, Sharing::peers_read));
+  EXPECT_FALSE(check_received(file.shared_fd(), size, Sharing::peers_write));
+}
+
 TEST(MemoryFile, a_received_file_that_can_shrink_is_refused) {
   MemoryFile file = create(Sharing::peers_read);
   EXPECT_FALSE(check_received(file.shared_fd(), size, Sharing::peers_read));
