@@ -38,8 +38,8 @@ bool has_other_handles(Block& block) {
 }
 
 /// Reuses what guard mode keeps from reuse, until there is room.
-Block* allocate_in_quarantine(const std::vector<SegmentPtr>& segments, std::size_t bytes, Error& failure) {
-  for (const SegmentPtr& segment : segments) {
+Block* allocate_in_quarantine(const SegmentList& segments, std::size_t bytes, Error& failure) {
+  for (const SegmentList::Entry& segment : segments) {
     while (segment->guard() != nullptr && segment->guard()->cut_quarantine()) {
       if (Block* block = segment->allocate_block(bytes, Segment::Where::anywhere, failure)) return block;
     }
@@ -49,9 +49,9 @@ Block* allocate_in_quarantine(const std::vector<SegmentPtr>& segments, std::size
 
 /// The largest block that there would be room for if nothing were in use. Segments that are too small make way for one that
 /// is not, but only where no size was given.
-std::size_t most_bytes(const std::vector<SegmentPtr>& segments, const MemoryOptions& options) {
+std::size_t most_bytes(const SegmentList& segments, const MemoryOptions& options) {
   std::size_t most = options.size == 0 ? options.ceiling : 0;
-  for (const SegmentPtr& segment : segments) most = std::max(most, segment->file().payload_bytes());
+  for (const SegmentList::Entry& segment : segments) most = std::max(most, segment->file().payload_bytes());
   return most;
 }
 
@@ -73,15 +73,10 @@ AllocationError why_refused(std::size_t bytes, const Error& system, std::size_t 
 }  // namespace
 
 SegmentMemoryImpl::SegmentMemoryImpl(const MemoryOptions& options)
-    : options_(options), epoch_(posix::fork_epoch()) {}
-
-SegmentMemoryImpl::~SegmentMemoryImpl() {
-  for (const SegmentPtr& segment : segments_) segment->retire();
-}
+    : options_(options), epoch_(posix::fork_epoch()), segments_(options_) {}
 
 Status SegmentMemoryImpl::open() {
-  if (options_.size == 0 || add_segment(guarded_size(options_.size))) return Success{};
-  return failure_;
+  return options_.size == 0 ? Status(Success{}) : segments_.add(guarded_size(options_.size));
 }
 
 BufferPtr SegmentMemoryImpl::allocate(std::size_t bytes) {
@@ -108,22 +103,19 @@ Block* SegmentMemoryImpl::find_room(std::size_t bytes) {
   if (guard::active) {
     if (Block* block = allocate_in_quarantine(segments_, bytes, failure_)) return block;
   }
-  for (const SegmentPtr& segment : segments_) segment->holders().revoke_buffered();
+  for (const SegmentList::Entry& segment : segments_) segment->holders().revoke_buffered();
   reclaim(SIZE_MAX, SIZE_MAX);
   if (Block* block = allocate_block(bytes, Segment::Where::anywhere)) return block;
   return options_.policy.kind == PolicyKind::best_effort ? revoke_and_allocate(bytes) : nullptr;
 }
 
 Block* SegmentMemoryImpl::allocate_block(std::size_t bytes, Segment::Where where) {
-  for (const SegmentPtr& segment : segments_) {
-    if (Block* block = segment->allocate_block(bytes, where, failure_)) return block;
-  }
-  return nullptr;
+  return segments_.allocate_block(bytes, where, failure_);
 }
 
 void SegmentMemoryImpl::reclaim(std::size_t visits, std::size_t passes) {
   if (options_.policy.kind == PolicyKind::worst_effort) return reclaim_in_order(visits);
-  for (const SegmentPtr& segment : segments_) {
+  for (const SegmentList::Entry& segment : segments_) {
     // A peer can hint at slots as fast as they are looked at; each holder has its turn before this ends.
     const std::size_t most = std::min(visits, segment->file().slots() * (segment->holders().count() + 1));
     for (std::size_t i = 0; i < most; ++i) {
@@ -156,17 +148,20 @@ bool SegmentMemoryImpl::try_reclaim(Block& block) {
   return true;
 }
 
+// What is wanted (room for the queue, twice what there is, the ceiling) are wishes: where the system has not got so much, room for
+// this message will do.
 Block* SegmentMemoryImpl::grow_and_allocate(std::size_t bytes) {
   if (options_.size != 0) return nullptr;
-  if (segments_.empty())
-    return add_segment(first_size(bytes, options_)) ? allocate_block(bytes, Segment::Where::anywhere)
-                                                    : nullptr;
-  drop_unused_segments();
-  const std::size_t total = total_size();
+  const bool first = segments_.count() == 0;
+  segments_.drop_unused();
+  const std::size_t total = segments_.total_size();
   const std::size_t room = options_.ceiling > total ? options_.ceiling - total : 0;
-  const std::size_t wanted = std::min(std::max(total, first_size(bytes, options_)), room);
-  if (wanted < bytes || !add_segment(wanted)) return nullptr;
-  return allocate_block(bytes, Segment::Where::anywhere);
+  const std::size_t wanted = std::max(total, first_size(bytes, options_));
+  const std::size_t most = first ? wanted : std::min(wanted, room);
+  if (most < bytes) return nullptr;
+  const Status added = segments_.add_up_to(most, bytes);
+  failure_ = added ? Error() : added.error();
+  return added ? allocate_block(bytes, Segment::Where::anywhere) : nullptr;
 }
 
 // First what is in flight to subscribers, then what still waits in this process's queues.
@@ -209,30 +204,6 @@ void SegmentMemoryImpl::bring_back(Block& block) {
   block.put_aside = false;
 }
 
-bool SegmentMemoryImpl::add_segment(std::size_t size) {
-  Expected<SegmentPtr> segment = Segment::create(size, options_);
-  if (segment) {
-    segments_.push_back(std::move(*segment));
-  } else {
-    failure_ = segment.error();
-  }
-  return static_cast<bool>(segment);
-}
-
-// A publisher whose messages grew leaves its first segments behind; they make room for one that fits.
-void SegmentMemoryImpl::drop_unused_segments() {
-  const auto keep = [](const SegmentPtr& segment) { return !segment->unused(); };
-  const auto unused = std::stable_partition(segments_.begin(), segments_.end(), keep);
-  std::for_each(unused, segments_.end(), [](const SegmentPtr& segment) { segment->retire(); });
-  segments_.erase(unused, segments_.end());
-}
-
-std::size_t SegmentMemoryImpl::total_size() const {
-  std::size_t total = 0;
-  for (const SegmentPtr& segment : segments_) total += segment->file().size();
-  return total;
-}
-
 BufferPtr SegmentMemoryImpl::admit(Block& block) {
   queue_.push(block);
   stats_.used_bytes += block.size();
@@ -255,9 +226,10 @@ MemoryStats SegmentMemoryImpl::stats() const {
   if (posix::forked_since(epoch_)) return MemoryStats();
   const std::lock_guard<std::mutex> lock(mutex_);
   MemoryStats stats = stats_;
-  stats.segments = segments_.size();
-  stats.size_bytes = total_size();
-  for (const SegmentPtr& segment : segments_) stats.reserved_bytes += segment->file().committed_bytes();
+  stats.segments = segments_.count();
+  stats.size_bytes = segments_.total_size();
+  for (const SegmentList::Entry& segment : segments_)
+    stats.reserved_bytes += segment->file().committed_bytes();
   return stats;
 }
 

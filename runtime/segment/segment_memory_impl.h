@@ -2,11 +2,10 @@
 #pragma once
 
 #include <mutex>
-#include <vector>
 
 #include "segment/block.h"
 #include "segment/segment.h"
-#include "segment/segment_ptr.h"
+#include "segment/segment_list.h"
 #include "tzc/memory.h"
 
 namespace tzc {
@@ -26,7 +25,6 @@ namespace segment {
 class SegmentMemoryImpl {
  public:
   explicit SegmentMemoryImpl(const MemoryOptions& options);
-  ~SegmentMemoryImpl();
 
   Status open();  ///< creates the first segment when the total size is given
   BufferPtr allocate(std::size_t bytes);
@@ -45,16 +43,13 @@ class SegmentMemoryImpl {
   bool try_reclaim(Block& block);
   void put_aside(Block& block);
   void bring_back(Block& block);
-  bool add_segment(std::size_t size);
-  void drop_unused_segments();
-  std::size_t total_size() const;
   BufferPtr admit(Block& block);
   BufferPtr refuse(std::size_t bytes, std::size_t occupied);
 
   const MemoryOptions options_;
   const std::uint32_t epoch_;
   mutable std::mutex mutex_;
-  std::vector<SegmentPtr> segments_;
+  SegmentList segments_;
   BlockQueue queue_;  // of blocks in use
   BlockQueue
       aside_;  // of those that a subscriber took: nothing can be revoked there until something is released

@@ -13,6 +13,9 @@ namespace {
 
 using Cause = AllocationError::Cause;
 
+/// A memory for fewer is hardly one: one in a callback, one that waits, one in flight, one that is being filled.
+constexpr std::size_t kFewMessages = 4;
+
 /// What the queue and one subscriber use at once: the queue and the record that goes with it (decision 509), a message that
 /// is being filled, one in a callback and one that waits for it.
 std::size_t messages_at_once(const MemoryOptions& options) {
@@ -53,9 +56,21 @@ std::string usage(const Exhaustion& what, const MemoryStats& memory) {
   return text.str();
 }
 
-/// None where the system refuses memory: a larger size would not get more of it, and the failure says what would.
-std::string advice(const Exhaustion& what, const MemoryOptions& options, Cause cause) {
-  if (cause == Cause::system) return "";
+/// Where the system refuses memory a larger size would not get more of it, and the failure says what would. But a memory that
+/// has room for some messages can do without more, and leaves it to the rest of the process.
+std::string advice_to_a_short_one(const Exhaustion& what, const MemoryOptions& options,
+                                  const MemoryStats& memory) {
+  const std::size_t megabytes = memory.reserved_bytes / kMegabyte;
+  if (megabytes * kMegabyte < kFewMessages * what.message_bytes || megabytes == 0 ||
+      megabytes * kMegabyte >= most_bytes(options))
+    return "";
+  return ". A smaller memory is possible: with ~tzc/memory_size at " + std::to_string(megabytes) +
+         "M, which it has, or less, it asks the system for no more (" + size_now(options) + ")";
+}
+
+std::string advice(const Exhaustion& what, const MemoryOptions& options, const MemoryStats& memory,
+                   Cause cause) {
+  if (cause == Cause::system) return advice_to_a_short_one(what, options, memory);
   const std::size_t enough = enough_megabytes(what.message_bytes, options);
   if (enough * kMegabyte <= most_bytes(options))
     return ". This should be enough for the queue and one subscriber: see which subscriber keeps its "
@@ -79,7 +94,7 @@ std::string exhaustion_report(const Exhaustion& what, const MemoryOptions& optio
        << (what.outcome == OnExhausted::drop ? "dropped, as ~tzc/on_exhausted says" : "sent serialized")
        << "; " << what.so_far << " so far";
   if (why.cause != Cause::too_large && memory.used_blocks > 0) text << usage(what, memory);
-  text << advice(what, options, why.cause);
+  text << advice(what, options, memory, why.cause);
   return text.str();
 }
 

@@ -84,6 +84,20 @@ TEST(ExhaustionReport, a_ceiling_is_named_and_no_size_is_advised) {
     EXPECT_FALSE(has(text, part)) << part << " in: " << text;
 }
 
+TEST(ExhaustionReport, what_the_system_gave_is_advised_where_that_is_enough_for_some_messages) {
+  MemoryStats memory;
+  memory.reserved_bytes = 64 * kMegabyte + 5;
+  AllocationError failure;
+  failure.cause = AllocationError::Cause::system;
+  const Exhaustion what{"/image", 4'000'000, OnExhausted::deliver, 12, ""};
+  const std::string text = exhaustion_report(what, options_of(0), memory, failure);
+  EXPECT_TRUE(has(text, "~tzc/memory_size at 64M")) << text;
+  memory.reserved_bytes = 2 * what.message_bytes;
+  EXPECT_FALSE(has(exhaustion_report(what, options_of(0), memory, failure), "memory_size"));
+  memory.reserved_bytes = 64 * kMegabyte;
+  EXPECT_FALSE(has(exhaustion_report(what, options_of(64 * kMegabyte), memory, failure), "memory_size at"));
+}
+
 TEST(ExhaustionReport, a_size_that_should_be_enough_is_not_advised_again) {
   const std::string text = report_on(kMegabyte, options_of(20 * kMegabyte), 20 * kMegabyte);
   EXPECT_FALSE(has(text, "Set ~tzc/memory_size to")) << text;

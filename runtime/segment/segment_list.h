@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "segment/segment.h"
+#include "segment/segment_ptr.h"
+#include "tzc/memory.h"
+
+namespace tzc {
+namespace segment {
+
+/// The segments of one memory: how large a new one is where the system does not give what is wanted, and when one goes. Used by
+/// one allocator at a time.
+class SegmentList {
+ public:
+  struct Entry {
+    SegmentPtr segment;
+    Segment* operator->() const noexcept { return segment.get(); }
+  };
+  using Entries = std::vector<Entry>;
+
+  explicit SegmentList(const MemoryOptions& options) : options_(options) {}
+  ~SegmentList();
+  SegmentList(const SegmentList&) = delete;
+  SegmentList& operator=(const SegmentList&) = delete;
+
+  Entries::const_iterator begin() const { return entries_.begin(); }
+  Entries::const_iterator end() const { return entries_.end(); }
+  std::size_t count() const { return entries_.size(); }
+  std::size_t total_size() const;
+
+  /// In the first segment that has room. Errors other than "no room" go to `failure`.
+  Block* allocate_block(std::size_t bytes, Segment::Where where, Error& failure);
+  /// Adds a segment of exactly so many bytes.
+  Status add(std::size_t bytes);
+  /// Adds one of `wanted` bytes, or of fewer where the system has not got so many, but of `least` at least. Error: what the
+  /// system last said.
+  Status add_up_to(std::size_t wanted, std::size_t least);
+  /// Lets go of all that are empty.
+  void drop_unused();
+
+ private:
+  static constexpr unsigned calls_between_requests = 16;
+  static constexpr std::size_t no_limit = SIZE_MAX / 2;  // twice that can be asked for
+
+  struct Shortage {
+    Error error;            ///< what the system last said to a size
+    std::size_t least = 0;  ///< so much was needed, and not there
+    unsigned calls_to_skip = 0;
+  };
+
+  Status share(std::size_t possible, std::size_t least);
+  Status note_shortage(std::size_t possible, std::size_t least);
+  template <class Predicate>
+  void drop(Predicate goes);
+
+  const MemoryOptions& options_;
+  Entries entries_;
+  std::size_t possible_ = no_limit;  ///< twice as much was refused when it was last asked for
+  Shortage short_;
+};
+
+}  // namespace segment
+}  // namespace tzc

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Memories without a given size: how they grow where the system has little, and what they give back.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <new>
+#include <vector>
+
+#include "tzc/memory.h"
+#include "tzc/process_memory.h"
+
+namespace tzc {
+namespace segment {
+namespace {
+
+constexpr std::size_t mb = 1 << 20;
+
+std::shared_ptr<SegmentMemory> growing_memory(std::size_t queue_size, Prefault prefault = Prefault::none) {
+  MemoryOptions options;
+  options.queue_size = queue_size;
+  options.prefault = prefault;
+  return *SegmentMemory::create(options);
+}
+
+std::vector<BufferPtr> fill(SegmentMemory& memory, std::size_t bytes) {
+  std::vector<BufferPtr> buffers;
+  while (BufferPtr buffer = memory.allocate(bytes)) buffers.push_back(buffer);
+  return buffers;
+}
+
+struct Ceiling {
+  explicit Ceiling(std::size_t bytes) { set_memory_ceiling(bytes); }
+  ~Ceiling() { set_memory_ceiling(SIZE_MAX); }
+};
+
+// The pages of a segment are committed at once with Prefault::all, so a ceiling refuses the segment itself.
+TEST(Growth, goes_down_to_what_the_system_has) {
+  const auto memory = growing_memory(100, Prefault::all);
+  const Ceiling ceiling(process_memory().reserved_bytes + 40 * mb);
+  EXPECT_TRUE(memory->allocate(mb)) << memory->last_failure().text();
+  EXPECT_GE(memory->stats().size_bytes, 8 * mb);
+  EXPECT_LE(memory->stats().size_bytes, 22 * mb) << "the rest of the process keeps half";
+}
+
+TEST(Growth, goes_down_to_one_message) {
+  const auto memory = growing_memory(100, Prefault::all);
+  const Ceiling ceiling(process_memory().reserved_bytes + mb + mb / 4);
+  const BufferPtr one = memory->allocate(mb);
+  EXPECT_TRUE(one) << memory->last_failure().text();
+  EXPECT_FALSE(memory->allocate(mb));
+  EXPECT_EQ(memory->last_failure().cause, AllocationError::Cause::system);
+}
+
+TEST(Growth, is_as_it_was_when_memory_comes_back) {
+  const auto memory = growing_memory(100, Prefault::all);
+  std::vector<BufferPtr> held;
+  {
+    const Ceiling ceiling(process_memory().reserved_bytes + mb);
+    held = fill(*memory, mb / 10);
+    EXPECT_GE(held.size(), 2u);
+    EXPECT_LE(held.size(), 8u);
+  }
+  for (int i = 0; i < 200; ++i) {
+    if (BufferPtr buffer = memory->allocate(mb / 10)) held.push_back(buffer);
+  }
+  EXPECT_GE(held.size(), 150u);
+}
+
+// A message that needs less than what was refused is not kept from asking.
+TEST(Growth, a_small_message_is_not_refused_for_a_large_one) {
+  const auto memory = growing_memory(0, Prefault::all);
+  const Ceiling ceiling(process_memory().reserved_bytes + 4 * mb);
+  EXPECT_FALSE(memory->allocate(16 * mb));
+  EXPECT_TRUE(memory->allocate(1000)) << memory->last_failure().text();
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+std::size_t address_space() {
+  std::FILE* file = std::fopen("/proc/self/statm", "r");
+  std::size_t pages = 0;
+  const bool read = file != nullptr && std::fscanf(file, "%zu", &pages) == 1;
+  if (file != nullptr) std::fclose(file);
+  return read ? pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) : 0;
+}
+
+// Images of 4 MB, a queue of 100, 200 MB of address space: the first segment would be one of 408 MB.
+bool shares_address_space() {
+  const auto memory = growing_memory(100);
+  const rlim_t most = address_space() + 200 * mb;
+  const rlimit limit{most, most};
+  if (::setrlimit(RLIMIT_AS, &limit) != 0) return false;
+  const std::vector<BufferPtr> held = fill(*memory, 4 * mb);
+  const bool refused_by_system = memory->last_failure().cause == AllocationError::Cause::system;
+  const std::unique_ptr<char[]> serialized(new (std::nothrow) char[32 * mb]);
+  std::fprintf(stderr, "%zu messages, %s\n", held.size(), memory->last_failure().text().c_str());
+  return held.size() >= 8 && refused_by_system && serialized != nullptr;
+}
+
+TEST(Growth, shares_the_address_space_with_the_program_in_a_child) {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(shares_address_space() ? 0 : 1);
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0) << "status " << status;
+}
+#endif
+
+}  // namespace
+}  // namespace segment
+}  // namespace tzc
