@@ -17,6 +17,7 @@ class SegmentList {
  public:
   struct Entry {
     SegmentPtr segment;
+    std::uint64_t used_at;  ///< the memory's count of blocks when the latest one was allocated there
     Segment* operator->() const noexcept { return segment.get(); }
   };
   using Entries = std::vector<Entry>;
@@ -40,8 +41,14 @@ class SegmentList {
   Status add_up_to(std::size_t wanted, std::size_t least);
   /// Lets go of all that are empty.
   void drop_unused();
+  /// Lets go of those that are empty and have been so for long: after each block that was allocated. The one in which it lies
+  /// stays, so this never drops the last one.
+  void drop_idle() {
+    if (allocated_ % blocks_per_look == 0 && entries_.size() > 1) look_for_idle();
+  }
 
  private:
+  static constexpr std::uint64_t blocks_per_look = 64;
   static constexpr unsigned calls_between_requests = 16;
   static constexpr std::size_t no_limit = SIZE_MAX / 2;  // twice that can be asked for
 
@@ -55,9 +62,11 @@ class SegmentList {
   Status note_shortage(std::size_t possible, std::size_t least);
   template <class Predicate>
   void drop(Predicate goes);
+  void look_for_idle();
 
   const MemoryOptions& options_;
   Entries entries_;
+  std::uint64_t allocated_ = 0;      ///< blocks
   std::size_t possible_ = no_limit;  ///< twice as much was refused when it was last asked for
   Shortage short_;
 };

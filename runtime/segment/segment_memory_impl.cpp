@@ -209,6 +209,7 @@ BufferPtr SegmentMemoryImpl::admit(Block& block) {
   stats_.used_bytes += block.size();
   ++stats_.used_blocks;
   ++stats_.allocated;
+  segments_.drop_idle();
   return block.handle();
 }
 

@@ -109,6 +109,58 @@ TEST(Growth, shares_the_address_space_with_the_program_in_a_child) {
 }
 #endif
 
+/// A small message that is kept, so that its segment stays, beside one for large messages.
+class IdleSegments : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(kept_ && memory_->allocate(large));
+    ASSERT_EQ(memory_->stats().segments, 2u);
+  }
+  void publish_small(int count) {
+    for (int i = 0; i < count; ++i) ASSERT_TRUE(memory_->allocate(small));
+  }
+
+  static constexpr std::size_t small = 1000, large = 8 * mb;
+  const std::shared_ptr<SegmentMemory> memory_ = growing_memory(10);
+  const BufferPtr kept_ = memory_->allocate(small);
+};
+
+TEST_F(IdleSegments, are_given_back) {
+  const std::size_t before = process_memory().reserved_bytes;
+  publish_small(1000);
+  EXPECT_EQ(memory_->stats().segments, 1u);
+  EXPECT_LE(process_memory().reserved_bytes, before - large);
+  EXPECT_TRUE(kept_);
+}
+
+TEST_F(IdleSegments, stay_where_large_and_small_messages_alternate) {
+  const std::uint8_t* const place = memory_->allocate(large)->data();
+  for (int i = 0; i < 20; ++i) {
+    publish_small(500);
+    ASSERT_EQ(memory_->allocate(large)->data(), place) << i;
+  }
+  EXPECT_EQ(memory_->stats().segments, 2u);
+}
+
+TEST_F(IdleSegments, stay_while_a_message_lies_there) {
+  const BufferPtr held = memory_->allocate(large);
+  publish_small(3000);
+  EXPECT_EQ(memory_->stats().segments, 2u);
+}
+
+TEST_F(IdleSegments, come_back_as_large_as_at_first) {
+  const std::size_t before = memory_->stats().size_bytes;
+  publish_small(1000);
+  ASSERT_EQ(memory_->stats().segments, 1u);
+  EXPECT_TRUE(memory_->allocate(large));
+  EXPECT_GE(memory_->stats().size_bytes, before);
+}
+
+TEST_F(IdleSegments, the_last_one_stays) {
+  publish_small(10'000);
+  EXPECT_EQ(memory_->stats().segments, 1u);
+}
+
 }  // namespace
 }  // namespace segment
 }  // namespace tzc
