@@ -14,5 +14,9 @@ namespace posix {
 /// and debuggers show, at most 15 characters. Error: the system has no thread left.
 Expected<std::thread> start_thread(const char* name, std::function<void()> body);
 
+/// The same for one that nobody waits for and that runs little code of users: it has 1 MB of stack beside what the program's
+/// thread-local variables take, or less where the program's threads have less. (A stack counts in full against a limit on a process's data.)
+Status start_small_thread(const char* name, std::function<void()> body);
+
 }  // namespace posix
 }  // namespace tzc

@@ -6,9 +6,11 @@
 
 #include <exception>
 #include <new>
+#include <string>
 #include <utility>
 
 #include "channel/fault_signals.h"
+#include "channel/small_thread.h"
 #include "roscpp/before_exit.h"
 #include "roscpp/throttled_warning.h"
 
@@ -30,7 +32,24 @@ void warn_if_possible(Warn warn) {
   }
 }
 
+bool no_thread(const std::string& why) {
+  warn_if_possible([&why] {
+    TZC_WARN_THROTTLED(60, "TZC: connections stay on TCPROS: no thread can be started ("
+                               << why << "); raise the limit (ulimit -u, or pids.max of the cgroup)");
+  });
+  return false;
+}
+
 }  // namespace
+
+bool start_small_transport_thread(const char* name, std::function<void()> body) {
+  try {
+    const Status started = channel::start_small_thread(name, std::move(body));
+    return started || no_thread(started.error().text());
+  } catch (const std::exception& error) {
+    return no_thread(error.what());
+  }
+}
 
 bool start_transport_thread(std::thread& thread, std::function<void()> body) {
   try {
@@ -40,12 +59,7 @@ bool start_transport_thread(std::thread& thread, std::function<void()> body) {
     });
     return true;
   } catch (const std::exception& error) {
-    warn_if_possible([&error] {
-      TZC_WARN_THROTTLED(60, "TZC: connections stay on TCPROS: no thread can be started ("
-                                 << error.what()
-                                 << "); raise the limit (ulimit -u, or pids.max of the cgroup)");
-    });
-    return false;
+    return no_thread(error.what());
   }
 }
 

@@ -31,9 +31,8 @@ Expected<Service*> Service::start() {
   auto poller = posix::Poller::create();
   if (!poller) return poller.error();
   std::unique_ptr<Service> service(new Service(std::move(*poller)));
-  auto thread = posix::start_thread("tzc-service", [raw = service.get()] { raw->run(); });
-  if (!thread) return thread.error();
-  service->thread_ = std::move(*thread);
+  const Status started = posix::start_small_thread("tzc-service", [raw = service.get()] { raw->run(); });
+  if (!started) return started.error();
   running_service.store(service.get(), std::memory_order_release);
   return service.release();
 }

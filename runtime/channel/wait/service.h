@@ -68,7 +68,6 @@ class Service {
   const std::unique_ptr<posix::Poller> poller_;
   const std::uint32_t epoch_;
   std::atomic<bool> called_{false};
-  std::thread thread_;
   std::thread::id thread_id_;
 
   std::mutex mutex_;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <thread>
 
 #include "roscpp/transport_thread.h"
 
@@ -40,10 +39,7 @@ void PeerPool::forget_idle() {
 }
 
 void PeerPool::start_thread() {
-  std::thread thread;
-  if (!start_transport_thread(thread, [this] { run(); })) return;
-  thread.detach();
-  ++threads_;
+  if (start_small_transport_thread("tzc-peers", [this] { run(); })) ++threads_;
 }
 
 PeerPool::Clock::time_point PeerPool::due(const Peer& peer) const {

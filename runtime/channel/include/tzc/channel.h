@@ -110,7 +110,7 @@ struct PublisherOptions {
   /// may.
   std::function<bool(const Credentials&, const std::string& hello)> authorize{};
   /// Called on the service thread, before the subscriber learns that it is accepted; records sent here arrive
-  /// first. authorize and on_connect must return quickly: one thread serves all publishers of the process.
+  /// first. authorize and on_connect must return quickly: one thread, with 1 MB of stack, serves all publishers of the process.
   std::function<void(const ConnectionPtr&)> on_connect{};
   /// Called once for each connection that on_connect saw, when the subscriber unsubscribed or died.
   std::function<void(const ConnectionPtr&)> on_disconnect{};
