@@ -4,6 +4,7 @@
 #include <tzc/spin.h>
 
 #include "roscpp/spin/heard_queue.h"
+#include "roscpp/spin/spinner_monitor.h"
 #include "roscpp/spin/spinner_threads.h"
 
 namespace tzc {
@@ -11,6 +12,7 @@ namespace tzc {
 void spin() {
   detail::HeardQueue* const queue = detail::HeardQueue::global();
   if (queue == nullptr) return ros::spin();
+  const detail::SpinsAlone alone(detail::spinner_monitor());
   const ros::NodeHandle node;
   while (node.ok()) {
     queue->wait(detail::kMostIdle);

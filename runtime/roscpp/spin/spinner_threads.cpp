@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "channel/fault_signals.h"
+#include "roscpp/spin/spinner_monitor.h"
 
 namespace tzc {
 namespace detail {
@@ -16,22 +17,27 @@ SpinnerThreads::SpinnerThreads(std::uint32_t count, HeardQueue& queue)
 
 void SpinnerThreads::start() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (goes_on_.exchange(true)) return;
+  if (goes_on_) return;
+  spinner_monitor().begin_with_threads();
+  goes_on_ = true;
   try {
     while (threads_.size() < count_) threads_.emplace_back([this] { run(); });
   } catch (const std::system_error&) {
-    goes_on_ = false;
-    for (std::thread& thread : threads_) thread.join();
-    threads_.clear();
+    end();
     throw;
   }
 }
 
 void SpinnerThreads::stop() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (goes_on_) end();
+}
+
+void SpinnerThreads::end() {
   goes_on_ = false;
   for (std::thread& thread : threads_) thread.join();
   threads_.clear();
+  spinner_monitor().end_with_threads();
 }
 
 // As roscpp: one thread calls what is there in one go, several take turns.

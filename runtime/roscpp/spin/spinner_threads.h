@@ -29,6 +29,7 @@ class SpinnerThreads {
 
  private:
   void run();
+  void end();  ///< under mutex_
 
   const std::uint32_t count_;
   HeardQueue& queue_;

@@ -10,7 +10,8 @@
 // shared messages of this node, and is woken by their publishers. Callbacks, their threads and order, queue sizes, timers, services,
 // messages over TCPROS and shutdown are as with roscpp's; while no thread is idle, the library's thread reads. They are roscpp's
 // spinners where they have to be: when this library was loaded after ros::init(), and for queues other than the global one.
-// roscpp's checks for a second spinner on the same queue do not see them.
+// As with roscpp's, spin() on two threads, or beside an AsyncSpinner or MultiThreadedSpinner, is a std::runtime_error; only, those of
+// roscpp and these do not see each other.
 
 namespace tzc {
 
@@ -18,7 +19,7 @@ namespace detail {
 class SpinnerThreads;
 }  // namespace detail
 
-/// ros::spin(). Call it on one thread.
+/// ros::spin(). Throws std::runtime_error when another spinner of this header calls the global queue's callbacks.
 void spin();
 
 /// ros::AsyncSpinner: calls back on threads of its own from start() on, until stop(), the node's end, or the end of its last copy.
@@ -30,7 +31,8 @@ class AsyncSpinner {
 
   /// As roscpp's, for a queue of the program's own; otherwise true.
   bool canStart();
-  /// Does nothing when it runs already. Throws std::system_error when there are no threads left.
+  /// Does nothing when it runs already. Throws std::system_error when there are no threads left, std::runtime_error while
+  /// tzc::spin() runs.
   void start();
   /// Waits for the callbacks that run. Not to be called by one of them.
   void stop();
