@@ -199,16 +199,49 @@ class ClassEmitter {
       return text +
              "\n// No operator==: a message without fields is inside, and roscpp does not compare those.\n";
     }
+    return text + comparison_of_twins() + comparison_with_stock();
+  }
+
+  std::string comparison_of_twins() const {
     std::vector<std::string> terms;
     for (const Field& f : message_.fields) terms.push_back(fmt::format("lhs.{0} == rhs.{0}", f.name));
-    return text + fmt::format(
-                      "\n"
-                      "inline bool operator==(const {0}& lhs, const {0}& rhs) {{\n"
-                      "  return {1};\n"
-                      "}}\n"
-                      "\n"
-                      "inline bool operator!=(const {0}& lhs, const {0}& rhs) {{ return !(lhs == rhs); }}\n",
-                      name_, fmt::join(terms, " &&\n         "));
+    return fmt::format(
+        "\n"
+        "inline bool operator==(const {0}& lhs, const {0}& rhs) {{\n"
+        "  return {1};\n"
+        "}}\n"
+        "\n"
+        "inline bool operator!=(const {0}& lhs, const {0}& rhs) {{ return !(lhs == rhs); }}\n",
+        name_, fmt::join(terms, " &&\n         "));
+  }
+
+  // A ported node compares what it keeps with what it receives; nothing is converted for it.
+  std::string comparison_with_stock() const {
+    std::vector<std::string> terms;
+    for (const Field& f : message_.fields) terms.push_back(equals_stock(f));
+    return fmt::format(
+        "\n"
+        "/// Without a copy of either.\n"
+        "inline bool operator==(const {0}& lhs, const {1}& rhs) {{\n"
+        "  return {2};\n"
+        "}}\n"
+        "\n"
+        "inline bool operator==(const {1}& lhs, const {0}& rhs) {{ return rhs == lhs; }}\n"
+        "inline bool operator!=(const {0}& lhs, const {1}& rhs) {{ return !(lhs == rhs); }}\n"
+        "inline bool operator!=(const {1}& lhs, const {0}& rhs) {{ return !(rhs == lhs); }}\n",
+        name_, stock_, fmt::join(terms, " &&\n         "));
+  }
+
+  std::string equals_stock(const Field& f) const {
+    const std::string& name = f.name;
+    if (analysis_.part(f) != Part::mixed || f.array == ArrayKind::none) {
+      return fmt::format("lhs.{0} == rhs.{0}", name);
+    }
+    const std::string elements =
+        fmt::format("::std::equal(lhs.{0}.begin(), lhs.{0}.end(), rhs.{0}.begin())", name);
+    return f.array == ArrayKind::variable
+               ? fmt::format("lhs.{0}.size() == rhs.{0}.size() &&\n         {1}", name, elements)
+               : elements;
   }
 
   const Message& message_;

@@ -10,6 +10,8 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "random_message.h"
@@ -80,6 +82,28 @@ void check_wire(const Stock& stock, Bytes bytes) {
   EXPECT_EQ(wire_bytes(assigned), bytes);
 }
 
+template <class Twin, class Stock, class = void>
+struct Compares : std::false_type {};
+template <class Twin, class Stock>
+struct Compares<Twin, Stock, decltype(void(std::declval<const Twin&>() == std::declval<const Stock&>()))>
+    : std::true_type {};
+
+/// Twins and stock messages are compared with each other as roscpp compares stock messages. A twin has no such operator
+/// where roscpp's does not compile.
+template <class Twin, class Stock>
+void check_comparison(const Stock& one, const Stock& other, std::true_type /* has one */) {
+  const bool same = one == other;
+  const Twin twin(one);
+  EXPECT_EQ(twin == other, same);
+  EXPECT_EQ(other == twin, same);
+  EXPECT_EQ(twin != other, !same);
+  EXPECT_EQ(other != twin, !same);
+  EXPECT_EQ(twin == Twin(other), same);
+}
+
+template <class Twin, class Stock>
+void check_comparison(const Stock&, const Stock&, std::false_type /* has one */) {}
+
 /// Blocks in memory of exactly their size, so that a sanitizer sees the first byte read beyond.
 struct Received {
   std::vector<std::unique_ptr<std::uint8_t[]>> memory;
@@ -147,6 +171,9 @@ void check_partial(const M& message, const Bytes& bytes, unsigned seed) {
 template <class Stock, class Twin>
 void check_twin(const Stock& stock, const Bytes& bytes, unsigned seed, std::false_type /* same type */) {
   check_wire<Twin, Stock>(stock, bytes);
+  check_comparison<Twin>(stock, stock, Compares<Twin, Stock>());
+  check_comparison<Twin>(stock, random_message<Stock>(seed + 1, 40), Compares<Twin, Stock>());
+  check_comparison<Twin>(stock, Stock(), Compares<Twin, Stock>());
   check_partial<Twin, Stock>(Twin(stock), bytes, seed);
   const auto memory = std::make_shared<TestMemory>(std::size_t{4} << 20);
   Twin bound(stock);

@@ -12,5 +12,13 @@ struct Image_ {
   std::vector<uint8_t> data;
   FAKE_MEMBERS(Image_)
 };
+template <class A, class B>
+bool operator==(const Image_<A>& a, const Image_<B>& b) {
+  return a.data == b.data;
+}
+template <class A, class B>
+bool operator!=(const Image_<A>& a, const Image_<B>& b) {
+  return !(a == b);
+}
 }  // namespace sensor_msgs
 FAKE_MESSAGE(sensor_msgs, Image)

@@ -22,6 +22,21 @@ struct Image {
   uint32_t step = 0;
   ::tzc::Array<uint8_t> data;
 };
+inline bool operator==(const Image& a, const Image::Stock& b) {
+  return a.width == b.width;
+}
+inline bool operator==(const Image::Stock& a, const Image& b) {
+  return b == a;
+}
+inline bool operator!=(const Image& a, const Image::Stock& b) {
+  return !(a == b);
+}
+inline bool operator!=(const Image::Stock& a, const Image& b) {
+  return !(b == a);
+}
+inline bool operator==(const Image& a, const Image& b) {
+  return a.width == b.width;
+}
 typedef boost::shared_ptr<Image> ImagePtr;
 typedef boost::shared_ptr<Image const> ImageConstPtr;
 inline std::ostream& operator<<(std::ostream& s, const Image&) {

@@ -70,6 +70,16 @@ inline bool operator==(const AskResponse& lhs, const AskResponse& rhs) {
 
 inline bool operator!=(const AskResponse& lhs, const AskResponse& rhs) { return !(lhs == rhs); }
 
+/// Without a copy of either.
+inline bool operator==(const AskResponse& lhs, const ::demo::AskResponse& rhs) {
+  return lhs.view == rhs.view &&
+         lhs.found == rhs.found;
+}
+
+inline bool operator==(const ::demo::AskResponse& lhs, const AskResponse& rhs) { return rhs == lhs; }
+inline bool operator!=(const AskResponse& lhs, const ::demo::AskResponse& rhs) { return !(lhs == rhs); }
+inline bool operator!=(const ::demo::AskResponse& lhs, const AskResponse& rhs) { return !(rhs == lhs); }
+
 }  // namespace demo
 }  // namespace tzc
 

@@ -76,6 +76,17 @@ inline bool operator==(const Buttons& lhs, const Buttons& rhs) {
 
 inline bool operator!=(const Buttons& lhs, const Buttons& rhs) { return !(lhs == rhs); }
 
+/// Without a copy of either.
+inline bool operator==(const Buttons& lhs, const ::demo::Buttons& rhs) {
+  return lhs.array == rhs.array &&
+         lhs.pressed == rhs.pressed &&
+         lhs.since == rhs.since;
+}
+
+inline bool operator==(const ::demo::Buttons& lhs, const Buttons& rhs) { return rhs == lhs; }
+inline bool operator!=(const Buttons& lhs, const ::demo::Buttons& rhs) { return !(lhs == rhs); }
+inline bool operator!=(const ::demo::Buttons& lhs, const Buttons& rhs) { return !(rhs == lhs); }
+
 }  // namespace demo
 }  // namespace tzc
 

@@ -69,6 +69,16 @@ inline bool operator==(const Channel& lhs, const Channel& rhs) {
 
 inline bool operator!=(const Channel& lhs, const Channel& rhs) { return !(lhs == rhs); }
 
+/// Without a copy of either.
+inline bool operator==(const Channel& lhs, const ::demo::Channel& rhs) {
+  return lhs.name == rhs.name &&
+         lhs.values == rhs.values;
+}
+
+inline bool operator==(const ::demo::Channel& lhs, const Channel& rhs) { return rhs == lhs; }
+inline bool operator!=(const Channel& lhs, const ::demo::Channel& rhs) { return !(lhs == rhs); }
+inline bool operator!=(const ::demo::Channel& lhs, const Channel& rhs) { return !(rhs == lhs); }
+
 }  // namespace demo
 }  // namespace tzc
 

@@ -93,6 +93,20 @@ inline bool operator==(const Cloud& lhs, const Cloud& rhs) {
 
 inline bool operator!=(const Cloud& lhs, const Cloud& rhs) { return !(lhs == rhs); }
 
+/// Without a copy of either.
+inline bool operator==(const Cloud& lhs, const ::demo::Cloud& rhs) {
+  return lhs.header == rhs.header &&
+         lhs.origin == rhs.origin &&
+         lhs.points == rhs.points &&
+         lhs.channels.size() == rhs.channels.size() &&
+         ::std::equal(lhs.channels.begin(), lhs.channels.end(), rhs.channels.begin()) &&
+         lhs.notes == rhs.notes;
+}
+
+inline bool operator==(const ::demo::Cloud& lhs, const Cloud& rhs) { return rhs == lhs; }
+inline bool operator!=(const Cloud& lhs, const ::demo::Cloud& rhs) { return !(lhs == rhs); }
+inline bool operator!=(const ::demo::Cloud& lhs, const Cloud& rhs) { return !(rhs == lhs); }
+
 }  // namespace demo
 }  // namespace tzc
 

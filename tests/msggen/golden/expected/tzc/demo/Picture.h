@@ -90,6 +90,19 @@ inline bool operator==(const Picture& lhs, const Picture& rhs) {
 
 inline bool operator!=(const Picture& lhs, const Picture& rhs) { return !(lhs == rhs); }
 
+/// Without a copy of either.
+inline bool operator==(const Picture& lhs, const ::demo::Picture& rhs) {
+  return lhs.header == rhs.header &&
+         lhs.height == rhs.height &&
+         lhs.width == rhs.width &&
+         lhs.encoding == rhs.encoding &&
+         lhs.data == rhs.data;
+}
+
+inline bool operator==(const ::demo::Picture& lhs, const Picture& rhs) { return rhs == lhs; }
+inline bool operator!=(const Picture& lhs, const ::demo::Picture& rhs) { return !(lhs == rhs); }
+inline bool operator!=(const ::demo::Picture& lhs, const Picture& rhs) { return !(rhs == lhs); }
+
 }  // namespace demo
 }  // namespace tzc
 

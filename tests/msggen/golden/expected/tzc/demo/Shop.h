@@ -68,6 +68,16 @@ inline bool operator==(const Shop& lhs, const Shop& rhs) {
 
 inline bool operator!=(const Shop& lhs, const Shop& rhs) { return !(lhs == rhs); }
 
+/// Without a copy of either.
+inline bool operator==(const Shop& lhs, const ::demo::Shop& rhs) {
+  return lhs.Stock == rhs.Stock &&
+         lhs.prices == rhs.prices;
+}
+
+inline bool operator==(const ::demo::Shop& lhs, const Shop& rhs) { return rhs == lhs; }
+inline bool operator!=(const Shop& lhs, const ::demo::Shop& rhs) { return !(lhs == rhs); }
+inline bool operator!=(const ::demo::Shop& lhs, const Shop& rhs) { return !(rhs == lhs); }
+
 }  // namespace demo
 }  // namespace tzc
 

@@ -79,6 +79,17 @@ inline bool operator==(const Stock_& lhs, const Stock_& rhs) {
 
 inline bool operator!=(const Stock_& lhs, const Stock_& rhs) { return !(lhs == rhs); }
 
+/// Without a copy of either.
+inline bool operator==(const Stock_& lhs, const ::demo::Stock& rhs) {
+  return lhs.shelf == rhs.shelf &&
+         ::std::equal(lhs.labels.begin(), lhs.labels.end(), rhs.labels.begin()) &&
+         lhs.prices == rhs.prices;
+}
+
+inline bool operator==(const ::demo::Stock& lhs, const Stock_& rhs) { return rhs == lhs; }
+inline bool operator!=(const Stock_& lhs, const ::demo::Stock& rhs) { return !(lhs == rhs); }
+inline bool operator!=(const ::demo::Stock& lhs, const Stock_& rhs) { return !(rhs == lhs); }
+
 }  // namespace demo
 }  // namespace tzc
 
