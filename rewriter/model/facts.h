@@ -126,6 +126,7 @@ struct InsertedAllocation {
       opening;          ///< where a brace opens, for a statement that stands alone in place of a block
   bool filled = false;  ///< the message already has content there, which allocate would copy
   std::optional<LaterCopy> copy;  ///< instead it can get its content behind allocate
+  bool is_needed = true;          ///< no: all of its arrays belong to elements that are not there yet
 };
 
 /// A library call that makes the message is replaced by an adapter that is given the publisher.

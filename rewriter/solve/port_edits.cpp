@@ -160,8 +160,9 @@ void PortEditor::add_allocation(const BoundAllocation& allocation) {
 }
 
 void PortEditor::add_call(const BoundAllocation& allocation, const InsertedAllocation& how) {
+  if (!how.is_needed && !how.copy) return;
   std::string call;
-  for (const std::string& one : allocation.calls)
+  for (const std::string& one : how.is_needed ? allocation.calls : std::vector<std::string>())
     call += (call.empty() ? "" : " else ") + one + "(" + how.object + ");";
   const std::string space = how.own_line ? "\n" + how.indent : " ";
   std::vector<std::string> headers;
@@ -169,7 +170,7 @@ void PortEditor::add_call(const BoundAllocation& allocation, const InsertedAlloc
   const ComponentId component = components_.of(allocation.site->entity)->id;
   if (how.copy) {
     for (const Change& change : how.copy->without) add(change, component);
-    call += space + how.object + " = " + how.copy->source + ";";
+    call += (call.empty() ? "" : space) + how.object + " = " + how.copy->source + ";";
   }
   if (how.opening) add({*how.opening, "{ ", "allocate", {}}, component);
   add({*how.at, space + call + (how.opening ? " }" : ""), "allocate", headers}, component);

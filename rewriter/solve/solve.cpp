@@ -217,11 +217,11 @@ std::optional<Decision> Solver::of_several_types(const Component& component) {
 
 std::optional<Decision> Solver::wrong_shape(const Component& component) const {
   const auto& sites = sites_.publishes_of(component);
-  const auto nested =
-      std::find_if(sites.begin(), sites.end(), [](const Publish* site) { return site->nested_only; });
-  if (nested != sites.end())
+  // Alone it would gain nothing by a type of its own. Beside a message whose arrays shared memory can hold, which has the type
+  // of its elements and may come from the same function, it is ported with that one.
+  if (std::all_of(sites.begin(), sites.end(), [](const Publish* site) { return site->nested_only; }))
     return refused(
-        {codes::TZC1018, "its arrays lie inside an array of messages", location_of((*nested)->where)});
+        {codes::TZC1018, "its arrays lie inside an array of messages", location_of(sites.front()->where)});
   if (options_.max_level != Level::zero_copy)
     return refused(
         {codes::TZC1015, "this run goes no further than one_copy", location_of(sites.front()->where)});

@@ -234,6 +234,11 @@ bool is_move(const clang::Expr* value) {
          construct->getArg(0)->isXValue();
 }
 
+bool has_own_arrays(clang::QualType of_pointer_or_part) {
+  const auto message = message_reached(of_pointer_or_part);
+  return !message || message->has_direct_data_part;
+}
+
 /// No publisher of the function or of its object is named: `allocate` stands in front of code that may make or change it.
 void leave_to_node(AllocationDraft& draft) {
   draft.function = nullptr;
@@ -257,6 +262,7 @@ std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::
   draft.variable = variable;
   InsertedAllocation how;
   how.object = variable->getNameAsString();
+  how.is_needed = message->has_direct_data_part;
   if (const clang::Expr* value = variable->getInit()) {
     if (const std::vector<Change> moved = move_out_of_result(unit_, value); !moved.empty()) {
       for (const Change& change : moved) entities_.add_use(id, change);
@@ -324,6 +330,7 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
     return {};  // its variable is the site, what it is assigned to keeps its memory, or it has no arrays
   AllocationDraft draft = draft_at(unit_, entities_, id, *expr);
   InsertedAllocation how;
+  how.is_needed = has_own_arrays(expr->getType());
   const clang::Expr* source = made_from(expr);
   how.filled = source && source->isLValue();
   if (how.filled && end.variable) how.copy = later_copy(unit_, end.variable, expr);
@@ -369,6 +376,7 @@ std::optional<AllocationDraft> AllocationCollector::of_part(const clang::Expr* p
   AllocationDraft draft = draft_at(unit_, entities_, id, *statement);
   InsertedAllocation how;
   how.object = unit_.text(part);
+  how.is_needed = has_own_arrays(part->getType());
   place_behind(how, statement_around(unit_, *object));
   if (how.at && !Hoisting(unit_).names_the_same(part, draft.function, how.at->begin))
     draft.site.refusal = not_nameable;
