@@ -44,8 +44,8 @@ std::vector<bool> reached_from(std::vector<unsigned> open, const std::vector<Con
 }  // namespace
 
 bool operator==(const ContentEvent& a, const ContentEvent& b) {
-  return std::tie(a.kind, a.part, a.other, a.site, a.empties, a.callee, a.passed, a.where.line) ==
-         std::tie(b.kind, b.part, b.other, b.site, b.empties, b.callee, b.passed, b.where.line);
+  return std::tie(a.kind, a.part, a.other, a.site, a.empties, a.callee, a.passed, a.where.line, a.named_by) ==
+         std::tie(b.kind, b.part, b.other, b.site, b.empties, b.callee, b.passed, b.where.line, b.named_by);
 }
 
 void ContentFlow::add_alternative(ContentFlow other) {

@@ -5,11 +5,13 @@
 // of several translation units can be solved together.
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "model/hidden_code.h"
+#include "model/ids.h"
 #include "model/location.h"
 
 namespace tzc::rewriter {
@@ -112,6 +114,8 @@ struct ContentEvent {
   bool empties = false;  ///< a reset that leaves no elements, as message = M()
   std::string callee;    ///< USR of the function that is called; empty: any that others may call
   std::map<std::string, MessagePart> passed;  ///< parameter's root -> what it is given
+  std::set<EntityId>
+      named_by;  ///< of any: what the expression gets the message from, and has its type; empty: not known
 };
 
 bool operator==(const ContentEvent& a, const ContentEvent& b);

@@ -2,6 +2,7 @@
 #include "solve/copied_elements.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "model/codes.h"
 
@@ -34,8 +35,8 @@ ContentEvent call_of_override(const ContentEvent& call, const std::string& funct
 
 }  // namespace
 
-CopiedElements::CopiedElements(const Facts& facts)
-    : facts_(facts), other_names_(facts), unfollowed_(other_names_) {
+CopiedElements::CopiedElements(const Facts& facts, IsTwin is_twin)
+    : facts_(facts), other_names_(facts), unfollowed_(facts, other_names_, std::move(is_twin)) {
   add_functions();
   touch_what_callees_touch();
   find_what_may_be_any();

@@ -80,7 +80,11 @@ class SiteDescriber {
         flow_graph_(facts.flows),
         attached_(facts, components, solution),
         received_(facts),
-        copied_(facts),
+        copied_(facts,
+                [&components, &solution](const EntityId& message) {
+                  const Component* component = components.of(message);
+                  return !component || solution.ports(component->id);
+                }),
         unbound_(facts) {}
 
   std::vector<Site> run() {

@@ -199,7 +199,7 @@ void ContentReader::package_call(const clang::FunctionDecl* function,
   for (unsigned i = 0; i < arguments.size() && i < function->getNumParams(); ++i) {
     const clang::QualType type = arguments[i]->getType();
     if (is_foreign_container(unit_, type))  // whose elements have other names in the callee
-      log_.add(Kind::any, any_message(message_reached(type)->name), arguments[i]->getExprLoc());
+      log_.any(arguments[i], message_reached(type)->name);
     const bool is_array = is_stock_or_twin_array(type) || is_pointer_to_array(type);
     if (!is_message_or_pointer(type) && !is_iterator(type) && !is_array) continue;
     if (MessagePart part = parts_.part_of(arguments[i]); part.empty())

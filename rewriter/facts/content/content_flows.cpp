@@ -48,7 +48,7 @@ class FlowBuilder {
       : context_(context),
         values_(values),
         own_view_(function.view),
-        own_reader_(context.unit, function.view, UnknownCalls(function.events)),
+        own_reader_(context, function.view, UnknownCalls(function.events)),
         reader_(&own_reader_),
         parts_(context.unit, function.view),
         run_elsewhere_(bodies_run_elsewhere(function.view)) {}
@@ -201,7 +201,7 @@ FlowBuilder::Part FlowBuilder::body_of(const clang::FunctionDecl* closure) {
 /// The view of the function around knows the pattern of an instance alone, and the closures of the pattern.
 FlowBuilder::Part FlowBuilder::add_instance(const clang::CFG& cfg, const clang::FunctionDecl* closure) {
   const FunctionView view(closure);
-  ContentReader reader(context_.unit, view, UnknownCalls(publish_events(context_, view)));
+  ContentReader reader(context_, view, UnknownCalls(publish_events(context_, view)));
   ContentReader* const around = std::exchange(reader_, &reader);
   const Part part = add(cfg, closure);
   reader_ = around;

@@ -41,7 +41,14 @@ void ContentLog::assign(MessagePart part, bool empties, clang::SourceLocation wh
 
 void ContentLog::any(const clang::Expr* message) {
   const std::string type = message ? unfollowed_type(unit_, parts_, message) : std::string();
-  if (!type.empty()) add(ContentEvent::Kind::any, any_message(type), message->getExprLoc());
+  if (!type.empty()) any(message, type);
+}
+
+void ContentLog::any(const clang::Expr* expr, const std::string& type) {
+  ContentEvent any = event(ContentEvent::Kind::any, any_message(type), expr->getExprLoc());
+  const FlowSources sources = flow_.sources_of(expr);
+  if (!sources.foreign) any.named_by.insert(sources.entities.begin(), sources.entities.end());
+  step(std::move(any));
 }
 
 }  // namespace tzc::rewriter

@@ -3,10 +3,12 @@
 
 #include <clang/AST/Expr.h>
 
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "facts/flow/value_flow.h"
 #include "facts/syntax/message_parts.h"
 #include "facts/syntax/unit.h"
 #include "model/content_flow.h"
@@ -48,7 +50,8 @@ using ContentStep = std::variant<ContentEvent, ClosureRun, PerhapsCall, UnknownC
 /// Collects what statements do to the content of messages, in their order.
 class ContentLog {
  public:
-  ContentLog(const Unit& unit, const MessageParts& parts) : unit_(unit), parts_(parts) {}
+  ContentLog(const Unit& unit, ValueFlow& flow, const MessageParts& parts)
+      : unit_(unit), flow_(flow), parts_(parts) {}
 
   /// Nothing where the part is not known.
   void add(ContentEvent::Kind kind, MessagePart part, clang::SourceLocation where);
@@ -59,6 +62,8 @@ class ContentLog {
   void pair(ContentEvent::Kind kind, MessagePart part, MessagePart other, clang::SourceLocation where);
   /// The expression names, publishes or passes on a message: an event where nothing shows which. Nothing for null.
   void any(const clang::Expr* message);
+  /// The expression leads to messages of the type, and what happens to them is not followed.
+  void any(const clang::Expr* expr, const std::string& type);
   void step(ContentStep step) { steps_.push_back(std::move(step)); }
 
   std::vector<ContentStep> take() { return std::exchange(steps_, {}); }
@@ -67,6 +72,7 @@ class ContentLog {
   ContentEvent event(ContentEvent::Kind kind, MessagePart part, clang::SourceLocation where) const;
 
   const Unit& unit_;
+  ValueFlow& flow_;
   const MessageParts& parts_;
   std::vector<ContentStep> steps_;
 };

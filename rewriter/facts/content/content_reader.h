@@ -11,6 +11,7 @@
 #include "facts/content/content_names.h"
 #include "facts/content/ended_objects.h"
 #include "facts/content/moved_elements.h"
+#include "facts/escape/escape_context.h"
 #include "facts/escape/unknown_calls.h"
 #include "facts/syntax/function_view.h"
 #include "facts/syntax/message_parts.h"
@@ -22,16 +23,16 @@ namespace tzc::rewriter {
 /// Reads what the statements of one function do to the content of messages.
 class ContentReader {
  public:
-  ContentReader(const Unit& unit, const FunctionView& view, UnknownCalls unknown)
-      : unit_(unit),
+  ContentReader(EscapeContext& context, const FunctionView& view, UnknownCalls unknown)
+      : unit_(context.unit),
         view_(view),
         unknown_(std::move(unknown)),
-        parts_(unit, view),
-        log_(unit, parts_),
-        names_(unit, view, parts_, log_),
-        moved_(unit, view, parts_, log_),
+        parts_(context.unit, view),
+        log_(context.unit, context.flow, parts_),
+        names_(context.unit, view, parts_, log_),
+        moved_(context.unit, view, parts_, log_),
         closures_(view, parts_, log_),
-        ended_(unit, log_) {}
+        ended_(context.unit, log_) {}
   ContentReader(const ContentReader&) = delete;
   ContentReader& operator=(const ContentReader&) = delete;
 

@@ -1,0 +1,32 @@
+// The other file has no main(): it may be part of the same program, and its closure may get the message.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+sensor_msgs::Image kept;
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "node");
+  ros::NodeHandle nh;
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 1);
+  for (;;) {
+    kept.data.clear();
+    kept.data.resize(100);
+    pub.publish(kept);
+  }
+}
+//--- src/other.cpp
+#include <functional>
+
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+struct Pool {
+  void put(sensor_msgs::Image* image) { image->data.clear(); }
+};
+
+std::function<void(sensor_msgs::Image&)> release;
+
+void use(Pool& pool) {
+  release = [&pool](sensor_msgs::Image& old) { pool.put(&old); };
+}
+//--- expected
