@@ -140,6 +140,13 @@ struct FactoryAllocation {
   std::vector<Change> changes;  ///< use $PUB; none: the call cannot be changed
 };
 
+/// A member, global or static pointer that starts with the message, where no statement can stand. It lasts, and with it the message,
+/// so that nothing has to be allocated: its first publish binds it.
+struct LastingStart {
+  std::string usr;
+  bool is_member = false;  ///< of objects, each of which starts with a message of its own
+};
+
 /// Where a message comes into being, and how `allocate` is called for it.
 struct AllocationSite {
   EntityId entity;
@@ -151,6 +158,7 @@ struct AllocationSite {
   std::string scope;      ///< the namespaces around it
   EntityId function;      ///< result of the function around it
   std::string refusal;    ///< why there is no place for allocate, where it is something special
+  std::optional<LastingStart> start;
   Location where;
 };
 

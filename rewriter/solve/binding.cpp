@@ -184,8 +184,14 @@ bool Binder::is_in_factory(const AllocationSite& site) const {
   return result && result->id == component_.id && facts_.factories.count(site.function) != 0;
 }
 
+/// Nothing is allocated there, and the message is ported all the same.
+bool Binder::goes_without(const AllocationSite& site) const {
+  return site.start.has_value();
+}
+
 /// Why nothing can be allocated there, whoever gives the memory.
-std::optional<Decision> Binder::obstacle_at(const AllocationSite& site) {
+std::optional<Decision> Binder::obstacle_at(const AllocationSite& site) const {
+  if (goes_without(site)) return {};
   if (!site.refusal.empty()) return refused({codes::TZC1019, site.refusal, site.where}, site.entity);
   if (is_possible(site) || std::holds_alternative<FactoryAllocation>(site.how)) return {};
   if (is_filled(site))
@@ -246,7 +252,7 @@ void Binder::bind_all(const std::vector<const AllocationSite*>& sites) {
     allocations_.clear();
     for (const AllocationSite* site : sites) {
       const auto* call = std::get_if<FactoryAllocation>(&site->how);
-      if (!call || given_.count(call->factory) != 0) bind(*site);
+      if (!goes_without(*site) && (!call || given_.count(call->factory) != 0)) bind(*site);
     }
   }
   unite_instances(allocations_);

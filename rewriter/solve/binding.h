@@ -35,7 +35,8 @@ class Binder {
 
  private:
   void bind_all(const std::vector<const AllocationSite*>& sites);
-  static std::optional<Decision> obstacle_at(const AllocationSite& site);
+  bool goes_without(const AllocationSite& site) const;
+  std::optional<Decision> obstacle_at(const AllocationSite& site) const;
   void bind(const AllocationSite& site);
   void give_publishers();
   bool is_in_factory(const AllocationSite& site) const;

@@ -188,11 +188,15 @@ void Components::add_entities(const Facts& facts, bool all_or_nothing) {
     component.entities.push_back(&entity);
     of_entity_.emplace(id, component.id);
   }
+  for (const AllocationSite& site : facts.allocations)
+    if (const auto component = of_entity_.find(site.entity); site.start && component != of_entity_.end())
+      components_[static_cast<std::size_t>(component->second)].has_lasting_start = true;
 }
 
 bool Component::has_lasting_message() const {
-  return std::any_of(entities.begin(), entities.end(),
-                     [](const Entity* entity) { return entity->form != Form::elsewhere && entity->lasts(); });
+  return has_lasting_start || std::any_of(entities.begin(), entities.end(), [](const Entity* entity) {
+           return entity->form != Form::elsewhere && entity->lasts();
+         });
 }
 
 const Component* Components::of(const EntityId& entity) const {

@@ -21,8 +21,9 @@ struct Component {
   const Subscribe* subscription = nullptr;    ///< null: something else
   const Publish* publish_call = nullptr;      ///< null: something else
   const Advertise* advertise_call = nullptr;  ///< null: something else
+  bool has_lasting_start = false;             ///< a lasting pointer starts with one of its messages
 
-  /// One that no function makes. Its first publish binds it to the publisher's memory.
+  /// One that no function makes, or that a lasting pointer starts with. Its first publish binds it to the publisher's memory.
   bool has_lasting_message() const;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/content/content_reader.h"
 
+#include "facts/content/started_pointers.h"
 #include "facts/flow/overwrites.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/bodies.h"
@@ -224,9 +225,14 @@ void ContentReader::member_call(const clang::CXXMemberCallExpr* call) {
   if (name == "swap" && is_swap(call)) exchanged(object, call->getArg(0), call->getExprLoc());
 }
 
-/// An object of the class comes into being, and the messages that it consists of with it.
-void ContentReader::made(const clang::CXXRecordDecl* record, clang::SourceLocation where) {
+/// An object of the class comes into being, and the messages that it consists of with it. Which ones its pointers start with, a constructor
+/// that is written says itself (content_names.cpp); null: which one makes the object is not seen.
+void ContentReader::made(const clang::CXXRecordDecl* record, const clang::CXXConstructorDecl* by,
+                         clang::SourceLocation where) {
   for (const clang::FieldDecl* field : messages_in(unit_, record))
+    log_.add(Kind::make, parts_.root_of(field), where);
+  if (by && by->isUserProvided()) return;
+  for (const clang::FieldDecl* field : started_pointers(unit_, record))
     log_.add(Kind::make, parts_.root_of(field), where);
 }
 
@@ -289,14 +295,15 @@ void ContentReader::look_at(const clang::Stmt* stmt) {
     if (const MessagePart part = cloud ? parts_.part_of(cloud) : MessagePart(); !part.empty())
       log_.add(Kind::write, part + "/data", construct->getBeginLoc());
     if (!construct->getConstructor()->isCopyOrMoveConstructor())
-      made(construct->getConstructor()->getParent(), construct->getBeginLoc());
+      made(construct->getConstructor()->getParent(), construct->getConstructor(), construct->getBeginLoc());
     if (unit_.declares(construct->getConstructor()))
       package_call(construct->getConstructor(), {construct->getArgs(), construct->getNumArgs()}, construct);
     return;
   }
   if (call) {
     const clang::FunctionDecl* function = call->getDirectCallee();
-    if (makes_object(call)) made(pointee_of(call->getType())->getAsCXXRecordDecl(), call->getBeginLoc());
+    if (makes_object(call))
+      made(pointee_of(call->getType())->getAsCXXRecordDecl(), nullptr, call->getBeginLoc());
     if (is_swap(call) && call->getNumArgs() == 2 && !unit_.declares(function))
       exchanged(call->getArg(0), call->getArg(1), call->getExprLoc());
     if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call)) member_call(member);

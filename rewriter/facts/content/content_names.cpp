@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/content/content_names.h"
 
+#include "facts/content/started_pointers.h"
 #include "facts/syntax/message_type.h"
 
 namespace tzc::rewriter {
@@ -100,7 +101,10 @@ void ContentNames::library_call(const clang::CallExpr* call) {
 
 void ContentNames::member(const clang::FieldDecl* field, const clang::Expr* init) {
   if (const auto* by_default = llvm::dyn_cast<clang::CXXDefaultInitExpr>(init)) init = by_default->getExpr();
-  if (is_name_of_message(field->getType())) may_lead_to(parts_.root_of(field), init);
+  if (!is_name_of_message(field->getType())) return;
+  may_lead_to(parts_.root_of(field), init);
+  if (is_pointer(field->getType()) && starts_with_new_message(init))
+    log_.add(Kind::make, parts_.root_of(field), init->getExprLoc());
 }
 
 /// Camera{&frame_, pub_}

@@ -74,7 +74,8 @@ class ContentReader {
   void exchanged(const clang::Expr* one, const clang::Expr* other, clang::SourceLocation where);
   void array_method(const clang::Expr* array, const clang::CXXMemberCallExpr* call, const std::string& name);
   void member_call(const clang::CXXMemberCallExpr* call);
-  void made(const clang::CXXRecordDecl* record, clang::SourceLocation where);
+  void made(const clang::CXXRecordDecl* record, const clang::CXXConstructorDecl* by,
+            clang::SourceLocation where);
   void moved_whole(const clang::Stmt* stmt);
   void publish(const clang::CallExpr* call);
   bool rule_call(const clang::CallExpr* call, const std::string& name);

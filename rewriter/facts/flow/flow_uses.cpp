@@ -163,6 +163,7 @@ bool UseFollower::into_decl(const clang::Decl* decl) {
                ? false
                : refuse(codes::TZC1001, "it becomes part of '" + value->getNameAsString() + "'");
   end_.variable = variable;
+  end_.member = field;
   const bool copies = variable && later_copy(unit_, variable);
   entities_.add_flow(id_, target,
                      {at_->getBeginLoc(), "initialises '" + value->getNameAsString() + "'", copies});
@@ -178,6 +179,7 @@ bool UseFollower::into_initializer(const clang::CXXConstructorDecl* constructor)
     if (manager.isBeforeInTranslationUnit(here, range.getBegin()) ||
         manager.isBeforeInTranslationUnit(range.getEnd(), here))
       continue;
+    end_.member = initializer->getMember();
     entities_.add_flow(id_, entities_.declare(initializer->getMember()),
                        {here, "initialises '" + initializer->getMember()->getNameAsString() + "'"});
   }

@@ -15,6 +15,7 @@ namespace tzc::rewriter {
 /// Where a followed value ended up.
 struct FlowEnd {
   const clang::VarDecl* variable = nullptr;  ///< initialised by it
+  const clang::FieldDecl* member = nullptr;  ///< likewise
   const clang::Expr* target = nullptr;       ///< assigned or reset to it
   const clang::Expr* statement = nullptr;    ///< the assignment
   const clang::CXXMemberCallExpr* publish = nullptr;

@@ -5,6 +5,7 @@
 
 #include "facts/flow/message_copies.h"
 #include "facts/sites/containing_object.h"
+#include "facts/sites/object_starts.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/call_place.h"
 #include "facts/syntax/calls.h"
@@ -281,20 +282,6 @@ std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::
 
 namespace {
 
-/// Whether the value is made whenever the statement is executed, and whatever it ends in has it afterwards.
-bool is_always_made(const Unit& unit, const clang::Expr* made) {
-  for (const clang::DynTypedNode& node : ancestors(unit.ast(), *made)) {
-    const auto* expr = node.get<clang::Expr>();
-    const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(expr);
-    const auto* call = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(expr);
-    if (!expr) break;
-    if (llvm::isa<clang::AbstractConditionalOperator>(expr) ||
-        (op && (op->isLogicalOp() || op->isCommaOp())) || (call && call->getOperator() == clang::OO_Comma))
-      return false;
-  }
-  return true;
-}
-
 /// auto image = make_shared<Image>(), other = std::move(image);
 bool is_used_behind(const Unit& unit, const clang::VarDecl* variable) {
   const auto* statement = parent_as<clang::DeclStmt>(unit.ast(), *variable);
@@ -304,13 +291,6 @@ bool is_used_behind(const Unit& unit, const clang::VarDecl* variable) {
        at != statement->decl_end(); ++at)
     if (*at != variable) mention.TraverseDecl(*at);
   return mention.found;
-}
-
-/// Node() : image_(new Image) {}
-bool is_in_initializer_list(const Unit& unit, const clang::Expr* made) {
-  for (const clang::DynTypedNode& node : ancestors(unit.ast(), *made))
-    if (!node.get<clang::Expr>()) return node.get<clang::CXXConstructorDecl>() != nullptr;
-  return false;
 }
 
 }  // namespace
@@ -325,14 +305,18 @@ bool AllocationCollector::takes_over(const clang::Expr* expr) const {
 std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr* expr, const EntityId& id,
                                                               const FlowEnd& end) {
   const bool is_value = message_of(expr->getType()).has_value();
-  const bool is_made_once = end.variable && !end.variable->hasLocalStorage();  // its statement may run again
-  if (is_value || is_made_once || takes_over(expr))
+  if (is_value || takes_over(expr))
     return {};  // its variable is the site, what it is assigned to keeps its memory, or it has no arrays
   AllocationDraft draft = draft_at(unit_, entities_, id, *expr);
   InsertedAllocation how;
   how.is_needed = has_own_arrays(expr->getType());
   const clang::Expr* source = made_from(expr);
   how.filled = source && source->isLValue();
+  draft.site.start = lasting_start(end);
+  if (draft.site.start) {
+    draft.site.how = how;
+    return draft;
+  }
   if (how.filled && end.variable) how.copy = later_copy(unit_, end.variable, expr);
   if (end.variable && !llvm::isa<clang::ParmVarDecl>(end.variable)) {
     how.object = "*" + end.variable->getNameAsString();

@@ -1,4 +1,4 @@
-// A constructor's initializer list makes the message, where no statement can stand.
+// A constructor's initializer list makes the message, of which the first publish copies the elements: the only one that its object lives for.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
