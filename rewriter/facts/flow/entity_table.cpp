@@ -159,8 +159,9 @@ void EntityTable::check_exported(Entity& entity, const clang::ValueDecl* decl) {
            field ? entity.where : unit_.location(declaration->getLocation()), true});
 }
 
-void EntityTable::respell(Entity& entity, clang::TypeLoc written) const {
+void EntityTable::respell(Entity& entity, clang::TypeLoc written) {
   if (entity.ported) return;
+  types_.note(entity.id, written);
   Respelling respelling = rewriter::respell(unit_, written, entity.role);
   for (Change& change : respelling.changes) {
     const bool known = llvm::any_of(entity.changes, [&](const Change& c) {
@@ -222,6 +223,7 @@ EntityId EntityTable::declare(const clang::ValueDecl* decl) {
   const auto* function =
       parameter ? llvm::dyn_cast<clang::FunctionDecl>(parameter->getDeclContext()) : nullptr;
   if (!function) return id;
+  types_.note(id, parameter);
   if (needs_body(function)) facts_.parameters.emplace(id, usr_of(pattern_of(function)));
   check_signature(entity, function);
   connect_overrides(id, function, static_cast<int>(parameter->getFunctionScopeIndex()));
@@ -293,6 +295,11 @@ void EntityTable::add_use(const EntityId& id, Change change) {
 
 void EntityTable::add_data_use(const EntityId& id, clang::SourceLocation where, const ArrayGrowth& growth) {
   facts_.data_uses.push_back({id, unit_.location(where), growth.most_bytes, growth.appends});
+}
+
+EntityFacts EntityTable::take() {
+  types_.tie(facts_);
+  return std::move(facts_);
 }
 
 const Entity& EntityTable::operator[](const EntityId& id) const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "facts/flow/array_bounds.h"
+#include "facts/flow/type_origins.h"
 #include "facts/syntax/message_type.h"
 #include "facts/syntax/unit.h"
 #include "model/facts.h"
@@ -52,7 +53,7 @@ class EntityTable {
   bool is_message(const EntityId& id) const { return (*this)[id].role == EntityRole::message; }
   const EntityFacts& facts() const { return facts_; }
   /// At the end.
-  EntityFacts take() { return std::move(facts_); }
+  EntityFacts take();
 
  private:
   using Description = llvm::function_ref<void(Entity&)>;
@@ -62,10 +63,11 @@ class EntityTable {
   void check_signature(Entity& entity, const clang::FunctionDecl* function);
   void check_exported(Entity& entity, const clang::ValueDecl* decl);
   void connect_overrides(const EntityId& id, const clang::FunctionDecl* function, int parameter);
-  void respell(Entity& entity, clang::TypeLoc written) const;
+  void respell(Entity& entity, clang::TypeLoc written);
 
   const Unit& unit_;
   EntityFacts facts_;
+  TypeOrigins types_;
 };
 
 }  // namespace tzc::rewriter

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/flow/message_copies.h"
 
+#include <clang/AST/DeclTemplate.h>
 #include <clang/AST/ExprCXX.h>
 #include <clang/AST/Stmt.h>
+
+#include <iterator>
 
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/calls.h"
@@ -22,9 +25,10 @@ bool is_message_object(const clang::Expr* expr) {
   return expr->isLValue() && written->isLValue() && !converts && message_of(written->getType());
 }
 
-/// Nothing but an initializer: a comment, an attribute or another configuration's code would be lost with it.
+/// Nothing but an initializer: a comment, an attribute or another configuration's code would be lost with it, and a pack (`args...`) is
+/// one expression in this instance of a template only.
 bool is_code_alone(const std::string& text) {
-  static const char* const others[] = {"//", "/*", "[[", "#", "\\\n"};
+  static const char* const others[] = {"//", "/*", "[[", "#", "\\\n", "..."};
   return llvm::none_of(others, [&](const char* other) { return text.find(other) != std::string::npos; });
 }
 
@@ -44,6 +48,35 @@ class CallFinder : public AstVisitor {
 
 bool may_run_package_code(const Unit& unit, const clang::Expr* source) {
   CallFinder finder(unit);
+  finder.TraverseStmt(const_cast<clang::Expr*>(source));
+  return finder.found;
+}
+
+/// What is assigned is written as the initializer was, so no type may be named there that a port changes: in casts of messages, or in what
+/// a closure does.
+class TypeNameFinder : public AstVisitor {
+ public:
+  explicit TypeNameFinder(const Unit& unit) : unit_(unit) {}
+  bool VisitLambdaExpr(clang::LambdaExpr*) override {
+    found = true;
+    return false;
+  }
+  bool VisitExplicitCastExpr(clang::ExplicitCastExpr* cast) override {
+    found = found || carried_by(cast->getType(), unit_.rules).has_value();
+    return !found;
+  }
+  bool VisitCallExpr(clang::CallExpr* call) override {
+    found = found || recasts_pointer(unit_, call);
+    return !found;
+  }
+  bool found = false;
+
+ private:
+  const Unit& unit_;
+};
+
+bool names_message_type(const Unit& unit, const clang::Expr* source) {
+  TypeNameFinder finder(unit);
   finder.TraverseStmt(const_cast<clang::Expr*>(source));
   return finder.found;
 }
@@ -76,6 +109,42 @@ std::optional<Place> initializer_of(const Unit& unit, const clang::VarDecl* vari
   if (text.empty() || text.back() != ';' || !is_code_alone(text)) return {};
   --place.end;
   return place;
+}
+
+/// The variable that a template has where its instances have theirs.
+class VariableAt : public AstVisitor {
+ public:
+  explicit VariableAt(clang::SourceLocation where) : where_(where) {}
+  bool VisitVarDecl(clang::VarDecl* variable) override {
+    if (variable->getLocation() == where_) found = variable;
+    return !found;
+  }
+  const clang::VarDecl* found = nullptr;
+
+ private:
+  const clang::SourceLocation where_;
+};
+
+/// A generic lambda that all its calls give the same types. They are where it is, so nobody else can give it others.
+bool has_one_instance(const clang::FunctionDecl* function) {
+  const clang::FunctionTemplateDecl* pattern = function->getPrimaryTemplate();
+  if (!pattern || !is_lambda(function)) return false;
+  const auto instances = pattern->specializations();
+  return std::distance(instances.begin(), instances.end()) == 1;
+}
+
+/// Whether the variable's type is another one in each instance of a template. A type that is named there would be that of this instance alone,
+/// and the template could not be given anything else any more. What does not depend on the template's parameters has one type.
+bool varies_by_instance(const clang::VarDecl* variable) {
+  const clang::FunctionDecl* instance = nullptr;  // the outermost
+  for (const clang::DeclContext* at = variable->getDeclContext(); at; at = at->getParent()) {
+    const auto* function = llvm::dyn_cast<clang::FunctionDecl>(at);
+    if (function && function->isTemplateInstantiation() && !has_one_instance(function)) instance = function;
+  }
+  if (!instance) return false;
+  VariableAt pattern(variable->getLocation());
+  pattern.TraverseStmt(pattern_of(instance)->getBody());
+  return !pattern.found || pattern.found->getType()->isDependentType();
 }
 
 /// `auto out = *in;` has to name the type when nothing is left that tells it.
@@ -126,14 +195,15 @@ std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* vari
   const auto* statement = parent_as<clang::DeclStmt>(unit.ast(), *variable);
   const clang::Expr* source = copied_by(variable->getInit());
   if (!source || !is_message_object(source) || !statement || !statement->isSingleDecl() ||
-      !unit.source.place(source->getSourceRange()) || !move_out_of_result(unit, variable->getInit()).empty())
+      !unit.source.place(source->getSourceRange()) || names_message_type(unit, source) ||
+      !move_out_of_result(unit, variable->getInit()).empty())
     return {};
   const std::optional<Place> initializer = initializer_of(unit, variable, statement);
   if (!initializer) return {};
   LaterCopy copy{
       {{*initializer, "", "later-copy", {}}}, unit.text(source), may_run_package_code(unit, source)};
   if (!variable->getTypeSourceInfo()->getTypeLoc().getContainedAutoTypeLoc()) return copy;
-  const std::optional<Change> type = named_type(unit, variable);
+  const std::optional<Change> type = varies_by_instance(variable) ? std::nullopt : named_type(unit, variable);
   if (!type) return {};
   copy.without.push_back(*type);
   return copy;
@@ -164,7 +234,9 @@ std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* vari
     return {};
   const clang::Expr* source = made_from(made);
   const std::optional<Place> place = unit.source.place(source->getSourceRange());
-  if (!place || !is_code_alone(unit.source.text(*place))) return {};
+  const std::optional<Place> call = unit.source.place({source->getBeginLoc(), made->getEndLoc()});
+  if (!place || !call || !is_code_alone(unit.source.text(*call)) || names_message_type(unit, source))
+    return {};
   return LaterCopy{{{*place, "", "later-copy", {}}}, unit.text(source), may_run_package_code(unit, source)};
 }
 

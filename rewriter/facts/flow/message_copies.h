@@ -22,7 +22,8 @@ const clang::Expr* copied_by(const clang::Expr* initializer);
 /// Empty: a message does not start so, or a macro writes it.
 std::vector<Change> move_out_of_result(const Unit& unit, const clang::Expr* initializer);
 
-/// Of a local variable. None: it does not start as a copy, or cannot be written otherwise (const, several variables, a macro).
+/// Of a local variable. None: it does not start as a copy, or cannot be written otherwise (const, several variables, a macro, a pack of
+/// arguments, a type in the initializer that is ported, too, `auto` that means another type in each instance of a template).
 std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* variable);
 
 /// Whether new or make_shared makes the object as a copy of another message.

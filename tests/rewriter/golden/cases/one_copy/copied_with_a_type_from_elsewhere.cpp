@@ -1,0 +1,80 @@
+// A copy whose type is said by what it is made of: a parameter of a function template, decltype. It is of that type whatever is
+// written there, so it cannot be ported without its original.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+ros::Publisher pub;
+sensor_msgs::Image last;
+
+template <class M>
+void relay(const M& in) {
+  M out = in;
+  out.header.frame_id = "relay";
+  pub.publish(out);
+}
+template <class M>
+void relay_assigned(const M& in) {
+  M out;
+  out = in;
+  out.data.push_back(2);
+  pub.publish(out);
+}
+template <class M>
+void relay_pointer(const boost::shared_ptr<M const>& in) {
+  boost::shared_ptr<M> out(new M(*in));
+  out->header.frame_id = "pointer";
+  pub.publish(out);
+}
+template <class M>
+void relay_made(const M& in) {
+  auto out = boost::make_shared<M>();
+  *out = in;
+  pub.publish(out);
+}
+// Named, the type would be that of one instance, and the function would take no other message any more.
+template <class P>
+void relay_auto(const P& in) {
+  auto out = *in;
+  out.header.frame_id = "auto";
+  pub.publish(out);
+}
+template <class M>
+void assign(const M& from, M& to) {
+  to = from;
+}
+template <class M>
+M changed(const M& in) {
+  M out = in;
+  out.data.push_back(1);
+  return out;
+}
+
+void take(const sensor_msgs::ImageConstPtr& in) {
+  relay(*in);
+  relay_assigned(*in);
+  relay_pointer(in);
+  relay_made(*in);
+  relay_auto(in);
+  sensor_msgs::Image assigned;
+  assign(*in, assigned);
+  pub.publish(assigned);
+  auto made = changed(*in);
+  pub.publish(made);
+  last = *in;
+  decltype(last) same = last;
+  same.data.push_back(2);
+  pub.publish(same);
+}
+void take_type(const sensor_msgs::ImageConstPtr& in) {
+  std::decay_t<decltype(*in)> out = *in;
+  out.data.push_back(1);
+  pub.publish(out);
+}
+
+int main() {
+  ros::NodeHandle nh;
+  pub = nh.advertise<sensor_msgs::Image>("out", 1);
+  ros::Subscriber first = nh.subscribe("in", 1, take);
+  ros::Subscriber second = nh.subscribe("in", 1, take_type);
+}
+//--- expected
