@@ -357,6 +357,7 @@ void Collectors::early_calls(const clang::Stmt* stmt) {
 
 Facts Collectors::finish() {
   for (const auto& [where, part] : parts_) add(allocations_.of_part(part.second, part.first));
+  leave_to_instances(drafts_);
   for (AllocationDraft& draft : drafts_)
     facts_.allocations.push_back(connected(unit_, std::move(draft), publishers_));
   facts_.hidden_code = hidden_.shown();

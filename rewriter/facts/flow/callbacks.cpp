@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/flow/callbacks.h"
 
+#include <clang/AST/DeclTemplate.h>
+
 #include "facts/syntax/ast_walk.h"
 #include "model/codes.h"
 
@@ -73,10 +75,16 @@ bool CallbackPins::is_kept(const clang::LambdaExpr* lambda) const {
   return false;
 }
 
+/// A generic one takes what it is given, as it is. What it is subscribed with is a received message, which stays a stock one.
 void CallbackPins::check_lambda(const clang::LambdaExpr* lambda) {
   if (!unit_.source.in_package(lambda->getBeginLoc()) || is_kept(lambda)) return;
+  const bool subscribes = is_subscribed(unit_, *lambda);
   for (const clang::ParmVarDecl* parameter : lambda->getCallOperator()->parameters())
-    pin(parameter, "lambda", is_subscribed(unit_, *lambda));
+    pin(parameter, "lambda", subscribes);
+  const clang::FunctionTemplateDecl* pattern = lambda->getLambdaClass()->getDependentLambdaCallOperator();
+  if (!pattern || !subscribes) return;
+  for (const clang::FunctionDecl* instance : pattern->specializations())
+    for (const clang::ParmVarDecl* parameter : instance->parameters()) pin(parameter, "lambda", true);
 }
 
 /// The call around a function's name that binds the function; none: its address goes elsewhere.

@@ -2,6 +2,7 @@
 #include "facts/sites/allocation_sites.h"
 
 #include <algorithm>
+#include <set>
 
 #include "facts/flow/message_copies.h"
 #include "facts/sites/containing_object.h"
@@ -183,6 +184,16 @@ bool is_before_body(const Unit& unit, const clang::FunctionDecl* function, clang
 
 }  // namespace
 
+/// A template has no constructor yet for `Image out = *in;` where `in` is of any type, and no function for `Image out = get(in);`.
+void leave_to_instances(std::vector<AllocationDraft>& drafts) {
+  std::set<EntityId> in_instances;
+  for (const AllocationDraft& draft : drafts)
+    if (!draft.is_of_template) in_instances.insert(draft.site.entity);
+  llvm::erase_if(drafts, [&](const AllocationDraft& draft) {
+    return draft.is_of_template && in_instances.count(draft.site.entity) != 0;
+  });
+}
+
 AllocationDraft draft_at(const Unit& unit, const EntityTable& entities, const EntityId& id,
                          const clang::Stmt& where) {
   AllocationDraft draft{{}, enclosing_function(unit.ast(), where)};
@@ -266,6 +277,7 @@ std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::
   how.object = variable->getNameAsString();
   how.is_needed = message->has_direct_data_part;
   if (const clang::Expr* value = variable->getInit()) {
+    draft.is_of_template = value->isTypeDependent();
     if (const std::vector<Change> moved = move_out_of_result(unit_, value); !moved.empty()) {
       for (const Change& change : moved) entities_.add_use(id, change);
       return {};

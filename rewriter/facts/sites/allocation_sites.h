@@ -16,7 +16,11 @@ struct AllocationDraft {
   AllocationSite site;
   const clang::FunctionDecl* function;       ///< around it
   const clang::VarDecl* variable = nullptr;  ///< that is declared with the message; null: none
+  bool is_of_template = false;               ///< whose instances know better how the message starts
 };
+
+/// Leaves out those of templates that have an instance with one for the same message.
+void leave_to_instances(std::vector<AllocationDraft>& drafts);
 
 /// The site of an entity, with its place and function.
 AllocationDraft draft_at(const Unit& unit, const EntityTable& entities, const EntityId& id,
