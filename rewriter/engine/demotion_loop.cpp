@@ -18,10 +18,11 @@ std::size_t DemotionLoop::number_of_units(const Facts& facts) {
   return units.size();
 }
 
-const char* DemotionLoop::demotion_code(ComponentId component) const {
+/// A subscription has one code for all that.
+const char* DemotionLoop::demotion_code(ComponentId component, const char* code) const {
   const ComponentKind kind = components_[component].kind;
   const bool receives = kind == ComponentKind::subscription || kind == ComponentKind::filter;
-  return receives ? codes::TZC2005 : codes::TZC1009;
+  return receives ? codes::TZC2005 : code;
 }
 
 /// The error's own place is one of the ported text, which nobody will see.
@@ -29,7 +30,7 @@ void DemotionLoop::demote(ComponentId component, const Failure& failure) {
   Location where = failure.error.where;
   if (failure.origin.first != 0 && !failure.origin.has(where.line))
     where = {where.file, failure.origin.first, 1};
-  demotions_.emplace(component, Obstacle{demotion_code(component),
+  demotions_.emplace(component, Obstacle{demotion_code(component, codes::TZC1009),
                                          "ported, it would not compile: " + failure.error.text, where});
 }
 
@@ -155,12 +156,12 @@ std::set<ComponentId> DemotionLoop::components_behind(const Edit& edit, const Ed
   return components;
 }
 
-void DemotionLoop::demote_edit(const Edit& edit, const Edits& plan, const std::string& why) {
+void DemotionLoop::demote_edit(const Edit& edit, const Edits& plan, const Why& why) {
   const std::string text = read_(edit.file).value_or("");
   const auto end = text.begin() + static_cast<long>(std::min(edit.offset, text.size()));
   const Location where{edit.file, static_cast<unsigned>(std::count(text.begin(), end, '\n')) + 1, 1};
   for (const ComponentId component : components_behind(edit, plan))
-    demotions_.emplace(component, Obstacle{demotion_code(component), why, where});
+    demotions_.emplace(component, Obstacle{demotion_code(component, why.code), why.reason, where});
 }
 
 /// Text that two components would change in different ways, as that of a template does which is two things to its instances;
@@ -171,14 +172,16 @@ bool DemotionLoop::demote_unwritable(const Attempt& attempt) {
   for (const auto& [first, second] : overlaps(plan))
     for (const Edit& edit : {first, second})
       if (edit.component)
-        demote_edit(edit, plan, "its port would change text that another one's changes otherwise");
+        demote_edit(edit, plan,
+                    {codes::TZC1007, "its port would change text that another one's changes otherwise"});
   if (demotions_.size() > before) return true;
   for (const auto& [file, of_file] : by_file(plan)) {
     const std::string text = read_(file).value_or("");
     const Expected<std::string> edited = apply_edits(text, of_file);
     if (const std::optional<Edit> edit = edited ? swallowed_edit(text, of_file, *edited) : std::nullopt)
       demote_edit(*edit, plan,
-                  "what its port writes here would be read as part of a comment, a string or a directive");
+                  {codes::TZC1009,
+                   "what its port writes here would be read as part of a comment, a string or a directive"});
   }
   return demotions_.size() > before;
 }

@@ -54,9 +54,13 @@ class DemotionLoop {
   bool demote_for_others(const Attempt& attempt);
   bool demote_unwritable(const Attempt& attempt);
   static std::set<ComponentId> components_behind(const Edit& edit, const Edits& plan);
-  void demote_edit(const Edit& edit, const Edits& plan, const std::string& why);
+  struct Why {
+    const char* code;
+    std::string reason;
+  };
+  void demote_edit(const Edit& edit, const Edits& plan, const Why& why);
   void demote(ComponentId component, const Failure& failure);
-  const char* demotion_code(ComponentId component) const;
+  const char* demotion_code(ComponentId component, const char* code) const;
   bool is_message(ComponentId component) const;
   std::vector<ComponentId> ported_components(const Attempt& attempt) const;
 

@@ -25,6 +25,23 @@ std::string cast_of_something(clang::QualType from) {
   return "a message that may be this one is " + cast_from(from);
 }
 
+/// static_cast<ImagePtr>(tagged), by a conversion function of the package: it is looked at as any function that is called.
+bool converts_by_class(const Unit& unit, const clang::ExplicitCastExpr* cast) {
+  const auto* call = llvm::dyn_cast_or_null<clang::CXXMemberCallExpr>(call_behind(cast->getSubExpr()));
+  const clang::FunctionDecl* function = call ? call->getMethodDecl() : nullptr;
+  return llvm::isa_and_nonnull<clang::CXXConversionDecl>(function) && unit.declares_all_of(function);
+}
+
+/// ImagePtr(loan), where a Loan is an ImagePtr: it was made from one, so nothing else is taken for a message here.
+bool takes_base(const clang::ExplicitCastExpr* cast) {
+  const auto record_of = [](clang::QualType type) {
+    return type.getNonReferenceType()->getAsCXXRecordDecl();
+  };
+  const clang::CXXRecordDecl* object = record_of(cast->getSubExprAsWritten()->getType());
+  const clang::CXXRecordDecl* base = record_of(cast->getType());
+  return object && base && object->hasDefinition() && base->hasDefinition() && object->isDerivedFrom(base);
+}
+
 /// An object, or what a pointer points to.
 bool is_writable_message(const clang::Expr* expr) {
   const clang::QualType pointee = pointee_of(expr->getType());
@@ -97,7 +114,12 @@ void ValueFlow::note_writable(const clang::ExplicitCastExpr* cast) {
                         cast->getBeginLoc());
   }
   note_as_bytes(cast);
-  if (is_writable_message(cast) && !carried_by(from->getType(), unit_.rules) && !is_null(unit_, from))
+  if (!is_writable_message(cast) || carried_by(from->getType(), unit_.rules) || is_null(unit_, from)) return;
+  if (takes_base(cast))
+    entities_.add_obstacle(entities_.declare_temporary(cast), codes::TZC1001,
+                           "it is the part of an object of '" + from->getType().getAsString() + "'",
+                           cast->getBeginLoc());
+  else if (!converts_by_class(unit_, cast))
     add_writable({cast->getType(), {}, cast_of_something(from->getType())}, cast->getBeginLoc());
 }
 

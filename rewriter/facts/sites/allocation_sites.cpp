@@ -308,6 +308,12 @@ bool is_used_behind(const Unit& unit, const clang::VarDecl* variable) {
   return mention.found;
 }
 
+/// new Image[2], make_unique<Image[]>(2): allocate is given one message, and `*images` is none where the pointer is one to an array.
+bool makes_several(const clang::Expr* made) {
+  const auto* expr = llvm::dyn_cast<clang::CXXNewExpr>(made);
+  return expr ? expr->isArray() : first_argument(made->getType())->isArrayType();
+}
+
 }  // namespace
 
 /// Whether the object gets another message's elements, to which the program may have pointers; they stay where they lie. A copy has
@@ -348,6 +354,7 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
   }
   if (is_in_initializer_list(unit_, expr))
     draft.site.refusal = "a constructor's initializer list makes it, where no statement can stand";
+  if (makes_several(expr)) draft.site.refusal = "it is one of several that are made at once";
   if (!is_always_made(unit_, expr)) draft.site.refusal = "it is made under a condition only";
   if (end.variable && is_used_behind(unit_, end.variable))
     draft.site.refusal = "a variable that is declared behind it in the same statement is made from it";

@@ -1,0 +1,21 @@
+// The port of a copy moves its initializer, and the port of another message changes a call in it: they share that text.
+#include <cv_bridge/cv_bridge.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+ros::Publisher pub;
+
+void take(const sensor_msgs::ImageConstPtr& in) {
+  cv_bridge::CvImage frame;
+  sensor_msgs::Image filled;
+  sensor_msgs::Image copy = (frame.toImageMsg(filled), *in);
+  pub.publish(filled);
+  pub.publish(copy);
+}
+
+int main() {
+  ros::NodeHandle nh;
+  pub = nh.advertise<sensor_msgs::Image>("out", 1);
+  ros::Subscriber sub = nh.subscribe("in", 1, take);
+}
+//--- expected
