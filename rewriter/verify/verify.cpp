@@ -69,6 +69,17 @@ std::vector<Diagnostic> Verifier::changed_calls(const CompileUnit& unit, const s
            {}}};
 }
 
+std::vector<Diagnostic> Verifier::idle_edits(const std::vector<IdleAllocation>& idle,
+                                             const Attribution& attribution) const {
+  std::vector<Diagnostic> errors;
+  for (const IdleAllocation& call : idle)
+    if (attribution.has_edit(call.file, attribution.original(call.file, call.line).first, {"allocate"}))
+      errors.push_back({{call.file, call.line, 1},
+                        "allocate() would do nothing for a '" + call.type + "', which stays a stock message",
+                        {}});
+  return errors;
+}
+
 Verifier::Judgement Verifier::ask_clang(const VerifyRequest& request, const FileContents& contents,
                                         const Attribution& attribution) {
   ParseOptions options = options_;
@@ -85,9 +96,13 @@ Verifier::Judgement Verifier::ask_clang(const VerifyRequest& request, const File
     if (known == clang_said_.end()) {
       lock.unlock();
       std::vector<PackageCall> calls;
-      ParseResult parsed = parse(
-          *units[i], options, [&](clang::ASTContext& ast) { calls = package_calls(ast, packages_.folders); });
+      std::vector<IdleAllocation> idle;
+      ParseResult parsed = parse(*units[i], options, [&](clang::ASTContext& ast) {
+        calls = package_calls(ast, packages_.folders);
+        idle = idle_allocations(ast, packages_.folders);
+      });
       if (parsed.errors.empty()) parsed.errors = changed_calls(*units[i], calls, attribution);
+      if (parsed.errors.empty()) parsed.errors = idle_edits(idle, attribution);
       lock.lock();
       known = clang_said_.emplace(key, std::move(parsed.errors)).first;
     }

@@ -18,6 +18,7 @@
 #include "solve/components.h"
 #include "verify/attribution.h"
 #include "verify/callees.h"
+#include "verify/idle_allocations.h"
 
 namespace tzc::rewriter {
 
@@ -87,6 +88,9 @@ class Verifier {
   /// Calls that would pick another function than before, as errors.
   std::vector<Diagnostic> changed_calls(const CompileUnit& unit, const std::vector<PackageCall>& now,
                                         const Attribution& attribution) const;
+  /// Those that edits wrote, as errors.
+  std::vector<Diagnostic> idle_edits(const std::vector<IdleAllocation>& idle,
+                                     const Attribution& attribution) const;
   void attribute(Failure& failure, const Attribution& attribution) const;
 
   VerifiedPackages packages_;
