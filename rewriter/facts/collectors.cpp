@@ -97,6 +97,17 @@ void note_body(const clang::FunctionDecl* function, Facts& facts) {
   facts.locking.insert(usr);
 }
 
+/// Leaves out those of templates that have an instance with one for the same message. A template has no constructor yet for
+/// `Image out = *in;` where `in` is of any type, and no function for `Image out = get(in);`.
+void leave_to_instances(std::vector<AllocationDraft>& drafts) {
+  std::set<EntityId> in_instances;
+  for (const AllocationDraft& draft : drafts)
+    if (!draft.is_of_template) in_instances.insert(draft.site.entity);
+  llvm::erase_if(drafts, [&](const AllocationDraft& draft) {
+    return draft.is_of_template && in_instances.count(draft.site.entity) != 0;
+  });
+}
+
 /// Whether a function has to itself what it is given for a parameter of this type.
 bool is_own_message(clang::QualType parameter) {
   const CallbackParameter given = callback_parameter_of(parameter);

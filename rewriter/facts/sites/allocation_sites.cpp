@@ -2,7 +2,6 @@
 #include "facts/sites/allocation_sites.h"
 
 #include <algorithm>
-#include <set>
 
 #include "facts/flow/message_copies.h"
 #include "facts/sites/containing_object.h"
@@ -184,16 +183,6 @@ bool is_before_body(const Unit& unit, const clang::FunctionDecl* function, clang
 
 }  // namespace
 
-/// A template has no constructor yet for `Image out = *in;` where `in` is of any type, and no function for `Image out = get(in);`.
-void leave_to_instances(std::vector<AllocationDraft>& drafts) {
-  std::set<EntityId> in_instances;
-  for (const AllocationDraft& draft : drafts)
-    if (!draft.is_of_template) in_instances.insert(draft.site.entity);
-  llvm::erase_if(drafts, [&](const AllocationDraft& draft) {
-    return draft.is_of_template && in_instances.count(draft.site.entity) != 0;
-  });
-}
-
 AllocationDraft draft_at(const Unit& unit, const EntityTable& entities, const EntityId& id,
                          const clang::Stmt& where) {
   AllocationDraft draft{{}, enclosing_function(unit.ast(), where)};
@@ -306,12 +295,6 @@ bool is_used_behind(const Unit& unit, const clang::VarDecl* variable) {
        at != statement->decl_end(); ++at)
     if (*at != variable) mention.TraverseDecl(*at);
   return mention.found;
-}
-
-/// new Image[2], make_unique<Image[]>(2): allocate is given one message, and `*images` is none where the pointer is one to an array.
-bool makes_several(const clang::Expr* made) {
-  const auto* expr = llvm::dyn_cast<clang::CXXNewExpr>(made);
-  return expr ? expr->isArray() : first_argument(made->getType())->isArrayType();
 }
 
 }  // namespace

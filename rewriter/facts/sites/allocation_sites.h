@@ -19,9 +19,6 @@ struct AllocationDraft {
   bool is_of_template = false;               ///< whose instances know better how the message starts
 };
 
-/// Leaves out those of templates that have an instance with one for the same message.
-void leave_to_instances(std::vector<AllocationDraft>& drafts);
-
 /// The site of an entity, with its place and function.
 AllocationDraft draft_at(const Unit& unit, const EntityTable& entities, const EntityId& id,
                          const clang::Stmt& where);

@@ -91,6 +91,13 @@ bool makes_object(const clang::CallExpr* call) {
   return function && names.count(qualified_name_of(function)) != 0;
 }
 
+bool makes_several(const clang::Expr* made) {
+  const auto* expr = llvm::dyn_cast<clang::CXXNewExpr>(made);
+  if (expr) return expr->isArray();
+  const clang::QualType object = first_argument(made->getType());
+  return !object.isNull() && object->isArrayType();
+}
+
 const clang::CXXRecordDecl* class_that_is_made(const clang::CallExpr* call) {
   const clang::FunctionDecl* function = call->getDirectCallee();
   const bool makes = function && function->getIdentifier() && function->getName().starts_with("make_");

@@ -26,6 +26,8 @@ bool is_template_parameter(const clang::TemplateArgument& argument);
 
 /// make_shared, make_unique and their likes.
 bool makes_object(const clang::CallExpr* call);
+/// new Image[2], make_unique<Image[]>(2): allocate is given one message, and `*images` is none where the pointer is one to an array.
+bool makes_several(const clang::Expr* made);
 /// The class that the template argument of make_shared<T>(...), make_optional<T>(...) and their likes is; null: there is none.
 const clang::CXXRecordDecl* class_that_is_made(const clang::CallExpr* call);
 /// cv_image.toImageMsg(), and what an earlier run made of it.
