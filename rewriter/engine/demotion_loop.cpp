@@ -30,8 +30,9 @@ void DemotionLoop::demote(ComponentId component, const Failure& failure) {
   Location where = failure.error.where;
   if (failure.origin.first != 0 && !failure.origin.has(where.line))
     where = {where.file, failure.origin.first, 1};
-  demotions_.emplace(component, Obstacle{demotion_code(component, codes::TZC1009),
-                                         "ported, it would not compile: " + failure.error.text, where});
+  const std::string words = failure.error.compiles ? "ported, " : "ported, it would not compile: ";
+  demotions_.emplace(component,
+                     Obstacle{demotion_code(component, codes::TZC1009), words + failure.error.text, where});
 }
 
 DemotionLoop::Attempt DemotionLoop::planned(const Demotions& demotions) const {

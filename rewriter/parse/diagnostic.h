@@ -8,11 +8,12 @@
 
 namespace tzc::rewriter {
 
-/// An error.
+/// An error, or code that compiles and yet cannot stay.
 struct Diagnostic {
   Location where;
   std::string text;
   std::vector<Location> notes;  ///< "in instantiation of ...": places that led there
+  bool compiles = false;
 };
 
 }  // namespace tzc::rewriter

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verify/callees.h"
 
-#include <clang/AST/DeclTemplate.h>
-#include <llvm/Support/raw_ostream.h>
-
-#include <map>
-
 #include "parse/ast_visitor.h"
 #include "parse/names.h"
 #include "parse/source.h"
@@ -13,45 +8,9 @@
 namespace tzc::rewriter {
 namespace {
 
-/// The template arguments of a function or class that is an instantiation; null: it is none.
-const clang::TemplateArgumentList* instantiated_with(const clang::DeclContext* context) {
-  if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(context))
-    return function->isTemplateInstantiation() ? function->getTemplateSpecializationArgs() : nullptr;
-  const auto* record = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(context);
-  const bool is_written = !record || record->isExplicitSpecialization();
-  return is_written ? nullptr : &record->getTemplateArgs();
-}
-
-std::string text_of(const clang::TemplateArgumentList& arguments, const clang::ASTContext& ast) {
-  std::string text;
-  llvm::raw_string_ostream stream(text);
-  for (const clang::TemplateArgument& argument : arguments.asArray()) {
-    ast.getCanonicalTemplateArgument(argument).print(ast.getPrintingPolicy(), stream, true);
-    stream << ';';
-  }
-  return text;
-}
-
-std::string name_of(const clang::DeclContext* context) {
-  const auto* named = llvm::dyn_cast<clang::NamedDecl>(context);
-  const auto* function = llvm::dyn_cast<clang::FunctionDecl>(context);
-  return (named ? named->getNameAsString() : "") +
-         (function ? "/" + std::to_string(function->getNumParams()) : "") + "::";
-}
-
-Instance instance_of(const clang::DeclContext* context, const clang::ASTContext& ast) {
-  Instance instance;
-  for (; context; context = context->getParent()) {
-    instance.pattern = name_of(context) + instance.pattern;
-    if (const clang::TemplateArgumentList* arguments = instantiated_with(context))
-      instance.arguments = text_of(*arguments, ast) + instance.arguments;
-  }
-  return instance.arguments.empty() ? Instance() : instance;
-}
-
 class Calls : public AstVisitor {
  public:
-  explicit Calls(const Source& source) : source_(source) {}
+  explicit Calls(const Source& source) : source_(source), instances_(source) {}
   bool shouldVisitTemplateInstantiations() const override { return true; }
   std::vector<PackageCall> calls;
 
@@ -66,6 +25,15 @@ class Calls : public AstVisitor {
     return variable->isLocalVarDeclOrParm() || enter(variable->getDeclContext());
   }
 
+  /// What a generic closure's parameters decide is in its instances, which no walk enters by itself.
+  bool VisitLambdaExpr(clang::LambdaExpr* lambda) override {
+    const clang::FunctionTemplateDecl* generic = lambda->getDependentCallOperator();
+    if (!generic) return true;
+    const Instance* around = here_;
+    for (clang::FunctionDecl* instance : generic->specializations()) TraverseDecl(instance);
+    here_ = around;
+    return true;
+  }
   bool VisitCallExpr(clang::CallExpr* call) override {
     const clang::FunctionDecl* function = call->getDirectCallee();
     return !function || note(call->getExprLoc(), function);
@@ -79,10 +47,7 @@ class Calls : public AstVisitor {
  private:
   /// What is visited next is part of this function, or of this class or namespace.
   bool enter(const clang::DeclContext* context) {
-    const auto known = instances_.find(context);
-    here_ = known != instances_.end()
-                ? &known->second
-                : &instances_.emplace(context, instance_of(context, source_.ast())).first->second;
+    here_ = &instances_.of(context);
     return true;
   }
   /// std::vector<bool>{first, last} of iterators is a range; of pointers it is a list of two elements.
@@ -99,12 +64,13 @@ class Calls : public AstVisitor {
   }
   bool note_call(const Place& at, const std::string& callee_file, unsigned callee_line,
                  const clang::FunctionDecl* callee) {
-    calls.push_back({at.file, at.line, callee_file, callee_line, qualified_name_of(callee), *here_});
+    calls.push_back(
+        {at.file, at.line, callee_file, callee_line, instances_.qualified_name_of(callee), *here_});
     return true;
   }
   const Source& source_;
-  std::map<const clang::DeclContext*, Instance> instances_ = {{nullptr, {}}};
-  const Instance* here_ = &instances_.at(nullptr);
+  Instances instances_;
+  const Instance* here_ = &instances_.of(nullptr);
 };
 
 }  // namespace

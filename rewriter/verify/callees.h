@@ -6,19 +6,13 @@
 #include <vector>
 
 #include "model/folder_set.h"
+#include "verify/instances.h"
 
 namespace clang {
 class ASTContext;
 }
 
 namespace tzc::rewriter {
-
-/// The instantiation of a template that code is part of.
-struct Instance {
-  std::string
-      pattern;  ///< what is instantiated: names and numbers of parameters, from the outermost; empty: no template
-  std::string arguments;  ///< of all templates around the code, canonical
-};
 
 /// A call of one of the package's functions, or a constructor that takes a list of elements, as overload resolution picked it;
 /// or a function that is an instantiation, at its begin.
@@ -28,7 +22,7 @@ struct PackageCall {
   std::string
       callee_file;  ///< of the function's first declaration; empty: it is none of the package's, or begins here
   unsigned callee_line = 0;
-  std::string callee;  ///< its name
+  std::string callee;  ///< its name, with "(lambda)" for a closure
   Instance instance = {};
 };
 

@@ -91,4 +91,13 @@ std::optional<PackageCall> changed_call(const OriginalUnit& original, const std:
   return {};
 }
 
+std::string picked_by(const PackageCall& call) {
+  const std::string lambda = "(lambda)", called = lambda + "::operator()";
+  const std::size_t length = call.callee.size();
+  if (length < called.size() || call.callee.compare(length - called.size(), called.size(), called) != 0)
+    return "'" + call.callee + "'";
+  const std::size_t outermost = call.callee.find(lambda);
+  return outermost == 0 ? "lambda" : "lambda in '" + call.callee.substr(0, outermost - 2) + "'";
+}
+
 }  // namespace tzc::rewriter

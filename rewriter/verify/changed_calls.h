@@ -25,7 +25,11 @@ struct OriginalUnit {
 ///
 /// Calls are compared file by file, since an edit may include a header of the package earlier than before. A file that the
 /// unit did not include picked nothing before. An instantiation is compared with that of the same arguments, where a
-/// message and its tzc:: twin count as the same; one that has no such counterpart, with all of its template.
+/// message and its tzc:: twin count as the same; one that has no such counterpart, with all of its template. Arguments
+/// do not tell where a closure stands (`Instances`), so a unit whose lines have moved, and nothing else, has no changed call.
 std::optional<PackageCall> changed_call(const OriginalUnit& original, const std::vector<PackageCall>& now);
+
+/// What a changed call picks, or picked: 'api::touch', lambda in 'main'.
+std::string picked_by(const PackageCall& call);
 
 }  // namespace tzc::rewriter

@@ -65,8 +65,9 @@ std::vector<Diagnostic> Verifier::changed_calls(const CompileUnit& unit, const s
       changed_call({before->second, includes, is_line, is_replaced}, now);
   if (!change) return {};
   return {{{change->file, change->line, 1},
-           "this call would choose another '" + change->callee + "' than before",
-           {}}};
+           "this call would choose another " + picked_by(*change) + " than before",
+           {},
+           true}};
 }
 
 std::vector<Diagnostic> Verifier::idle_edits(const std::vector<IdleAllocation>& idle,

@@ -103,5 +103,16 @@ TEST(ChangedCalls, a_template_that_was_never_instantiated_has_nothing_to_change)
   EXPECT_FALSE(is_changed({call(1)}, {call(1), call(2, image)}));
 }
 
+TEST(ChangedCalls, what_is_picked_has_a_name) {
+  PackageCall made = call(1);
+  EXPECT_EQ(picked_by(made), "'use'");
+  made.callee = "(lambda)::operator()";
+  EXPECT_EQ(picked_by(made), "lambda");
+  made.callee = "api::run::(lambda)::operator()::(lambda)::operator()";
+  EXPECT_EQ(picked_by(made), "lambda in 'api::run'");
+  made.callee = "api::run::(lambda)::operator()::Local::use";
+  EXPECT_EQ(picked_by(made), "'api::run::(lambda)::operator()::Local::use'");
+}
+
 }  // namespace
 }  // namespace tzc::rewriter

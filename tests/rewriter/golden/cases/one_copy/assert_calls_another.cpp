@@ -18,7 +18,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:13 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:17 sensor_msgs/Image one_copy 'image' TZC1009 ported, it would not compile: this call would choose another 'is_black' than before
+// publish src/node.cpp:17 sensor_msgs/Image one_copy 'image' TZC1009 ported, this call would choose another 'is_black' than before
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

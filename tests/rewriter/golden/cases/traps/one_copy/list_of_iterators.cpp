@@ -15,7 +15,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:9 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1009 ported, it would not compile: this call would choose another 'std::vector::vector' than before
+// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1009 ported, this call would choose another 'std::vector::vector' than before
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -20,7 +20,7 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:15 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:19 sensor_msgs/Image one_copy 'image' TZC1009 ported, it would not compile: this call would choose another 'is_vector' than before
+// publish src/node.cpp:19 sensor_msgs/Image one_copy 'image' TZC1009 ported, this call would choose another 'is_vector' than before
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -1,0 +1,25 @@
+// The library's templates, and one of the package's, get one closure and another.
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+#include <algorithm>
+
+template <class Less>
+void sort_all(std::vector<int>& numbers, Less less) {
+  std::sort(numbers.begin(), numbers.end(), less);
+}
+
+void run(ros::NodeHandle& nh) {
+  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("out", 5);
+  std::vector<int> rows = {3, 1, 2}, columns = rows;
+  std::sort(rows.begin(), rows.end(), [](int a, int b) { return a < b; });
+  std::sort(columns.begin(), columns.end(), [](int a, int b) { return b < a; });
+  sort_all(rows, [](int a, int b) { return a % 2 < b % 2; });
+  sort_all(columns, [](int a, int b) { return a % 3 < b % 3; });
+  sensor_msgs::Image out;
+  out.height = rows[0];
+  out.width = columns[0];
+  out.data.resize(out.height * out.width);
+  pub.publish(out);
+}
+//--- expected
