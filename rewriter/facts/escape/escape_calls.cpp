@@ -307,17 +307,22 @@ bool CallSteps::into_known_call(const clang::CallExpr* call, bool result_is_new)
 void CallSteps::check_callables(const clang::CallExpr* call) {
   const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
   const clang::Expr* object = method ? method->getImplicitObjectArgument() : nullptr;
-  if (object && may_pass_elements(context_.unit, object->getType()))
-    return void(escape("is passed to a function object"));
+  if (object && check_passed(object->getType())) return;
   const bool has_operation = calls_operation_only(call->getDirectCallee());
   for (const clang::Expr* argument : call->arguments()) {
     if (const clang::LambdaExpr* lambda = lambda_in(argument))
       hold_parameters(lambda);
     else if (argument != at_.expr && !(has_operation && walks_elements(argument->getType())) &&
-             (may_pass_elements(context_.unit, argument->getType()) ||
-              may_pass_elements(context_.unit, class_given(argument))))
-      escape("is passed to a function object");
+             !check_passed(argument->getType()))
+      check_passed(class_given(argument));
   }
+}
+
+/// Whether a library that is given an object of the type may pass elements to code of the package, which is an escape.
+bool CallSteps::check_passed(clang::QualType type) {
+  const std::string taker = passes_elements_to(context_.unit, type, element_type(at_.expr->getType()));
+  if (!taker.empty()) escape("is passed to " + taker);
+  return !taker.empty();
 }
 
 void CallSteps::hold_parameters(const clang::LambdaExpr* lambda) {
@@ -355,8 +360,10 @@ bool CallSteps::into_construction(const clang::CXXConstructExpr* construct) {
     const bool followed = analysis_.follow(constructor, index, at_);
     return followed ? done() : escape("is passed to '" + record->getNameAsString() + "'");
   }
-  if (is_owner_class(qualified_name_of(record)) && !may_hold_pointer(type))
-    return may_pass_elements(context_.unit, type) ? escape("is passed to a function object") : done();
+  if (is_owner_class(qualified_name_of(record)) && !may_hold_pointer(type)) {
+    check_passed(type);
+    return done();
+  }
   return escape("is kept in a '" + qualified_name_of(record) + "'");
 }
 

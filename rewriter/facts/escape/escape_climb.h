@@ -80,6 +80,7 @@ class CallSteps : protected ClimbState {
   void check_taken(const clang::Expr* value, bool swapped);
   bool may_store_pointer(const clang::CallExpr* call);
   void check_callables(const clang::CallExpr* call);
+  bool check_passed(clang::QualType type);
   void hold_parameters(const clang::LambdaExpr* lambda);
 };
 

@@ -5,6 +5,7 @@
 
 #include "facts/escape/escape.h"
 #include "facts/syntax/known_functions.h"
+#include "facts/syntax/message_type.h"
 
 namespace tzc::rewriter {
 
@@ -45,6 +46,14 @@ bool leads_to_pointers(const clang::TemplateArgument& argument) {
 bool is_known_iterator(clang::QualType type) {
   const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
   return is_view(type) && record && !named_in(record, "iterator_category").isNull();
+}
+
+clang::QualType element_type(clang::QualType reference) {
+  clang::QualType type = reference.getNonReferenceType().getCanonicalType();
+  if (type->isPointerType()) type = type->getPointeeType();
+  if (is_data_array(type)) return first_argument(type);
+  if (type->isArithmeticType() || message_of(type)) return type;
+  return is_known_iterator(type) ? element_of(type->getAsCXXRecordDecl()) : clang::QualType();
 }
 
 bool reaches_pointers(clang::QualType type) {

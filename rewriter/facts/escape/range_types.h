@@ -11,6 +11,8 @@ namespace tzc::rewriter {
 clang::QualType named_in(const clang::CXXRecordDecl* record, llvm::StringRef name);
 /// Of a library, and known: its operators compare it, or give another one, or a distance.
 bool is_known_iterator(clang::QualType type);
+/// Of what elements a reference to an array or element, a pointer, or a known iterator is one; null: of any.
+clang::QualType element_type(clang::QualType reference);
 /// A pointer, array or iterator to elements that are, or hold, pointers; an owner of some, or a reference to an object of a class.
 bool reaches_pointers(clang::QualType type);
 
