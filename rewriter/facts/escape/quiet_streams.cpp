@@ -36,15 +36,17 @@ bool is_of_process(const clang::VarDecl* variable) {
   return known.count(qualified_name_of(variable)) != 0;
 }
 
-constexpr unsigned max_depth = 100;  // of `out << 1 << 2`, and of references to references
+/// Of `out << 1 << 2`, and of references to references. All steps of one question count, so that a long chain, and references to choices
+/// between references, cost no more than this for each call.
+constexpr unsigned max_steps = 100;
 
-bool has_known_target(const clang::Expr* stream, unsigned depth);
+bool has_known_target(const clang::Expr* stream, unsigned& steps);
 
 /// A reference stays what it was bound to.
-bool is_quiet_variable(const clang::VarDecl* variable, unsigned depth) {
+bool is_quiet_variable(const clang::VarDecl* variable, unsigned& steps) {
   if (is_of_process(variable)) return true;
   return variable->getType()->isReferenceType() && !llvm::isa<clang::ParmVarDecl>(variable) &&
-         variable->getInit() && has_known_target(variable->getInit(), depth);
+         variable->getInit() && has_known_target(variable->getInit(), steps);
 }
 
 /// The stream that it was given: `out << 1` << 2, std::endl(out), std::move(out).
@@ -58,25 +60,26 @@ bool returns_stream(const clang::CallExpr* call) {
          (name == "std::basic_ostream::operator<<" && llvm::isa<clang::CXXOperatorCallExpr>(call));
 }
 
-bool has_known_target(const clang::Expr* stream, unsigned depth) {
-  if (++depth > max_depth) return false;
+bool has_known_target(const clang::Expr* stream, unsigned& steps) {
+  if (++steps > max_steps) return false;
   stream = stream->IgnoreParenImpCasts();
   const clang::CXXRecordDecl* record = class_of(stream);
   if (record && owns_buffer(record)) return true;
   if (const auto* choice = llvm::dyn_cast<clang::AbstractConditionalOperator>(stream))
-    return has_known_target(choice->getTrueExpr(), depth) && has_known_target(choice->getFalseExpr(), depth);
+    return has_known_target(choice->getTrueExpr(), steps) && has_known_target(choice->getFalseExpr(), steps);
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(stream))
-    return returns_stream(call) && has_known_target(call->getArg(0), depth);
+    return returns_stream(call) && has_known_target(call->getArg(0), steps);
   const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(stream);
   const auto* variable = reference ? llvm::dyn_cast<clang::VarDecl>(reference->getDecl()) : nullptr;
-  return variable && is_quiet_variable(variable, depth);
+  return variable && is_quiet_variable(variable, steps);
 }
 
 }  // namespace
 
 bool is_quiet_stream(const clang::Expr* argument) {
   const clang::CXXRecordDecl* record = class_of(argument->IgnoreParenImpCasts());
-  return !record || !is_stream(record) || has_known_target(argument, 0);
+  unsigned steps = 0;
+  return !record || !is_stream(record) || has_known_target(argument, steps);
 }
 
 }  // namespace tzc::rewriter
