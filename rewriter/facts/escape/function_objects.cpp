@@ -145,8 +145,8 @@ class TypeParts {
   bool may_be_made_of_element(const clang::CXXRecordDecl* record, unsigned depth) {
     const clang::QualType type = unit_.ast().getRecordType(record);
     if (may_be_element(type)) return true;
-    return unit_.source.in_package(record->getLocation()) ? takes_elements(record, depth + 1)
-                                                          : !message_of(record) && pointee_of(type).isNull();
+    if (unit_.source.in_package(record->getLocation())) return takes_elements(record, depth + 1);
+    return !message_of(record) && pointee_of(type).isNull() && may_hold_pointer(type);
   }
   static bool is_stream(const clang::CXXRecordDecl* record) {
     const std::string name = qualified_name_of(record);

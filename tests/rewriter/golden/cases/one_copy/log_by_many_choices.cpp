@@ -22,29 +22,13 @@ void run(ros::NodeHandle& nh, bool left) {
   TWICE(g, f);
   TWICE(h, g);
   TWICE(i, h);
-  TWICE(j, i);
-  TWICE(k, j);
-  TWICE(l, k);
-  TWICE(m, l);
-  TWICE(n, m);
-  TWICE(o, n);
-  TWICE(p, o);
-  TWICE(q, p);
-  TWICE(r, q);
-  TWICE(s, r);
-  TWICE(t, s);
-  TWICE(u, t);
-  TWICE(v, u);
-  TWICE(w, v);
-  TWICE(x, w);
-  TWICE(y, x);
-  TWICE(z, y);
-  TWICE(aa, z);
-  TWICE(ab, aa);
-  TWICE(ac, ab);
-  TWICE(ad, ac);
-  TWICE(ae, ad);
-  TWICE(af, ae);
-  ad << "sent" << 1;
+  i << "sent" << 1;
 }
 //--- expected
+// advertise src/node.cpp:10 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1003 a pointer into its data is kept in 'raw'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "image", 10);

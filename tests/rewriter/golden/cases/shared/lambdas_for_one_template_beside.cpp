@@ -20,3 +20,9 @@ void run(ros::NodeHandle& nh) {
   ros::spin();
 }
 //--- expected
+// subscribe src/node.cpp:19 sensor_msgs/Image shared 'in'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Subscriber sub = nh.subscribe("in", 5, on_image);
+// +  ros::Subscriber sub = tzc::subscribe(nh, "in", 5, on_image);

@@ -20,6 +20,7 @@ struct Reading {
   Reading(uint8_t number) : value(number) {}
   Reading(const Config& config, uint8_t number) : value(number), scale(config.name.size()) {}
   Reading(const char* text, const std::shared_ptr<Config>& config) : scale(config ? text[0] : 0) {}
+  Reading(const ros::Time& time, float offset) : scale(time.toSec() > offset ? 1 : 2) {}
   bool operator==(const Config& config) const { return config.name.empty(); }
   Reading& operator+=(const double& more) {
     value = static_cast<uint8_t>(value + more);
@@ -49,3 +50,21 @@ void inserted(ros::NodeHandle& nh) {
   change(1);
 }
 //--- expected
+// advertise src/node.cpp:34 sensor_msgs/Image zero_copy 'made_of_elements'
+// publish src/node.cpp:39 sensor_msgs/Image zero_copy 'made_of_elements'
+// advertise src/node.cpp:43 sensor_msgs/Image zero_copy 'inserted'
+// publish src/node.cpp:49 sensor_msgs/Image zero_copy 'inserted'
+//
+// +++ src/node.cpp
+// +#include <tzc/sensor_msgs/Image.h>
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("made_of_elements", 10);
+// -  sensor_msgs::Image image;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "made_of_elements", 10);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("inserted", 10);
+// -  sensor_msgs::Image image;
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "inserted", 10);
+// +  tzc::sensor_msgs::Image image;
+// +  pub.allocate(image);

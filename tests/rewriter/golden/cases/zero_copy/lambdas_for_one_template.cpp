@@ -35,3 +35,19 @@ void run(ros::NodeHandle& nh) {
   ros::spin();
 }
 //--- expected
+// publish src/node.cpp:30 sensor_msgs/Image zero_copy 'out'
+// advertise src/node.cpp:33 sensor_msgs/Image zero_copy 'out'
+// subscribe src/node.cpp:34 sensor_msgs/Image shared 'in'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -ros::Publisher pub;
+// +tzc::Publisher pub;
+// -  sensor_msgs::Image out;
+// +  tzc::sensor_msgs::Image out;
+// +  pub.allocate(out);
+// -  pub = nh.advertise<sensor_msgs::Image>("out", 5);
+// -  ros::Subscriber sub = nh.subscribe("in", 5, on_image);
+// +  pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "out", 5);
+// +  ros::Subscriber sub = tzc::subscribe(nh, "in", 5, on_image);

@@ -43,3 +43,22 @@ void run(ros::NodeHandle& nh) {
   ros::spin();
 }
 //--- expected
+// advertise src/node.cpp:21 sensor_msgs/Image zero_copy 'out'
+// subscribe src/node.cpp:22 sensor_msgs/Image shared 'in'
+// subscribe src/node.cpp:23 sensor_msgs/Image shared 'other'
+// publish src/node.cpp:29 sensor_msgs/Image zero_copy 'out'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  explicit Node(ros::NodeHandle& nh) : pub_(nh.advertise<sensor_msgs::Image>("out", 5)) {
+// -    sub_ = nh.subscribe("in", 5, &Node::on_image, this);
+// -    other_ = nh.subscribe("other", 5, &Node::on_other, this);
+// +  explicit Node(ros::NodeHandle& nh) : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh, "out", 5)) {
+// +    sub_ = tzc::subscribe(nh, "in", 5, &Node::on_image, this);
+// +    other_ = tzc::subscribe(nh, "other", 5, &Node::on_other, this);
+// -    sensor_msgs::Image out;
+// +    tzc::sensor_msgs::Image out;
+// +    pub_.allocate(out);
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;

@@ -23,3 +23,14 @@ void run(ros::NodeHandle& nh) {
   pub.publish(out);
 }
 //--- expected
+// advertise src/node.cpp:13 sensor_msgs/Image zero_copy 'out'
+// publish src/node.cpp:23 sensor_msgs/Image zero_copy 'out'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("out", 5);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "out", 5);
+// -  sensor_msgs::Image out;
+// +  tzc::sensor_msgs::Image out;
+// +  pub.allocate(out);

@@ -51,3 +51,18 @@ void by_template(ros::NodeHandle& nh) {
   *const_cast<uint8_t*>(seen) = 1;
 }
 //--- expected
+// advertise src/node.cpp:28 sensor_msgs/Image one_copy 'by_itself'
+// publish src/node.cpp:33 sensor_msgs/Image one_copy 'by_itself' TZC1003 a pointer into its data is passed to 'Direct'
+// advertise src/node.cpp:37 sensor_msgs/Image one_copy 'by_a_part'
+// publish src/node.cpp:41 sensor_msgs/Image one_copy 'by_a_part' TZC1003 a pointer into its data is passed to 'Part'
+// advertise src/node.cpp:45 sensor_msgs/Image one_copy 'by_template'
+// publish src/node.cpp:50 sensor_msgs/Image one_copy 'by_template' TZC1003 a pointer into its data is passed to 'Any'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("by_itself", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "by_itself", 10);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("by_a_part", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "by_a_part", 10);
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("by_template", 10);
+// +  tzc::Publisher pub = tzc::advertise<sensor_msgs::Image>(nh, "by_template", 10);

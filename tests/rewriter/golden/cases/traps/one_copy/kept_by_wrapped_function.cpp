@@ -113,11 +113,11 @@ void by_assignment(ros::NodeHandle& nh) {
 // advertise src/node.cpp:68 sensor_msgs/Image one_copy 'by_closure'
 // publish src/node.cpp:77 sensor_msgs/Image one_copy 'by_closure' TZC1003 a pointer into its data is passed to a function object
 // advertise src/node.cpp:81 sensor_msgs/Image one_copy 'by_order'
-// publish src/node.cpp:86 sensor_msgs/Image one_copy 'by_order' TZC1003 a pointer into its data is passed to a function object
+// publish src/node.cpp:86 sensor_msgs/Image one_copy 'by_order' TZC1003 a pointer into its data is passed to 'Less'
 // advertise src/node.cpp:90 sensor_msgs/Image one_copy 'by_constructor'
-// publish src/node.cpp:94 sensor_msgs/Image one_copy 'by_constructor' TZC1003 a pointer into its data is passed to a function object
+// publish src/node.cpp:94 sensor_msgs/Image one_copy 'by_constructor' TZC1003 a pointer into its data is passed to 'Less'
 // advertise src/node.cpp:98 sensor_msgs/Image one_copy 'by_assignment'
-// publish src/node.cpp:103 sensor_msgs/Image one_copy 'by_assignment' TZC1003 a pointer into its data is passed to a function object
+// publish src/node.cpp:103 sensor_msgs/Image one_copy 'by_assignment' TZC1003 a pointer into its data is passed to 'Pixel'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
