@@ -77,7 +77,8 @@ std::vector<Diagnostic> Verifier::idle_edits(const std::vector<IdleAllocation>& 
     if (attribution.has_edit(call.file, attribution.original(call.file, call.line).first, {"allocate"}))
       errors.push_back({{call.file, call.line, 1},
                         "allocate() would do nothing for a '" + call.type + "', which stays a stock message",
-                        {}});
+                        {},
+                        true});
   return errors;
 }
 
