@@ -77,6 +77,8 @@ struct Flow {
   std::string what;
   /// A message is copied as a whole, and the copy may have another type than what it is made of: a ported one takes a stock one.
   bool copies = false;
+  /// Makes a stock message of what is copied, where the copy stays one for certain; none: that cannot be written.
+  std::vector<Change> as_stock;
 };
 
 /// `Image a, b;`: where the declaration is cut when only one of two neighbours is ported.

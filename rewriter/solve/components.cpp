@@ -43,14 +43,17 @@ void unite_flows(const Facts& facts, const Numbers& numbers, UnionFind& sets) {
 
 /// Which copies of messages have to be ported together with what they are made of. A ported message can be assigned a stock one,
 /// not the reverse: so the two are separate where the original stays a stock one for certain, because something stands against it, or
-/// because nothing publishes it or copies a ported one into it.
+/// because nothing publishes it or copies a ported one into it. They are, too, where the copy stays one for certain, because something
+/// stands against that, and the port can make a stock message of what is copied.
 class Copies {
  public:
   Copies(const Facts& facts, const Numbers& numbers, UnionFind& sets) : sets_(sets) {
     for (const Flow& flow : facts.flows) {
       const auto from = numbers.find(flow.from), to = numbers.find(flow.to);
-      if (flow.copies && from != numbers.end() && to != numbers.end())
-        copies_.emplace(sets.find(from->second), sets.find(to->second));
+      if (!flow.copies || from == numbers.end() || to == numbers.end()) continue;
+      bool& can_convert =
+          copies_.emplace(std::make_pair(sets.find(from->second), sets.find(to->second)), true).first->second;
+      can_convert = can_convert && !flow.as_stock.empty();
     }
     for (const auto& [id, entity] : facts.entities)
       if (!entity.obstacles.empty() && !entity.ported) stock_.insert(sets.find(numbers.at(id)));
@@ -61,19 +64,22 @@ class Copies {
   }
 
   void unite() {
-    for (const auto& [from, to] : copies_)
-      if (reached_.count(from) != 0) sets_.unite(from, to);
+    for (const auto& [copy, can_convert] : copies_) {
+      const bool is_apart = can_convert && stock_.count(copy.second) != 0;
+      if (reached_.count(copy.first) != 0 && !is_apart) sets_.unite(copy.first, copy.second);
+    }
   }
 
  private:
   void reach(std::size_t set) {
     if (stock_.count(set) != 0 || !reached_.insert(set).second) return;
-    for (auto copy = copies_.lower_bound({set, 0}); copy != copies_.end() && copy->first == set; ++copy)
-      reach(copy->second);
+    for (auto copy = copies_.lower_bound({set, 0}); copy != copies_.end() && copy->first.first == set; ++copy)
+      reach(copy->first.second);
   }
 
   UnionFind& sets_;
-  std::set<std::pair<std::size_t, std::size_t>> copies_;  ///< from, to
+  std::map<std::pair<std::size_t, std::size_t>, bool>
+      copies_;  ///< from, to; whether a conversion can be written for all
   std::set<std::size_t> stock_, reached_;
 };
 

@@ -62,6 +62,7 @@ class PortEditor {
     for (const Component& component : components_.all())
       if (component.advertise_call && is_ported(component))
         for (const Change& change : component.advertise_call->attaching.changes) add(change, component.id);
+    for (const Flow& flow : facts_.flows) add_conversion(flow);
     for (const auto& item : facts_.publishes) {
       add_condition(item.second);
       add_cloud_adapter(item.second);
@@ -98,6 +99,7 @@ class PortEditor {
   void add_declaration(const Entity& entity, ComponentId component);
   void add_subscription(const Component& component);
   void add_cut(const EntityId& id, const Cut& cut);
+  void add_conversion(const Flow& copy);
   void add_allocation(const BoundAllocation& allocation);
   void add_call(const BoundAllocation& allocation, const InsertedAllocation& how);
   void add_parameter(const GivenPublisher& given);
@@ -145,6 +147,13 @@ void PortEditor::add_cut(const EntityId& id, const Cut& cut) {
     for (const Change& spelled : facts_.entities.at(id).changes)
       change.headers.insert(change.headers.end(), spelled.headers.begin(), spelled.headers.end());
   add(change, (ports_right ? right : left)->id);
+}
+
+/// Of a ported message that is copied into one that stays a stock message.
+void PortEditor::add_conversion(const Flow& copy) {
+  const Component* original = copy.copies ? ported(copy.from) : nullptr;
+  if (!original || ported(copy.to)) return;
+  for (const Change& change : copy.as_stock) add(change, original->id);
 }
 
 void PortEditor::add_allocation(const BoundAllocation& allocation) {

@@ -276,7 +276,8 @@ void EntityTable::retype(const EntityId& id, clang::TypeLoc written) {
 
 void EntityTable::add_flow(const EntityId& from, const EntityId& to, const Passage& passage) {
   if (from.empty() || to.empty() || from == to) return;
-  facts_.flows.push_back({from, to, unit_.location(passage.where), passage.what, passage.copies});
+  facts_.flows.push_back(
+      {from, to, unit_.location(passage.where), passage.what, passage.copies, passage.as_stock});
 }
 
 void EntityTable::add_obstacle(const EntityId& id, const Obstacle& obstacle) {

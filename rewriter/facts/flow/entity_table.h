@@ -22,6 +22,7 @@ struct Passage {
   clang::SourceLocation where;
   std::string what;
   bool copies = false;
+  std::vector<Change> as_stock = {};
 };
 
 /// The entities of a unit and the flows between them. Only this class writes them; its functions ignore empty

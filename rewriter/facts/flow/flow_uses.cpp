@@ -308,7 +308,9 @@ void UseFollower::assign(const clang::Expr* target, const clang::Expr* value, co
   }
   const FlowSources targets = sources_.of(target);
   for (const EntityId& to : targets.entities)
-    entities_.add_flow(id_, to, {at_->getBeginLoc(), "assigned to '" + unit_.text(target) + "'", copies});
+    entities_.add_flow(id_, to,
+                       {at_->getBeginLoc(), "assigned to '" + unit_.text(target) + "'", copies,
+                        copies ? copied_as_stock(unit_, value) : std::vector<Change>()});
   if (targets.foreign && !message_of(at_->getType()))  // a message is copied
     refuse(entities_.is_message(id_) ? codes::TZC1001 : codes::TZC1010,
            "it is assigned to '" + unit_.text(target) + "', and nothing shows where that is");

@@ -244,4 +244,30 @@ bool is_copied_by_assignment(const clang::Expr* target, const clang::Expr* value
   return is_message_object(value) && message_of(target->getType());
 }
 
+namespace {
+
+/// A choice (`a ? b : c`) is one expression of two messages, each of which may or may not be ported.
+bool is_one_message(const clang::Expr* value) {
+  const auto* unary = llvm::dyn_cast<clang::UnaryOperator>(value);
+  const auto* call = llvm::dyn_cast<clang::CXXOperatorCallExpr>(value);
+  return llvm::isa<clang::DeclRefExpr, clang::MemberExpr, clang::ArraySubscriptExpr>(value) ||
+         (unary && unary->getOpcode() == clang::UO_Deref) ||
+         (call && (call->getOperator() == clang::OO_Star || call->getOperator() == clang::OO_Subscript));
+}
+
+}  // namespace
+
+std::vector<Change> copied_as_stock(const Unit& unit, const clang::Expr* value) {
+  const auto message = message_of(value->getType());
+  std::optional<Place> place = unit.source.place(value->getSourceRange());
+  if (!message || !place || value->isTypeDependent() || !is_one_message(value->IgnoreParenImpCasts()))
+    return {};
+  std::string type = message->name;
+  type.replace(type.find('/'), 1, "::");
+  Place open = *place, close = *place;
+  open.end = open.begin;
+  close.begin = close.end;
+  return {{open, type + "(", "as-stock", {}}, {close, ")", "as-stock", {}}};
+}
+
 }  // namespace tzc::rewriter

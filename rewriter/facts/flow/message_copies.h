@@ -40,4 +40,8 @@ const clang::Expr* made_from(const clang::Expr* expr);
 /// Whether the value is a message that an assignment to another one, `target = value`, copies.
 bool is_copied_by_assignment(const clang::Expr* target, const clang::Expr* value);
 
+/// Makes a stock message of what is copied there: `= nav_msgs::OccupancyGrid(map_)`. Where a ported message is copied anyway, nothing is lost by
+/// it. None: it is written by a macro, or is none of the names and elements that always mean the same message.
+std::vector<Change> copied_as_stock(const Unit& unit, const clang::Expr* value);
+
 }  // namespace tzc::rewriter

@@ -29,6 +29,12 @@ bool is_deduced_alone(const clang::ParmVarDecl* parameter) {
          });
 }
 
+/// Something else keeps the copy's type as it is, and the port can write a conversion to it.
+bool takes_stock_message(const EntityFacts& facts, const Flow& flow) {
+  const auto copy = facts.entities.find(flow.to);
+  return !flow.as_stock.empty() && copy != facts.entities.end() && !copy->second.obstacles.empty();
+}
+
 }  // namespace
 
 void TypeOrigins::note(const EntityId& id, clang::TypeLoc written) {
@@ -56,7 +62,8 @@ std::set<EntityId> TypeOrigins::fixed(const EntityFacts& facts) const {
 
 void TypeOrigins::tie(EntityFacts& facts) const {
   const std::set<EntityId> fixed = this->fixed(facts);
-  for (Flow& flow : facts.flows) flow.copies = flow.copies && fixed.count(flow.to) == 0;
+  for (Flow& flow : facts.flows)
+    flow.copies = flow.copies && (fixed.count(flow.to) == 0 || takes_stock_message(facts, flow));
 }
 
 }  // namespace tzc::rewriter

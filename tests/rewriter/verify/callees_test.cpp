@@ -64,7 +64,7 @@ class CalleesTest : public ::testing::Test {
   }
 
  private:
-  test::TempDir package_;
+  ::tzc::test::TempDir package_;
 };
 
 const char* const closures_in_two_functions = R"(

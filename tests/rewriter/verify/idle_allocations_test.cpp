@@ -46,7 +46,7 @@ struct Pool { template <class M> void allocate(M&) {} };
 
 /// Lines of the code behind the messages.
 std::vector<unsigned> idle_lines(const std::string& code) {
-  const test::TempDir folder;
+  const ::tzc::test::TempDir folder;
   const std::string path = folder.write("unit.cpp", messages + code);
   std::vector<unsigned> lines;
   const unsigned before = static_cast<unsigned>(std::count(messages, messages + std::strlen(messages), '\n'));

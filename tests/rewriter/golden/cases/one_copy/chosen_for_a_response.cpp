@@ -1,0 +1,58 @@
+// What is copied into a service is one of two messages: one conversion cannot be right for both.
+#include <nav_msgs/OccupancyGrid.h>
+#include <ros/ros.h>
+
+namespace nav_msgs {
+template <class A>
+struct GetMapRequest_ {
+  FAKE_MEMBERS(GetMapRequest_)
+};
+template <class A>
+struct GetMapResponse_ {
+  nav_msgs::OccupancyGrid map;
+  FAKE_MEMBERS(GetMapResponse_)
+};
+typedef GetMapRequest_<std::allocator<void>> GetMapRequest;
+typedef GetMapResponse_<std::allocator<void>> GetMapResponse;
+struct GetMap {
+  typedef GetMapRequest Request;
+  typedef GetMapResponse Response;
+};
+}  // namespace nav_msgs
+
+class Mapper {
+ public:
+  Mapper() : pub_(nh_.advertise<nav_msgs::OccupancyGrid>("map", 1)) {}
+  bool get(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& res) {
+    res.map = first ? map_ : other_;
+    return true;
+  }
+  bool first = true;
+  nav_msgs::OccupancyGrid other_;
+  bool getNewest(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& res) {
+    if (!maps_.empty()) res.map = maps_[0];
+    res.map = (*newest_);
+    return true;
+  }
+  void tick() {
+    map_.data.assign(1000 * 1000, -1);
+    pub_.publish(map_);
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  nav_msgs::OccupancyGrid map_;
+  std::vector<nav_msgs::OccupancyGrid> maps_;
+  nav_msgs::OccupancyGridPtr newest_;
+};
+//--- expected
+// advertise src/node.cpp:25 nav_msgs/OccupancyGrid one_copy 'map'
+// publish src/node.cpp:39 nav_msgs/OccupancyGrid one_copy 'map' TZC1002 it is part of a service
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  Mapper() : pub_(nh_.advertise<nav_msgs::OccupancyGrid>("map", 1)) {}
+// +  Mapper() : pub_(tzc::advertise<nav_msgs::OccupancyGrid>(nh_, "map", 1)) {}
+// -  ros::Publisher pub_;
+// +  tzc::Publisher pub_;
