@@ -129,9 +129,6 @@ struct InsertedAllocation {
   bool filled = false;  ///< the message already has content there, which allocate would copy
   std::optional<LaterCopy> copy;  ///< instead it can get its content behind allocate
   bool is_needed = true;          ///< no: all of its arrays belong to elements that are not there yet
-
-  /// Whether it has content where allocate could be called, or would be, if it could.
-  bool has_content() const { return filled && !(at && copy); }
 };
 
 /// A library call that makes the message is replaced by an adapter that is given the publisher.
@@ -152,12 +149,6 @@ struct LastingStart {
   bool is_member = false;  ///< of objects, each of which starts with a message of its own
 };
 
-/// What a message starts as a copy of.
-struct CopiedFrom {
-  std::vector<EntityId> messages;  ///< none: it starts otherwise, or nothing shows as a copy of what
-  bool shares = false;             ///< the elements, and goes on sharing them
-};
-
 /// Where a message comes into being, and how `allocate` is called for it.
 struct AllocationSite {
   EntityId entity;
@@ -170,7 +161,6 @@ struct AllocationSite {
   EntityId function;      ///< result of the function around it
   std::string refusal;    ///< why there is no place for allocate, where it is something special
   std::optional<LastingStart> start;
-  CopiedFrom copied_from;
   Location where;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 bool is_filled(const AllocationSite& site) {
   const auto* inserted = std::get_if<InsertedAllocation>(&site.how);
-  return inserted && inserted->has_content();
+  return inserted && inserted->filled && !(inserted->at && inserted->copy);
 }
 
 /// Whether there is a place for the edits that allocate.
@@ -184,15 +184,9 @@ bool Binder::is_in_factory(const AllocationSite& site) const {
   return result && result->id == component_.id && facts_.factories.count(site.function) != 0;
 }
 
-/// Whether a message is ported without allocate: its first publish binds it. One that starts as a copy can be made from another ported one
-/// as it stands; from a stock one it cannot, unless a constructor is named for it.
+/// Nothing is allocated there, and the message is ported all the same.
 bool Binder::goes_without(const AllocationSite& site) const {
-  const std::vector<EntityId>& originals = site.copied_from.messages;
-  return site.start || (is_filled(site) && !originals.empty() &&
-                        std::all_of(originals.begin(), originals.end(), [&](const EntityId& original) {
-                          const Component* component = components_.of(original);
-                          return component && component->id == component_.id;
-                        }));
+  return site.start.has_value();
 }
 
 /// Why nothing can be allocated there, whoever gives the memory.

@@ -2,7 +2,6 @@
 #include "solve/unallocated_messages.h"
 
 #include <algorithm>
-#include <variant>
 #include <vector>
 
 #include "model/codes.h"
@@ -19,27 +18,12 @@ Obstacle why_started(const AllocationSite& site) {
           site.where};
 }
 
-Obstacle why_copy(const AllocationSite& site) {
-  return {codes::TZC1022,
-          "line " + std::to_string(site.where.line) +
-              " makes it as a copy of another message, and the copy's elements lie outside shared memory "
-              "until it is published",
-          site.where};
-}
-
-/// Of a message for which nothing is allocated.
-bool is_copy(const AllocationSite& site) {
-  const auto* inserted = std::get_if<InsertedAllocation>(&site.how);
-  return inserted && inserted->has_content() && !site.copied_from.shares;
-}
-
 }  // namespace
 
 UnallocatedMessages::UnallocatedMessages(const Facts& facts) {
   for (const Flow& flow : facts.flows)
     if (!flow.copies) next_.emplace(flow.from, flow.to);
   for (const AllocationSite& site : facts.allocations) {
-    if (!site.start && is_copy(site)) follow(site.entity, why_copy(site), copies_);
     if (!site.start || !site.start->is_member) continue;
     members_.insert(site.start->usr);
     follow(site.entity, why_started(site), started_);
@@ -72,8 +56,6 @@ bool UnallocatedMessages::is_named_by_member(const Publish& fact) const {
 }
 
 std::optional<Obstacle> UnallocatedMessages::why_copied(const Publish& fact) const {
-  for (const EntityId& message : fact.messages)
-    if (const auto found = copies_.find(message); found != copies_.end()) return found->second;
   for (const EntityId& message : fact.messages)
     if (const auto found = started_.find(message); found != started_.end() && !is_named_by_member(fact))
       return found->second;

@@ -15,9 +15,6 @@ namespace tzc::rewriter {
 ///
 /// Of what an object starts with, content_flow.h tells: the flow knows which messages are new by the name of the member, in the function that
 /// publishes and in those that are given it. By any other name (a result, a queue, another member) the message may be another one each time.
-///
-/// A copy of another ported message shares its elements if that was published and neither is written to; all others count as copied, by the
-/// first write at the latest.
 class UnallocatedMessages {
  public:
   explicit UnallocatedMessages(const Facts& facts);
@@ -32,7 +29,7 @@ class UnallocatedMessages {
   bool is_named_by_member(const Publish& fact) const;
 
   std::multimap<EntityId, EntityId> next_;  ///< what may be the same message afterwards
-  Reached started_, copies_;
+  Reached started_;
   std::set<std::string> members_;                        ///< that start with a message, by USR
   std::map<PublishPlace, std::set<std::string>> names_;  ///< the roots of what is published there
 };

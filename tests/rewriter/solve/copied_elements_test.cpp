@@ -196,29 +196,5 @@ TEST(CopiedElements, a_helper_gives_the_elements_of_a_vector) {
             21u);
 }
 
-/// A node publishes a member, and another file does something to any image, which it gets from `kept`.
-Facts with_any_use() {
-  Facts facts;
-  ContentEvent any = event(Kind::any, any_message("sensor_msgs/Image"), 7);
-  any.where.file = "/p/other.cpp";
-  any.named_by = {EntityId("kept")};
-  facts.contents = {{"f", straight({publish(member)})}, {"g", straight({any})}};
-  facts.units_of_file = {{"/p/node.cpp", {"/p/node.cpp"}}, {"/p/other.cpp", {"/p/other.cpp"}}};
-  return facts;
-}
-const SiteId any_site{"/p/node.cpp", 100, "sensor_msgs/Image"};
-
-TEST(CopiedElements, what_is_not_followed_may_be_any_message_of_the_program) {
-  Facts facts = with_any_use();
-  EXPECT_TRUE(CopiedElements(facts).why_copied(any_site));
-  facts.programs = {"/p/node.cpp", "/p/other.cpp"};
-  EXPECT_FALSE(CopiedElements(facts).why_copied(any_site));
-}
-
-TEST(CopiedElements, a_stock_message_is_none_that_is_ported) {
-  const Facts facts = with_any_use();
-  EXPECT_FALSE(CopiedElements(facts, [](const EntityId&) { return false; }).why_copied(any_site));
-}
-
 }  // namespace
 }  // namespace tzc::rewriter::test
