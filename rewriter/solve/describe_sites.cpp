@@ -12,7 +12,6 @@
 #include "solve/memory_size.h"
 #include "solve/received_writes.h"
 #include "solve/site_of_fact.h"
-#include "solve/unallocated_messages.h"
 #include "solve/unbound_messages.h"
 
 namespace tzc::rewriter {
@@ -86,8 +85,7 @@ class SiteDescriber {
                   const Component* component = components.of(message);
                   return !component || solution.ports(component->id);
                 }),
-        unbound_(facts),
-        unallocated_(facts) {}
+        unbound_(facts) {}
 
   std::vector<Site> run() {
     for (const auto& item : facts_.publishes) {
@@ -126,7 +124,6 @@ class SiteDescriber {
   ReceivedWrites received_;
   CopiedElements copied_;
   UnboundMessages unbound_;
-  UnallocatedMessages unallocated_;
   std::vector<Site> sites_;
   std::vector<const Publish*> published_without_copy_;
 };
@@ -161,7 +158,6 @@ void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
   std::optional<Obstacle> why = copied_.why_copied(fact.id());
   if (!why && !fact.part_of) why = copied_.why_new(fact.id());
   if (!why) why = unbound_.why_copied(fact.id());
-  if (!why) why = unallocated_.why_copied(fact);
   if (!why && fact.part_of && fact.part_of->is_given)
     why = Obstacle{
         codes::TZC1022,

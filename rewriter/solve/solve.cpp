@@ -14,6 +14,7 @@
 #include "solve/site_index.h"
 #include "solve/site_of_fact.h"
 #include "solve/soundness.h"
+#include "solve/started_messages.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -31,6 +32,7 @@ class Solver {
         received_(facts),
         light_(facts, components),
         soundness_(facts, components),
+        started_(facts),
         kept_(facts, components, options, solution_) {}
 
   Solution run() {
@@ -77,6 +79,7 @@ class Solver {
   ReceivedWrites received_;
   LightMessages light_;
   Soundness soundness_;
+  const StartedMessages started_;
   Solution solution_;
   KeptPublishers kept_;
 };
@@ -242,6 +245,8 @@ Decision Solver::decide_message(const Component& component) {
     return not_needed("its arrays hold at most " + std::to_string(*bytes) + " bytes");
   if (auto refusal = wrong_shape(component)) return *refusal;
   if (const auto danger = soundness_.danger(component)) return refused(danger->why, danger->at);
+  for (const Publish* site : sites)
+    if (const auto why = started_.given_away(*site)) return refused(*why);
   return bind_allocations(component);
 }
 

@@ -45,6 +45,10 @@ const clang::Expr* written(const clang::Expr* expr) {
   }
 }
 
+bool is_nested(const MessageType& message) {
+  return message.has_data_part && !message.has_direct_data_part;
+}
+
 /// Reads the argument's type. False: nothing more is known about the message.
 bool describe_type(Publish& site, const Unit& unit, const clang::Expr* argument) {
   const clang::QualType type = argument->getType();
@@ -53,11 +57,12 @@ bool describe_type(Publish& site, const Unit& unit, const clang::Expr* argument)
   if (const auto twin = twin_message_of(published)) {
     site.type = twin->name;
     site.twin = true;
+    site.nested_only = is_nested(*twin);
     return false;
   }
   if (const std::optional<MessageType> message = message_of(published)) {
     set_message(site, *message);
-    site.nested_only = message->has_data_part && !message->has_direct_data_part;
+    site.nested_only = is_nested(*message);
   } else if (is_pcl_cloud(type)) {
     site.type = "sensor_msgs/PointCloud2";
     site.pcl = true;

@@ -35,3 +35,18 @@ int main() {
   ros::Subscriber sub = nh.subscribe("in", 1, take);
 }
 //--- expected
+// publish src/node.cpp:12 sensor_msgs/Image one_copy 'out' TZC1004 it comes in through the callback 'take'
+// publish src/node.cpp:18 sensor_msgs/Image one_copy 'out' TZC1020 it starts as a copy of another message
+// publish src/node.cpp:28 sensor_msgs/Image one_copy 'out' TZC1020 it starts as a copy of another message
+// publish src/node.cpp:29 sensor_msgs/Image one_copy 'out' TZC1020 it starts as a copy of another message
+// advertise src/node.cpp:34 sensor_msgs/Image one_copy 'out'
+// subscribe src/node.cpp:35 sensor_msgs/Image shared 'in'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -ros::Publisher pub;
+// +tzc::Publisher pub;
+// -  pub = nh.advertise<sensor_msgs::Image>("out", 1);
+// -  ros::Subscriber sub = nh.subscribe("in", 1, take);
+// +  pub = tzc::advertise<sensor_msgs::Image>(nh, "out", 1);
+// +  ros::Subscriber sub = tzc::subscribe(nh, "in", 1, take);

@@ -78,3 +78,26 @@ int main() {
   ros::Subscriber second = nh.subscribe("in", 1, take_type);
 }
 //--- expected
+// publish src/node.cpp:13 sensor_msgs/Image one_copy 'out' TZC1004 it comes in through the callback 'take'
+// publish src/node.cpp:20 sensor_msgs/Image one_copy 'out' TZC1004 it comes in through the callback 'take'
+// publish src/node.cpp:26 sensor_msgs/Image one_copy 'out' TZC1004 it comes in through the callback 'take'
+// publish src/node.cpp:32 sensor_msgs/Image one_copy 'out' TZC1004 it comes in through the callback 'take'
+// publish src/node.cpp:39 sensor_msgs/Image one_copy 'out' TZC1004 it comes in through the callback 'take'
+// publish src/node.cpp:60 sensor_msgs/Image one_copy 'out' TZC1004 it comes in through the callback 'take'
+// publish src/node.cpp:62 sensor_msgs/Image one_copy 'out' TZC1004 it comes in through the callback 'take'
+// publish src/node.cpp:66 sensor_msgs/Image one_copy 'out' TZC1001 the program asks for its type
+// publish src/node.cpp:71 sensor_msgs/Image one_copy 'out' TZC1001 the program asks for its type
+// advertise src/node.cpp:76 sensor_msgs/Image one_copy 'out'
+// subscribe src/node.cpp:77 sensor_msgs/Image shared 'in'
+// subscribe src/node.cpp:78 sensor_msgs/Image shared 'in'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -ros::Publisher pub;
+// +tzc::Publisher pub;
+// -  pub = nh.advertise<sensor_msgs::Image>("out", 1);
+// -  ros::Subscriber first = nh.subscribe("in", 1, take);
+// -  ros::Subscriber second = nh.subscribe("in", 1, take_type);
+// +  pub = tzc::advertise<sensor_msgs::Image>(nh, "out", 1);
+// +  ros::Subscriber first = tzc::subscribe(nh, "in", 1, take);
+// +  ros::Subscriber second = tzc::subscribe(nh, "in", 1, take_type);

@@ -31,3 +31,15 @@ int main() {
   raw(100);
 }
 //--- expected
+// publish src/node.cpp:11 sensor_msgs/Image one_copy 'out' TZC1019 it is one of several that are made at once
+// publish src/node.cpp:12 sensor_msgs/Image one_copy 'out' TZC1019 it is one of several that are made at once
+// publish src/node.cpp:17 sensor_msgs/Image one_copy 'out' TZC1019 where it is built was not found
+// publish src/node.cpp:22 sensor_msgs/Image one_copy 'out' TZC1019 it is one of several that are made at once
+// advertise src/node.cpp:28 sensor_msgs/Image one_copy 'out'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -ros::Publisher pub;
+// +tzc::Publisher pub;
+// -  pub = nh.advertise<sensor_msgs::Image>("out", 1);
+// +  pub = tzc::advertise<sensor_msgs::Image>(nh, "out", 1);

@@ -19,3 +19,16 @@ int main() {
   ros::Subscriber sub = nh.subscribe("in", 1, take);
 }
 //--- expected
+// publish src/node.cpp:12 sensor_msgs/Image one_copy 'out' TZC1007 its port would change text that another one's changes otherwise
+// publish src/node.cpp:13 sensor_msgs/Image one_copy 'out' TZC1007 its port would change text that another one's changes otherwise
+// advertise src/node.cpp:18 sensor_msgs/Image one_copy 'out'
+// subscribe src/node.cpp:19 sensor_msgs/Image shared 'in'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -ros::Publisher pub;
+// +tzc::Publisher pub;
+// -  pub = nh.advertise<sensor_msgs::Image>("out", 1);
+// -  ros::Subscriber sub = nh.subscribe("in", 1, take);
+// +  pub = tzc::advertise<sensor_msgs::Image>(nh, "out", 1);
+// +  ros::Subscriber sub = tzc::subscribe(nh, "in", 1, take);

@@ -17,3 +17,12 @@ int main() {
   make<sensor_msgs::Image>(100);
 }
 //--- expected
+// publish src/node.cpp:11 sensor_msgs/Image one_copy 'out' TZC1009 ported, allocate() would do nothing for a 'sensor_msgs::Image_', which stays a stock message
+// advertise src/node.cpp:16 sensor_msgs/Image one_copy 'out'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -ros::Publisher pub;
+// +tzc::Publisher pub;
+// -  pub = nh.advertise<sensor_msgs::Image>("out", 1);
+// +  pub = tzc::advertise<sensor_msgs::Image>(nh, "out", 1);

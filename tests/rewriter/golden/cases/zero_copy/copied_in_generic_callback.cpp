@@ -27,3 +27,42 @@ int main() {
   });
 }
 //--- expected
+// advertise src/node.cpp:7 sensor_msgs/Image zero_copy 'out'
+// subscribe src/node.cpp:8 sensor_msgs/Image shared 'in'
+// publish src/node.cpp:11 sensor_msgs/Image zero_copy 'out'
+// publish src/node.cpp:14 sensor_msgs/Image zero_copy 'out'
+// publish src/node.cpp:17 sensor_msgs/Image zero_copy 'out'
+// publish src/node.cpp:20 sensor_msgs/Image zero_copy 'out'
+// publish src/node.cpp:23 sensor_msgs/Image zero_copy 'out'
+// publish src/node.cpp:26 sensor_msgs/Image zero_copy 'out'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("out", 5);
+// -  ros::Subscriber sub = nh.subscribe<sensor_msgs::Image>("in", 5, [&](const auto& in) {
+// -    auto first = boost::make_shared<sensor_msgs::Image>(*in);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "out", 5);
+// +  ros::Subscriber sub = tzc::subscribe<sensor_msgs::Image>(nh, "in", 5, [&](const auto& in) {
+// +    auto first = boost::make_shared<tzc::sensor_msgs::Image>();
+// +    pub.allocate(*first);
+// +    *first = *in;
+// -    sensor_msgs::Image second = *in;
+// +    tzc::sensor_msgs::Image second;
+// +    pub.allocate(second);
+// +    second = *in;
+// -    auto third = *in;
+// +    tzc::sensor_msgs::Image third;
+// +    pub.allocate(third);
+// +    third = *in;
+// -    sensor_msgs::Image fourth(*in);
+// +    tzc::sensor_msgs::Image fourth;
+// +    pub.allocate(fourth);
+// +    fourth = *in;
+// -    sensor_msgs::Image fifth;
+// +    tzc::sensor_msgs::Image fifth;
+// +    pub.allocate(fifth);
+// -    sensor_msgs::Image sixth{*in};
+// +    tzc::sensor_msgs::Image sixth;
+// +    pub.allocate(sixth);
+// +    sixth = *in;

@@ -44,3 +44,33 @@ int main() {
   ros::Subscriber sub = nh.subscribe("in", 1, take);
 }
 //--- expected
+// publish src/node.cpp:15 sensor_msgs/Image zero_copy 'out'
+// publish src/node.cpp:24 sensor_msgs/Image zero_copy 'out'
+// publish src/node.cpp:28 sensor_msgs/Image zero_copy 'out'
+// publish src/node.cpp:36 sensor_msgs/Image zero_copy 'out'
+// advertise src/node.cpp:43 sensor_msgs/Image zero_copy 'out'
+// subscribe src/node.cpp:44 sensor_msgs/Image shared 'in'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -ros::Publisher pub;
+// +tzc::Publisher pub;
+// -  sensor_msgs::Image out = in;
+// +  tzc::sensor_msgs::Image out;
+// +  pub.allocate(out);
+// +  out = in;
+// -    auto out = *in;
+// +    tzc::sensor_msgs::Image out;
+// +    pub.allocate(out);
+// +    out = *in;
+// -    auto made = boost::make_shared<sensor_msgs::Image>();
+// +    auto made = boost::make_shared<tzc::sensor_msgs::Image>();
+// +    pub.allocate(*made);
+// -  sensor_msgs::Image out;
+// +  tzc::sensor_msgs::Image out;
+// +  pub.allocate(out);
+// -  pub = nh.advertise<sensor_msgs::Image>("out", 1);
+// -  ros::Subscriber sub = nh.subscribe("in", 1, take);
+// +  pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "out", 1);
+// +  ros::Subscriber sub = tzc::subscribe(nh, "in", 1, take);

@@ -31,3 +31,13 @@ int main() {
   release = [&pool](sensor_msgs::Image& old) { pool.put(&old); };
 }
 //--- expected
+// advertise src/node.cpp:10 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:14 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -sensor_msgs::Image kept;
+// +tzc::sensor_msgs::Image kept;
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 1);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1);

@@ -27,3 +27,16 @@ class Node {
   sensor_msgs::LaserScan mean_;
 };
 //--- expected
+// subscribe src/node.cpp:9 sensor_msgs/LaserScan shared 'in'
+// publish src/node.cpp:14 sensor_msgs/LaserScan zero_copy 'mean'
+// advertise src/node.cpp:24 sensor_msgs/LaserScan zero_copy 'mean'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/LaserScan.h>
+// -  Node() { sub_ = nh_.subscribe("in", 1, &Node::add, this); }
+// +  Node() { sub_ = tzc::subscribe(nh_, "in", 1, &Node::add, this); }
+// -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::LaserScan>("mean", 1);
+// +  tzc::Publisher pub_ = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh_, "mean", 1);
+// -  sensor_msgs::LaserScan mean_;
+// +  tzc::sensor_msgs::LaserScan mean_;

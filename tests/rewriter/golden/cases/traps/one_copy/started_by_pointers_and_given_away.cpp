@@ -41,3 +41,14 @@ class Node {
   std::deque<sensor_msgs::ImagePtr> queue_;
 };
 //--- expected
+// publish src/node.cpp:27 sensor_msgs/Image one_copy 'built' TZC1019 line 9 makes it with its object, where no statement can stand, and the object gives it away
+// publish src/node.cpp:33 sensor_msgs/Image one_copy 'queued' TZC1019 line 20 makes it with its object, where no statement can stand, and the object gives it away
+// advertise src/node.cpp:39 sensor_msgs/Image one_copy 'built'
+// advertise src/node.cpp:40 sensor_msgs/Image one_copy 'queued'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher built_pub_ = nh_.advertise<sensor_msgs::Image>("built", 1);
+// -  ros::Publisher queued_pub_ = nh_.advertise<sensor_msgs::Image>("queued", 1);
+// +  tzc::Publisher built_pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "built", 1);
+// +  tzc::Publisher queued_pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "queued", 1);

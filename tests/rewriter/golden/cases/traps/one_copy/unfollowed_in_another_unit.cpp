@@ -30,3 +30,13 @@ void use(Pool& pool) {
   release = [&pool](sensor_msgs::Image& old) { pool.put(&old); };
 }
 //--- expected
+// advertise src/node.cpp:10 sensor_msgs/Image one_copy 'image'
+// publish src/node.cpp:14 sensor_msgs/Image one_copy 'image' TZC1022 line 13 of other.cpp uses a sensor_msgs/Image, and nothing shows which: it may be this one, and be written to after this publish
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -sensor_msgs::Image kept;
+// +tzc::sensor_msgs::Image kept;
+// -  ros::Publisher pub = nh.advertise<sensor_msgs::Image>("image", 1);
+// +  tzc::Publisher pub = tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1);

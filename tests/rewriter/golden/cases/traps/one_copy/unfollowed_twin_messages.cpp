@@ -23,3 +23,15 @@ class Node {
   std::vector<sensor_msgs::LaserScan> frames_;
 };
 //--- expected
+// publish src/node.cpp:13 sensor_msgs/LaserScan one_copy 'frames' TZC1022 line 14 of node.cpp uses a sensor_msgs/LaserScan, and nothing shows which: it may be this one, and be written to after this publish
+// advertise src/node.cpp:22 sensor_msgs/LaserScan one_copy 'frames'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/LaserScan.h>
+// -  static void mark(std::vector<sensor_msgs::LaserScan>& frames) {
+// +  static void mark(std::vector<tzc::sensor_msgs::LaserScan>& frames) {
+// -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::LaserScan>("frames", 1);
+// -  std::vector<sensor_msgs::LaserScan> frames_;
+// +  tzc::Publisher pub_ = tzc::advertise<tzc::sensor_msgs::LaserScan>(nh_, "frames", 1);
+// +  std::vector<tzc::sensor_msgs::LaserScan> frames_;
