@@ -20,6 +20,13 @@ void erase_inside(Container& parts, const MessagePart& whole) {
     it = lies_in(name_of(*it), whole) ? parts.erase(it) : std::next(it);
 }
 
+/// Whether the part is, or lies in, an element of a message's own array of messages. Those that are added to it have no memory yet. Of what
+/// containers of the program get, given_messages.cpp tells.
+bool is_element_of(const MessagePart& part, const MessagePart& array) {
+  return array.find('/') != MessagePart::npos && part.size() > array.size() &&
+         part.compare(0, array.size(), array) == 0 && part[array.size()] == '[';
+}
+
 }  // namespace
 
 bool lies_in(const MessagePart& part, const MessagePart& whole) {
@@ -68,7 +75,7 @@ void ContentState::take(const MessagePart& part, const Location& where) {
 std::optional<Location> ContentState::publish(const MessagePart& part, const PublishPlace& site) {
   std::optional<Location> where;
   for (const auto& [array, taken_at] : taken_)
-    if (!where && lies_in(array, part)) where = taken_at;
+    if (!where && (lies_in(array, part) || is_element_of(part, array))) where = taken_at;
   if (!is_one_of_several(part)) erase_inside(taken_, part);
   erase_inside(own_, part);
   shared_[part].insert(site);

@@ -24,6 +24,8 @@ struct PackageCall {
   unsigned callee_line = 0;
   std::string callee;  ///< its name, with "(lambda)" for a closure
   Instance instance = {};
+  unsigned callee_number =
+      0;  ///< how many functions the callee's file has in front of it: several may stand on one line
 };
 
 /// Unit id -> its calls.

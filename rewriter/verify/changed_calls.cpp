@@ -67,6 +67,7 @@ class Comparison {
  private:
   bool is_same(const PackageCall& before, const PackageCall& now) const {
     return before.callee == now.callee && before.callee_file == now.callee_file &&
+           before.callee_number == now.callee_number &&
            original_.is_line(now.callee_file, now.callee_line, before.callee_line);
   }
   const OriginalUnit& original_;

@@ -166,9 +166,31 @@ bool has_same_code(const struct sigaction& a, const struct sigaction& b) {
   return (a.sa_flags & SA_SIGINFO) == (b.sa_flags & SA_SIGINFO) && a.sa_sigaction == b.sa_sigaction;
 }
 
+/// By the signals that there are: what glibc gives out behind them is anything.
+bool is_same(const sigset_t& a, const sigset_t& b) {
+  for (int signal = 1; signal < NSIG; ++signal)
+    if (sigismember(&a, signal) != sigismember(&b, signal)) return false;
+  return true;
+}
+
 bool is_same(const struct sigaction& a, const struct sigaction& b) {
-  return has_same_code(a, b) && a.sa_flags == b.sa_flags &&
-         std::memcmp(&a.sa_mask, &b.sa_mask, sizeof a.sa_mask) == 0;
+  return has_same_code(a, b) && a.sa_flags == b.sa_flags && is_same(a.sa_mask, b.sa_mask);
+}
+
+// A program may install two handlers in turn for as long as it runs, so none is made that was there before.
+Handler* handler_of(const struct sigaction& action) {
+  static std::vector<Handler*>& all = *new std::vector<Handler*>;
+  const auto known =
+      std::find_if(all.begin(), all.end(), [&](const Handler* one) { return is_same(one->action, action); });
+  if (known == all.end()) return all.emplace_back(new Handler(action));
+  (*known)->is_reset.store(false);
+  return *known;
+}
+
+const Chain* chain_of(Chain handlers) {
+  static std::vector<const Chain*>& all = *new std::vector<const Chain*>;
+  const auto known = std::find_if(all.begin(), all.end(), [&](const Chain* one) { return *one == handlers; });
+  return known != all.end() ? *known : all.emplace_back(new Chain(std::move(handlers)));
 }
 
 // One that was there already has been installed again: it is the latest now, and has its one call before it.
@@ -180,8 +202,8 @@ void add_to_chain(const struct sigaction& latest) {
                             [&](const Handler* one) { return has_same_code(one->action, latest); }),
              next.end());
   if (next.size() == most_handlers) next.erase(next.begin() + 1);
-  next.push_back(new Handler(latest));
-  chain.store(new const Chain(std::move(next)), std::memory_order_release);
+  next.push_back(handler_of(latest));
+  chain.store(chain_of(std::move(next)), std::memory_order_release);
 }
 
 bool install(FaultResolver resolver) {

@@ -102,13 +102,18 @@ Expected<FileDescriptor> connect_to(const std::string& text, std::chrono::millis
   return {std::move(socket)};
 }
 
-SocketPair make_socket_pair() noexcept {
+SocketPair make_brief_socket_pair() noexcept {
   SocketPair pair;
   int ends[2] = {-1, -1};
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, ends) != 0) return pair;
   pair.ours = FileDescriptor(ends[0]);
   pair.theirs = FileDescriptor(ends[1]);
-  if (leaves_enough(ends[1])) return pair;
+  return pair;
+}
+
+SocketPair make_socket_pair() noexcept {
+  SocketPair pair = make_brief_socket_pair();
+  if (pair.theirs && leaves_enough(pair.theirs.get())) return pair;
   return {};
 }
 

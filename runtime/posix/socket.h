@@ -46,6 +46,8 @@ struct SocketPair {
   FileDescriptor ours, theirs;
 };
 SocketPair make_socket_pair() noexcept;
+/// The same for a moment, so that nothing need be left for others. Empty: no descriptor is left.
+SocketPair make_brief_socket_pair() noexcept;
 
 /// Waits until the socket is readable; false when the time passed first.
 bool wait_readable(int socket, std::chrono::milliseconds timeout) noexcept;

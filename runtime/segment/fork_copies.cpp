@@ -33,18 +33,14 @@ void before_fork() {
   Forks& all = forks();
   all.mutex.lock();
   for (ForkCopied* const one : all.copied) all.held = one->hold_for_child() || all.held;
-  if (all.held) all.report = posix::make_socket_pair();
+  if (all.held) all.report = posix::make_brief_socket_pair();
 }
 
-/// It has its copies, or it is gone: the end of the connection is seen then, too. Without descriptors nothing is known.
-bool is_child_done(posix::SocketPair& report) {
+/// Until it has its copies, or cannot have them, or is gone: the end of the connection is seen then, too. Without descriptors nothing is
+/// known.
+void wait_for_child(posix::SocketPair& report) {
   report.theirs.reset();
-  if (!report.ours || !posix::wait_readable(report.ours.get(), longest_wait)) return false;
-  bool copied = false;
-  posix::ReceivedPacket packet;
-  const auto result = posix::receive_packet(report.ours.get(), &copied, sizeof copied,
-                                            posix::Waiting::return_at_once, false, packet);
-  return result != posix::ReceiveResult::packet || copied;
+  if (report.ours) (void)posix::wait_readable(report.ours.get(), longest_wait);
 }
 
 // Also when the fork has failed, whose errno must be seen.
@@ -52,8 +48,8 @@ void in_parent() {
   const int saved = errno;
   Forks& all = forks();
   if (all.held) {
-    const bool done = is_child_done(all.report);
-    for (ForkCopied* const one : all.copied) done ? one->release_for_child() : one->leave_to_child();
+    wait_for_child(all.report);
+    for (ForkCopied* const one : all.copied) one->release_for_child();
   }
   all.report = posix::SocketPair();
   all.held = false;
@@ -65,9 +61,8 @@ void in_parent() {
 void in_child() {
   Forks& all = forks();
   if (all.held) {
-    bool copied = true;
-    for (ForkCopied* const one : all.copied) copied = one->copy_in_child() && copied;
-    if (all.report.theirs) posix::send_packet(all.report.theirs.get(), &copied, sizeof copied);
+    for (ForkCopied* const one : all.copied) one->copy_in_child();
+    if (all.report.theirs) posix::send_packet(all.report.theirs.get(), "", 1);
   }
   all.report = posix::SocketPair();
   all.held = false;

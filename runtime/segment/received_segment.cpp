@@ -162,10 +162,6 @@ void ReceivedSegment::release_for_child() noexcept {
     if ((held_for_child_[slot / 64] >> slot % 64 & 1) == 0) continue;
     release(slot, unpack(acks_.word(slot).load(std::memory_order_acquire)).generation);
   }
-  leave_to_child();
-}
-
-void ReceivedSegment::leave_to_child() noexcept {
   std::fill(held_for_child_.begin(), held_for_child_.end(), 0);
 }
 

@@ -85,9 +85,8 @@ class ReceivedSegment final : public ForkCopied {
   TZC_HOT void release(const BlockRef& ref);
 
   bool hold_for_child() noexcept override;
-  bool copy_in_child() noexcept override { return views_->copy_in_child(); }
+  void copy_in_child() noexcept override { views_->copy_in_child(); }
   void release_for_child() noexcept override;
-  void leave_to_child() noexcept override;
 
  private:
   Status map_views(int fd, const SegmentOffer& offer, WriteListener* listener);

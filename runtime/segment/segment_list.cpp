@@ -17,6 +17,8 @@ bool may_be_of_size(const Error& error) {
   return error.code == ENOMEM || error.code == ENOSPC || error.code == EFBIG;
 }
 
+constexpr std::size_t least_blocks = 4;
+
 /// For how many blocks that lie elsewhere an empty segment stays.
 ///
 /// One that comes back costs a fault for each of its pages, and a mapping in each subscriber. Publishing a message costs about as
@@ -30,6 +32,11 @@ std::uint64_t patience(const Segment& segment) {
 
 }  // namespace
 
+std::size_t first_size(std::size_t bytes, const MemoryOptions& options) {
+  const std::size_t blocks = std::max(least_blocks, std::min<std::size_t>(options.queue_size, 4096) + 2);
+  return std::max(bytes, bytes < options.ceiling / blocks ? bytes * blocks : options.ceiling);
+}
+
 SegmentList::~SegmentList() {
   for (const Entry& entry : entries_) entry->retire();
 }
@@ -40,12 +47,21 @@ std::size_t SegmentList::total_size() const {
   return total;
 }
 
+Block* SegmentList::allocate_in(Entry& entry, std::size_t bytes, Segment::Where where, Error& failure) {
+  Block* const block = entry->allocate_block(bytes, where, failure);
+  if (block != nullptr) entry.used_at = ++allocated_;
+  return block;
+}
+
 Block* SegmentList::allocate_block(std::size_t bytes, Segment::Where where, Error& failure) {
   for (Entry& entry : entries_) {
-    Block* block = entry->allocate_block(bytes, where, failure);
-    if (block == nullptr) continue;
-    entry.used_at = ++allocated_;
-    return block;
+    if (entry.is_left) continue;
+    if (Block* block = allocate_in(entry, bytes, where, failure)) return block;
+  }
+  if (where == Segment::Where::touched_memory) return nullptr;
+  for (Entry& entry : entries_) {
+    if (!entry.is_left) continue;
+    if (Block* block = allocate_in(entry, bytes, where, failure)) return block;
   }
   return nullptr;
 }
@@ -108,9 +124,31 @@ void SegmentList::drop_unused() {
 
 // One whose messages became small again leaves the large segments behind, or those of a burst.
 void SegmentList::look_for_idle() {
+  leave_large_segments();
   drop([this](const Entry& entry) {
-    return entry->unused() && allocated_ - entry.used_at > patience(*entry.segment);
+    return entry->unused() && allocated_ != entry.used_at &&
+           (entry.is_left || allocated_ - entry.used_at > patience(*entry.segment));
   });
+}
+
+// Or small messages lie in a large segment, of which nearly all pages are not needed any more: then a new one takes their place, and
+// the large one goes with the last block that lies there. That, too, waits for as long as its pages are worth.
+void SegmentList::leave_large_segments() {
+  constexpr std::size_t far_more = 4, always_fine = std::size_t{1} << 20;
+  if (options_.size != 0 || guard::active) return;
+  std::size_t committed = 0;
+  std::uint64_t wait = 0;
+  for (const Entry& entry : entries_) {
+    committed += entry->file().committed_bytes();
+    wait = std::max(wait, patience(*entry.segment));
+  }
+  if (allocated_ - recent_.since <= wait) return;
+  const std::size_t needed = std::max(first_size(recent_.largest, options_), 2 * recent_.most_used);
+  recent_ = Recent{allocated_, 0, 0};
+  if (committed <= far_more * needed + always_fine || total_size() + needed > options_.ceiling) return;
+  for (Entry& entry : entries_) entry.is_left = true;
+  if (!add(needed))
+    for (Entry& entry : entries_) entry.is_left = false;
 }
 
 }  // namespace segment

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,7 @@ class SegmentList {
   struct Entry {
     SegmentPtr segment;
     std::uint64_t used_at;  ///< the memory's count of blocks when the latest one was allocated there
+    bool is_left = false;   ///< far larger than what is needed now: used only where no other has room
     Segment* operator->() const noexcept { return segment.get(); }
   };
   using Entries = std::vector<Entry>;
@@ -41,10 +43,12 @@ class SegmentList {
   Status add_up_to(std::size_t wanted, std::size_t least);
   /// Lets go of all that are empty.
   void drop_unused();
-  /// Lets go of those that are empty and have been so for long: after each block that was allocated. The one in which it lies
-  /// stays, so this never drops the last one.
-  void drop_idle() {
-    if (allocated_ % blocks_per_look == 0 && entries_.size() > 1) look_for_idle();
+  /// After each block that was allocated: `bytes` of it, `used` in all. Lets go of segments that are empty and have been so for long, and
+  /// of pages that have long been far more than what is used. The segment of the latest block stays, so this never drops the last one.
+  void note_allocated(std::size_t bytes, std::size_t used) {
+    recent_.largest = std::max(recent_.largest, bytes);
+    recent_.most_used = std::max(recent_.most_used, used);
+    if (allocated_ % blocks_per_look == 0) look_for_idle();
   }
 
  private:
@@ -58,18 +62,31 @@ class SegmentList {
     unsigned calls_to_skip = 0;
   };
 
+  /// What was allocated since the last look that came to a result.
+  struct Recent {
+    std::uint64_t since = 0;  ///< the count of blocks
+    std::size_t largest = 0;
+    std::size_t most_used = 0;
+  };
+
+  Block* allocate_in(Entry& entry, std::size_t bytes, Segment::Where where, Error& failure);
   Status share(std::size_t possible, std::size_t least);
   Status note_shortage(std::size_t possible, std::size_t least);
   template <class Predicate>
   void drop(Predicate goes);
   void look_for_idle();
+  void leave_large_segments();
 
   const MemoryOptions& options_;
   Entries entries_;
   std::uint64_t allocated_ = 0;      ///< blocks
   std::size_t possible_ = no_limit;  ///< twice as much was refused when it was last asked for
   Shortage short_;
+  Recent recent_;
 };
+
+/// For so many messages of that size there is room in a memory's first segment, or as the ceiling allows.
+std::size_t first_size(std::size_t bytes, const MemoryOptions& options);
 
 }  // namespace segment
 }  // namespace tzc

@@ -13,7 +13,6 @@ namespace segment {
 namespace {
 
 constexpr std::size_t visits_per_allocate = 16;
-constexpr std::size_t least_blocks = 4;
 
 // In guard mode blocks take whole pages, and some are kept from reuse; that must not look like a memory that is too small.
 std::size_t guarded_size(std::size_t size) {
@@ -23,11 +22,6 @@ std::size_t guarded_size(std::size_t size) {
 
 std::size_t guarded_bytes(std::size_t bytes) {
   return guard::active ? std::max(bytes, posix::page_size()) : bytes;
-}
-
-std::size_t first_size(std::size_t bytes, const MemoryOptions& options) {
-  const std::size_t blocks = std::max(least_blocks, std::min<std::size_t>(options.queue_size, 4096) + 2);
-  return std::max(bytes, bytes < options.ceiling / blocks ? bytes * blocks : options.ceiling);
 }
 
 /// Handles beside those of records that wait in queues: the program's own message refers to the block, so it cannot be reclaimed
@@ -209,7 +203,7 @@ BufferPtr SegmentMemoryImpl::admit(Block& block) {
   stats_.used_bytes += block.size();
   ++stats_.used_blocks;
   ++stats_.allocated;
-  segments_.drop_idle();
+  segments_.note_allocated(block.size(), stats_.used_bytes);
   return block.handle();
 }
 

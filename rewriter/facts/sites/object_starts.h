@@ -9,8 +9,9 @@
 
 namespace tzc::rewriter {
 
-/// The lasting pointer that starts with an object whose value ends there: a member, by a constructor's initializer list or its own
-/// initializer, a global or a static. None: it ends elsewhere, or in a container, among whose elements nothing tells it apart.
+/// The lasting pointer that starts with an object whose value ends there: a member of an object that subscribes or holds the node, by a
+/// constructor's initializer list or its own initializer, a global or a static. None: it ends elsewhere, or in a container, among whose elements
+/// nothing tells it apart.
 std::optional<LastingStart> lasting_start(const FlowEnd& end);
 
 /// Whether the value is made whenever the statement is executed, and whatever it ends in has it afterwards.

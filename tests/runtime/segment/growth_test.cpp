@@ -161,6 +161,58 @@ TEST_F(IdleSegments, the_last_one_stays) {
   EXPECT_EQ(memory_->stats().segments, 1u);
 }
 
+class LargeSegments : public ::testing::Test {
+ protected:
+  void publish_small(int count) {
+    for (int i = 0; i < count; ++i) ASSERT_TRUE(memory_->allocate(1000));
+  }
+
+  static constexpr std::size_t large = 32 * mb;
+  const std::shared_ptr<SegmentMemory> memory_ = growing_memory(10);
+};
+
+TEST_F(LargeSegments, are_left_when_messages_have_long_been_small) {
+  ASSERT_TRUE(memory_->allocate(large));
+  publish_small(3000);
+  EXPECT_EQ(memory_->stats().segments, 1u);
+  EXPECT_LE(memory_->stats().reserved_bytes, 2 * mb);
+}
+
+TEST_F(LargeSegments, are_left_also_where_the_large_message_came_later) {
+  publish_small(100);
+  ASSERT_TRUE(memory_->allocate(large));
+  publish_small(3000);
+  EXPECT_EQ(memory_->stats().segments, 1u);
+  EXPECT_LE(memory_->stats().reserved_bytes, 2 * mb);
+}
+
+TEST_F(LargeSegments, go_only_when_the_last_message_there_has_gone) {
+  BufferPtr held = memory_->allocate(large);
+  const std::uint8_t* const place = held->data();
+  publish_small(100);  // beside it
+  held = memory_->allocate(1000);
+  publish_small(4000);
+  EXPECT_EQ(memory_->stats().segments, 2u);
+  EXPECT_NE(memory_->allocate(1000)->data(), place);
+  held.reset();
+  publish_small(200);
+  EXPECT_EQ(memory_->stats().segments, 1u);
+}
+
+TEST_F(LargeSegments, stay_where_large_and_small_messages_alternate) {
+  const std::uint8_t* const place = memory_->allocate(large)->data();
+  for (int i = 0; i < 20; ++i) {
+    publish_small(500);
+    ASSERT_EQ(memory_->allocate(large)->data(), place) << i;
+  }
+}
+
+TEST_F(LargeSegments, stay_while_that_much_is_used) {
+  const BufferPtr held = memory_->allocate(large);
+  publish_small(5000);
+  EXPECT_EQ(memory_->stats().segments, 1u);
+}
+
 }  // namespace
 }  // namespace segment
 }  // namespace tzc

@@ -21,14 +21,11 @@ void run(ros::NodeHandle& nh) {
 }
 //--- expected
 // advertise src/node.cpp:8 sensor_msgs/Image one_copy 'image'
-// publish src/node.cpp:11 sensor_msgs/Image one_copy 'image' TZC1022 its object is new here each time, and its elements lie outside shared memory until it is published
+// publish src/node.cpp:11 sensor_msgs/Image one_copy 'image' TZC1019 a constructor's initializer list makes it, where no statement can stand
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
 // -      : pub_(nh.advertise<sensor_msgs::Image>("image", 1)), image_(new sensor_msgs::Image) {
-// +      : pub_(tzc::advertise<tzc::sensor_msgs::Image>(nh, "image", 1)), image_(new tzc::sensor_msgs::Image) {
+// +      : pub_(tzc::advertise<sensor_msgs::Image>(nh, "image", 1)), image_(new sensor_msgs::Image) {
 // -  ros::Publisher pub_;
-// -  sensor_msgs::ImagePtr image_;
 // +  tzc::Publisher pub_;
-// +  tzc::sensor_msgs::ImagePtr image_;

@@ -13,10 +13,12 @@ class Builder {
   }
 
  private:
+  ros::NodeHandle nh_;
   sensor_msgs::ImagePtr image_;
 };
 
 struct Frame {
+  ros::NodeHandle nh;
   sensor_msgs::ImagePtr image = boost::make_shared<sensor_msgs::Image>();
 };
 
@@ -41,10 +43,10 @@ class Node {
   std::deque<sensor_msgs::ImagePtr> queue_;
 };
 //--- expected
-// publish src/node.cpp:27 sensor_msgs/Image one_copy 'built' TZC1019 line 9 makes it with its object, where no statement can stand, and the object gives it away
-// publish src/node.cpp:33 sensor_msgs/Image one_copy 'queued' TZC1019 line 20 makes it with its object, where no statement can stand, and the object gives it away
-// advertise src/node.cpp:39 sensor_msgs/Image one_copy 'built'
-// advertise src/node.cpp:40 sensor_msgs/Image one_copy 'queued'
+// publish src/node.cpp:29 sensor_msgs/Image one_copy 'built' TZC1019 line 9 makes it with its object, where no statement can stand, and the object gives it away
+// publish src/node.cpp:35 sensor_msgs/Image one_copy 'queued' TZC1019 line 22 makes it with its object, where no statement can stand, and the object gives it away
+// advertise src/node.cpp:41 sensor_msgs/Image one_copy 'built'
+// advertise src/node.cpp:42 sensor_msgs/Image one_copy 'queued'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
