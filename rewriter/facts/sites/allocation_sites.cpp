@@ -335,6 +335,8 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
   if (!is_always_made(unit_, expr)) draft.site.refusal = "it is made under a condition only";
   if (end.variable && is_used_behind(unit_, end.variable))
     draft.site.refusal = "a variable that is declared behind it in the same statement is made from it";
+  if (end.variable && !end.variable->hasLocalStorage())
+    draft.site.refusal = "each thread makes one, where it is declared";
   if (how.copy && how.copy->runs_code) leave_to_node(draft);
   draft.site.how = how;
   return draft;

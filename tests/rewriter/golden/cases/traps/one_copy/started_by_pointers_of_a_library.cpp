@@ -35,17 +35,13 @@ class Node {
 //--- expected
 // publish src/node.cpp:16 sensor_msgs/Image one_copy 'image' TZC1019 it has no name where it is built
 // publish src/node.cpp:20 sensor_msgs/Image one_copy 'image' TZC1019 it has no name where it is built
-// publish src/node.cpp:25 sensor_msgs/Image zero_copy 'thread'
+// publish src/node.cpp:25 sensor_msgs/Image one_copy 'thread' TZC1019 each thread makes one, where it is declared
 // advertise src/node.cpp:30 sensor_msgs/Image one_copy 'image'
-// advertise src/node.cpp:31 sensor_msgs/Image zero_copy 'thread'
+// advertise src/node.cpp:31 sensor_msgs/Image one_copy 'thread'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
-// +#include <tzc/sensor_msgs/Image.h>
-// -    thread_local sensor_msgs::ImagePtr image = boost::make_shared<sensor_msgs::Image>();
-// +    thread_local tzc::sensor_msgs::ImagePtr image = boost::make_shared<tzc::sensor_msgs::Image>();
-// +    threads_pub_.allocate(*image);
 // -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);
 // -  ros::Publisher threads_pub_ = nh_.advertise<sensor_msgs::Image>("thread", 1);
 // +  tzc::Publisher pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "image", 1);
-// +  tzc::Publisher threads_pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "thread", 1);
+// +  tzc::Publisher threads_pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "thread", 1);
