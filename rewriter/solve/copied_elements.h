@@ -18,7 +18,7 @@ namespace tzc::rewriter {
 /// levels only, never whether a port is right.
 class CopiedElements {
  public:
-  explicit CopiedElements(const Facts& facts, IsTwin is_twin = [](const EntityId&) { return true; });
+  explicit CopiedElements(const Facts& facts, IsTwin is_twin = any_is_twin);
 
   /// None: no path to the call, and none from it, copies them.
   std::optional<Obstacle> why_copied(const SiteId& site) const;

@@ -17,6 +17,9 @@ namespace tzc::rewriter {
 
 /// Whether what an entity names gets its tzc:: type.
 using IsTwin = std::function<bool(const EntityId&)>;
+inline bool any_is_twin(const EntityId&) {
+  return true;
+}
 
 /// Uses of messages where nothing shows which message is meant: it may be any one of its type that something else may name, in the
 /// same program. C++ lets an expression of a stock type denote no message of a tzc:: type, which is another class, so a use by what stays

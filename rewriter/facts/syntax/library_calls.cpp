@@ -5,6 +5,7 @@
 #include "facts/syntax/known_functions.h"
 #include "facts/syntax/message_type.h"
 #include "facts/syntax/package_types.h"
+#include "facts/syntax/plain_access.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -38,6 +39,7 @@ bool gives_function(llvm::ArrayRef<const clang::Expr*> arguments) {
 bool calls_no_package_code(const Unit& unit, const clang::FunctionDecl* function,
                            llvm::ArrayRef<const clang::Expr*> arguments) {
   if (unit.declares(function)) return false;
+  if (is_plain_access(unit, function)) return true;
   if (function->getBuiltinID() != 0 && function->isExternC()) return !gives_function(arguments);
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
   if (method && message_of(method->getParent())) return true;

@@ -6,8 +6,10 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <fstream>
 #include <memory>
 #include <new>
+#include <string>
 #include <vector>
 
 #include "tzc/memory.h"
@@ -79,12 +81,14 @@ TEST(Growth, a_small_message_is_not_refused_for_a_large_one) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// In kB whatever the size of a page is, or seems to be.
 std::size_t address_space() {
-  std::FILE* file = std::fopen("/proc/self/statm", "r");
-  std::size_t pages = 0;
-  const bool read = file != nullptr && std::fscanf(file, "%zu", &pages) == 1;
-  if (file != nullptr) std::fclose(file);
-  return read ? pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) : 0;
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    std::size_t kilobytes = 0;
+    if (std::sscanf(line.c_str(), "VmSize: %zu kB", &kilobytes) == 1) return kilobytes << 10;
+  }
+  return 0;
 }
 
 // Images of 4 MB, a queue of 100, 200 MB of address space: the first segment would be one of 408 MB.
