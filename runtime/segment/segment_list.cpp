@@ -132,7 +132,8 @@ void SegmentList::look_for_idle() {
 }
 
 // Or small messages lie in a large segment, of which nearly all pages are not needed any more: then a new one takes their place, and
-// the large one goes with the last block that lies there. That, too, waits for as long as its pages are worth.
+// the large one goes with the last block that lies there. That, too, waits for as long as its pages are worth. The two together may be larger than
+// the ceiling for so long, their pages are not.
 void SegmentList::leave_large_segments() {
   constexpr std::size_t far_more = 4, always_fine = std::size_t{1} << 20;
   if (options_.size != 0 || guard::active) return;
@@ -145,7 +146,7 @@ void SegmentList::leave_large_segments() {
   if (allocated_ - recent_.since <= wait) return;
   const std::size_t needed = std::max(first_size(recent_.largest, options_), 2 * recent_.most_used);
   recent_ = Recent{allocated_, 0, 0};
-  if (committed <= far_more * needed + always_fine || total_size() + needed > options_.ceiling) return;
+  if (committed <= far_more * needed + always_fine || committed + needed > options_.ceiling) return;
   for (Entry& entry : entries_) entry.is_left = true;
   if (!add(needed))
     for (Entry& entry : entries_) entry.is_left = false;

@@ -190,6 +190,14 @@ TEST_F(LargeSegments, are_left_also_where_the_large_message_came_later) {
   EXPECT_LE(memory_->stats().reserved_bytes, 2 * mb);
 }
 
+TEST_F(LargeSegments, are_left_where_one_is_as_large_as_the_ceiling) {
+  ASSERT_TRUE(memory_->allocate(160 * mb));
+  ASSERT_GE(memory_->stats().size_bytes, std::size_t{1} << 30);
+  publish_small(5000);
+  EXPECT_EQ(memory_->stats().segments, 1u);
+  EXPECT_LE(memory_->stats().size_bytes, 32 * mb);
+}
+
 TEST_F(LargeSegments, go_only_when_the_last_message_there_has_gone) {
   BufferPtr held = memory_->allocate(large);
   const std::uint8_t* const place = held->data();

@@ -54,11 +54,11 @@ TEST(SpinnerMonitor, spinners_with_threads_suffer_each_other_alone) {
 
 TEST(SpinnerMonitor, an_exception_of_a_callback_ends_the_turn) {
   SpinnerMonitor monitor;
-  try {
+  const auto spin = [&monitor] {
     const SpinsAlone alone(monitor);
     throw std::logic_error("of a callback");
-  } catch (const std::logic_error&) {
-  }
+  };
+  EXPECT_THROW(spin(), std::logic_error);
   EXPECT_TRUE(may_spin_on_another_thread(monitor));
 }
 
