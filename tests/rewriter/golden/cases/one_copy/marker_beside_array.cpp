@@ -47,7 +47,6 @@ class Display {
 // +    line_pub_.allocate(line);
 // -    visualization_msgs::Marker first;
 // +    tzc::visualization_msgs::Marker first;
-// +    line_pub_.allocate(first);
 // -    visualization_msgs::MarkerArray all;
 // +    tzc::visualization_msgs::MarkerArray all;
 // -  void setMarker(visualization_msgs::Marker& marker, int id) { marker.header.seq = id; }
