@@ -281,9 +281,7 @@ Decision Solver::bind_allocations(const Component& component) {
   if (senders.ported.empty() && !senders.has_kept)
     return refused({codes::TZC1009, "its publisher stays on TCPROS", component.entities.front()->where});
   Binder binder(facts_, components_, component, std::move(senders));
-  if (auto refusal =
-          binder.bind(without_stored(facts_, components_, component, sites_.allocations(component))))
-    return *refusal;
+  if (auto refusal = binder.bind(without_stored(facts_, sites_, component))) return *refusal;
   solution_.allocations.insert(solution_.allocations.end(), binder.allocations().begin(),
                                binder.allocations().end());
   solution_.factories.insert(solution_.factories.end(), binder.factories().begin(), binder.factories().end());

@@ -16,6 +16,7 @@ StartedMessages::StartedMessages(const Facts& facts) {
     members_.insert(site.start->usr);
     follow(site);
   }
+  if (members_.empty()) return;
   for (const auto& [usr, flow] : facts.contents)
     for (const ContentBlock& block : flow.blocks)
       for (const ContentEvent& event : block.events)

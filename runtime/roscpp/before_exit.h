@@ -7,7 +7,8 @@ namespace detail {
 /// A step of a thread of the transport, or of roscpp's poll thread, on objects of roscpp and of the program. exit() destroys both while such
 /// threads run: roscpp's handler (init.cpp, atexitCallback) leaves the subscriptions alone, "because they are already destroyed".
 /// So the first step asks exit() to wait for the steps of all other threads, at most a second, before anything is destroyed
-/// that was there then; no later one begins. What the program makes later (a static object in a callback) is destroyed before the wait. Any thread; two atomic additions. A step may be inside another.
+/// that was there then; no later one begins. What the program makes later (a static object in a callback) is destroyed before the wait.
+/// Any thread; two atomic additions. A step may be inside another.
 class BeforeExit {
  public:
   BeforeExit();

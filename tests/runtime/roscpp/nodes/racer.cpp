@@ -23,7 +23,6 @@
 ///   no_memory     a subscriber with tzc::spin: there is no memory for its first shared message
 ///   exit          a subscriber: the program exits while its reader thread has a message for a queue that exit() destroys
 ///   planted       a subscriber with a data race of its own, for ThreadSanitizer to find
-#include <ros/callback_queue_interface.h>
 #include <ros/poll_manager.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
@@ -39,6 +38,7 @@
 #include <thread>
 #include <vector>
 
+#include "dying_queue.h"
 #include "image_line.h"
 #include "race.h"
 #include "slow_queue.h"
@@ -332,23 +332,8 @@ void no_memory(ros::NodeHandle& node) {
   tzc::spin();
 }
 
-/// Dies slowly, so that whoever uses it then is seen.
-class DyingQueue : public ros::CallbackQueueInterface {
- public:
-  ~DyingQueue() override {
-    is_dead_ = true;
-    gate().wait_for({"never"}, std::chrono::milliseconds(1000));
-    print_event("used when dead", is_used_);
-  }
-  void addCallback(const ros::CallbackInterfacePtr&, std::uint64_t) override { is_used_ = is_dead_.load(); }
-  void removeByID(std::uint64_t) override {}
-
- private:
-  std::atomic<bool> is_dead_{false}, is_used_{false};
-};
-
 void exits(ros::NodeHandle& node) {
-  static DyingQueue queue;
+  static tzc_test::DyingQueue queue;
   tzc::sync_point_hook = [](const char* step) {
     if (std::string(step) != "take: has the subscription" || gate().happened("taking")) return;
     gate().tell("taking");

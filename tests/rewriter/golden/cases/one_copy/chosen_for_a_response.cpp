@@ -1,24 +1,7 @@
 // What is copied into a service is one of two messages: one conversion cannot be right for both.
+#include <nav_msgs/GetMap.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/ros.h>
-
-namespace nav_msgs {
-template <class A>
-struct GetMapRequest_ {
-  FAKE_MEMBERS(GetMapRequest_)
-};
-template <class A>
-struct GetMapResponse_ {
-  nav_msgs::OccupancyGrid map;
-  FAKE_MEMBERS(GetMapResponse_)
-};
-typedef GetMapRequest_<std::allocator<void>> GetMapRequest;
-typedef GetMapResponse_<std::allocator<void>> GetMapResponse;
-struct GetMap {
-  typedef GetMapRequest Request;
-  typedef GetMapResponse Response;
-};
-}  // namespace nav_msgs
 
 class Mapper {
  public:
@@ -47,8 +30,8 @@ class Mapper {
   nav_msgs::OccupancyGridPtr newest_;
 };
 //--- expected
-// advertise src/node.cpp:25 nav_msgs/OccupancyGrid one_copy 'map'
-// publish src/node.cpp:39 nav_msgs/OccupancyGrid one_copy 'map' TZC1002 it is part of a service
+// advertise src/node.cpp:8 nav_msgs/OccupancyGrid one_copy 'map'
+// publish src/node.cpp:22 nav_msgs/OccupancyGrid one_copy 'map' TZC1002 it is part of a service
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>

@@ -1,24 +1,7 @@
 // What a service answers is copied from what is published: the answer stays a stock message.
+#include <nav_msgs/GetMap.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/ros.h>
-
-namespace nav_msgs {
-template <class A>
-struct GetMapRequest_ {
-  FAKE_MEMBERS(GetMapRequest_)
-};
-template <class A>
-struct GetMapResponse_ {
-  nav_msgs::OccupancyGrid map;
-  FAKE_MEMBERS(GetMapResponse_)
-};
-typedef GetMapRequest_<std::allocator<void>> GetMapRequest;
-typedef GetMapResponse_<std::allocator<void>> GetMapResponse;
-struct GetMap {
-  typedef GetMapRequest Request;
-  typedef GetMapResponse Response;
-};
-}  // namespace nav_msgs
 
 class Mapper {
  public:
@@ -45,8 +28,8 @@ class Mapper {
   nav_msgs::OccupancyGridPtr newest_;
 };
 //--- expected
-// advertise src/node.cpp:25 nav_msgs/OccupancyGrid zero_copy 'map'
-// publish src/node.cpp:37 nav_msgs/OccupancyGrid zero_copy 'map'
+// advertise src/node.cpp:8 nav_msgs/OccupancyGrid zero_copy 'map'
+// publish src/node.cpp:20 nav_msgs/OccupancyGrid zero_copy 'map'
 //
 // +++ src/node.cpp
 // +#include <tzc/nav_msgs/OccupancyGrid.h>
