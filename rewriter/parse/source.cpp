@@ -84,8 +84,11 @@ Place Source::where(clang::SourceLocation location) const {
 
 std::vector<unsigned> Source::offsets_in_macros(clang::SourceLocation location) const {
   std::vector<unsigned> offsets;
-  for (; location.isMacroID(); location = manager_.getImmediateMacroCallerLoc(location))
-    offsets.push_back(manager_.getFileOffset(manager_.getSpellingLoc(location)));
+  for (; location.isMacroID(); location = manager_.getImmediateMacroCallerLoc(location)) {
+    const clang::SourceLocation spelled = manager_.getSpellingLoc(location);
+    // A name that is pasted together (Proxy ## id) has its text behind all that was pasted before; its caller is where its first half stands.
+    if (!manager_.isWrittenInScratchSpace(spelled)) offsets.push_back(manager_.getFileOffset(spelled));
+  }
   return offsets;
 }
 

@@ -91,9 +91,11 @@ class Calls : public AstVisitor {
         {at.file, at.line, callee_file, callee_line, instances_.qualified_name_of(callee), *here_});
     return true;
   }
-  /// Redeclarations are functions of their own here, instances stand where their pattern does.
+  /// Redeclarations are functions of their own here, instances stand where their pattern does. What the compiler adds to a class it adds when
+  /// something needs it, or when a member's type has to be looked at: a port may change both.
   void note_function(const clang::FunctionDecl* function) {
     const clang::SourceLocation where = function->getLocation();
+    if (function->isImplicit()) return;
     if (source_.in_package(where)) functions_[source_.where(where).file].insert(position_of(function));
   }
   /// Of what it begins with: its name may be what a macro was given for several.

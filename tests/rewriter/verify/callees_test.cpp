@@ -168,6 +168,22 @@ int main() {
 }
 )";
 
+const char* const names_pasted_together = R"(
+#define PASTED(first, second) first##second
+#define REGISTER(Class, id)                        \
+  struct Proxy##id {                               \
+    Proxy##id() { count = count + sizeof(Class); } \
+  };                                               \
+  static Proxy##id g_proxy_##id;                   \
+  Class* create##Class() { return new Class(); }
+int count = 0;
+struct Node { Node() {} };
+struct Other { Other() {} };
+REGISTER(Node, 0)
+REGISTER(Other, 1)
+int main() { return createNode() != nullptr && createOther() != nullptr; }
+)";
+
 const std::vector<const char*> sources = {closures_in_two_functions, closures_in_one_function,
                                           generic_closures, types_without_a_name};
 
@@ -192,6 +208,16 @@ TEST_F(CalleesTest, a_unit_whose_columns_have_moved_has_no_changed_call) {
       if (line.rfind('#', 0) != 0) line = "/* a comment */ " + line;
     EXPECT_FALSE(change(text_of(source), now)) << source;
   }
+}
+
+/// As a header of TZC may, which a port includes: it pastes names before those of the package.
+TEST_F(CalleesTest, names_that_are_pasted_before_are_no_change) {
+  const Text before = text_of(names_pasted_together);
+  Text now = before;
+  for (int i = 0; i < 200; ++i)
+    insert(now, 2, "int PASTED(some_name_that_is_not_short_, " + std::to_string(i) + ");");
+  const std::optional<PackageCall> found = change(before, now);
+  EXPECT_FALSE(found) << found->callee << " called in line " << found->line;
 }
 
 /// Line `at` (from 0) of the second source, changed.
