@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+
+#include "facts/syntax/bodies.h"
+#include "parse/ast_visitor.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -72,25 +76,74 @@ bool never_changes(const FunctionView& view, const clang::ValueDecl* variable) {
   });
 }
 
-std::vector<const clang::ValueDecl*> deciders(const FunctionView& view, const clang::CFG& cfg) {
+/// Looks for code that changes a field of some object: what mentions it other than to read it, in functions of the package that are called,
+/// and what those call. Calls that show no body may do anything to it, except those of libraries, which know no field of the package.
+class FieldChanges : public AstVisitor {
+ public:
+  FieldChanges(const Unit& unit, const clang::FieldDecl* field) : unit_(unit), field_(field) {}
+  bool found() const { return changes_ || mentions_ > reads_; }
+
+  bool VisitMemberExpr(clang::MemberExpr* member) override {
+    mentions_ += member->getMemberDecl() == field_;
+    return true;
+  }
+  bool VisitImplicitCastExpr(clang::ImplicitCastExpr* cast) override {
+    const auto* member = llvm::dyn_cast<clang::MemberExpr>(cast->getSubExpr()->IgnoreParens());
+    reads_ += cast->getCastKind() == clang::CK_LValueToRValue && member && member->getMemberDecl() == field_;
+    return true;
+  }
+  bool VisitCallExpr(clang::CallExpr* call) override { return follow(call->getDirectCallee()); }
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr* construct) override {
+    return follow(construct->getConstructor());
+  }
+
+ private:
+  bool follow(const clang::FunctionDecl* callee) {
+    if (!callee) changes_ = true;
+    if (!callee || !unit_.declares(callee) || callee->isImplicit()) return !changes_;
+    if (!seen_.insert(callee->getCanonicalDecl()).second) return true;
+    const clang::FunctionDecl* const shown = shown_body(callee);
+    const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
+    changes_ = changes_ || !shown || (method && method->isVirtual());
+    return !changes_ && TraverseStmt(shown->getBody());
+  }
+
+  const Unit& unit_;
+  const clang::FieldDecl* const field_;
+  std::set<const clang::FunctionDecl*> seen_;
+  unsigned mentions_ = 0, reads_ = 0;
+  bool changes_ = false;
+};
+
+bool calls_change(const Unit& unit, const FunctionView& view, const clang::ValueDecl* variable) {
+  const auto* const field = llvm::dyn_cast<clang::FieldDecl>(variable);
+  if (!field) return false;
+  FieldChanges changes(unit, field);
+  changes.TraverseStmt(view.function()->getBody());
+  return changes.found();
+}
+
+std::vector<const clang::ValueDecl*> deciders(const Unit& unit, const FunctionView& view,
+                                              const clang::CFG& cfg) {
   std::map<const clang::ValueDecl*, unsigned> branches;
   std::vector<const clang::ValueDecl*> found;  // in the order of the graph
   for (const clang::CFGBlock* block : cfg)
     if (const std::optional<Condition> condition = condition_of(*block))
       if (++branches[condition->variable] == 2) found.push_back(condition->variable);
-  found.erase(
-      std::remove_if(found.begin(), found.end(),
-                     [&](const clang::ValueDecl* variable) { return !never_changes(view, variable); }),
-      found.end());
+  found.erase(std::remove_if(found.begin(), found.end(),
+                             [&](const clang::ValueDecl* variable) {
+                               return !never_changes(view, variable) || calls_change(unit, view, variable);
+                             }),
+              found.end());
   found.resize(std::min(found.size(), most_deciders));
   return found;
 }
 
 }  // namespace
 
-std::vector<DecidedValues> decided_ways(const FunctionView& view, const clang::CFG& cfg) {
+std::vector<DecidedValues> decided_ways(const Unit& unit, const FunctionView& view, const clang::CFG& cfg) {
   std::vector<DecidedValues> ways(1);
-  for (const clang::ValueDecl* variable : deciders(view, cfg)) {
+  for (const clang::ValueDecl* variable : deciders(unit, view, cfg)) {
     const std::size_t before = ways.size();
     ways.insert(ways.end(), ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(before));
     for (std::size_t i = 0; i < ways.size(); ++i) ways[i][variable] = i < before;
