@@ -59,6 +59,15 @@ inline std::string choice_root(unsigned offset) {
   return "choice " + std::to_string(offset);
 }
 
+/// The message that an expression makes as a copy of another one.
+inline std::string copy_root(unsigned offset) {
+  return "local copy " + std::to_string(offset);
+}
+
+inline bool is_copy(const MessagePart& part) {
+  return part.rfind("local copy ", 0) == 0;
+}
+
 inline bool is_choice(const MessagePart& part) {
   return part.rfind("choice ", 0) == 0;
 }
@@ -99,6 +108,8 @@ struct ContentEvent {
     write,     ///< an element is written, or may be
     grow,      ///< the array may need other memory, for more elements than it has had
     publish,   ///< the part's elements are shared from here on
+    fill,      ///< the part has elements, which nobody shares yet
+    copy,      ///< a message comes into being as a copy of `other`; empty: of one that is not known
     exchange,  ///< the part and `other` exchange their elements, or what they point to
     alias,     ///< the pointer leads to what `other` leads to
     perhaps,   ///< the pointer leads to what `other` leads to, or to what it led to before
@@ -111,7 +122,7 @@ struct ContentEvent {
   MessagePart other;
   Location where;
   PublishPlace site;     ///< of a publish
-  bool empties = false;  ///< a reset that leaves no elements, as message = M()
+  bool empties = false;  ///< a reset that leaves no elements, as message = M(), data.clear()
   std::string callee;    ///< USR of the function that is called; empty: any that others may call
   std::map<std::string, MessagePart> passed;  ///< parameter's root -> what it is given
   std::set<EntityId>

@@ -129,6 +129,9 @@ struct InsertedAllocation {
   bool filled = false;  ///< the message already has content there, which allocate would copy
   std::optional<LaterCopy> copy;  ///< instead it can get its content behind allocate
   bool is_needed = true;          ///< no: all of its arrays belong to elements that are not there yet
+
+  /// Whether it has content where allocate could be called, or would be, if it could.
+  bool has_content() const { return filled && !(at && copy); }
 };
 
 /// A library call that makes the message is replaced by an adapter that is given the publisher.
@@ -161,6 +164,7 @@ struct AllocationSite {
   EntityId function;      ///< result of the function around it
   std::string refusal;    ///< why there is no place for allocate, where it is something special
   std::optional<LastingStart> start;
+  std::vector<EntityId> copied_from;  ///< what it starts as a copy of; none: it does not, or that is not known
   Location where;
 };
 

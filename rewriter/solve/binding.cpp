@@ -10,9 +10,11 @@
 namespace tzc::rewriter {
 namespace {
 
+constexpr const char* copied = "it starts as a copy of another message";
+
 bool is_filled(const AllocationSite& site) {
   const auto* inserted = std::get_if<InsertedAllocation>(&site.how);
-  return inserted && inserted->filled && !(inserted->at && inserted->copy);
+  return inserted && inserted->has_content();
 }
 
 /// Whether there is a place for the edits that allocate.
@@ -184,9 +186,22 @@ bool Binder::is_in_factory(const AllocationSite& site) const {
   return result && result->id == component_.id && facts_.factories.count(site.function) != 0;
 }
 
-/// Nothing is allocated there, and the message is ported all the same.
+/// Nothing is allocated there, and the message is ported all the same: its first publish binds it. A copy can be made of another ported message
+/// as it stands; of a stock one it cannot, unless a constructor is named for it. It is worth it where the other one is published itself.
 bool Binder::goes_without(const AllocationSite& site) const {
-  return site.start.has_value();
+  const std::vector<EntityId>& originals = site.copied_from;
+  return site.start || (is_filled(site) && !originals.empty() &&
+                        std::all_of(originals.begin(), originals.end(), [&](const EntityId& original) {
+                          const Component* component = components_.of(original);
+                          return component && component->id == component_.id && is_published(original);
+                        }));
+}
+
+bool Binder::is_published(const EntityId& message) const {
+  return std::any_of(facts_.publishes.begin(), facts_.publishes.end(), [&](const auto& publish) {
+    const std::vector<EntityId>& messages = publish.second.messages;
+    return std::count(messages.begin(), messages.end(), message) != 0;
+  });
 }
 
 /// Why nothing can be allocated there, whoever gives the memory.
@@ -194,8 +209,7 @@ std::optional<Decision> Binder::obstacle_at(const AllocationSite& site) const {
   if (goes_without(site)) return {};
   if (!site.refusal.empty()) return refused({codes::TZC1019, site.refusal, site.where}, site.entity);
   if (is_possible(site) || std::holds_alternative<FactoryAllocation>(site.how)) return {};
-  if (is_filled(site))
-    return refused({codes::TZC1020, "it starts as a copy of another message", site.where}, site.entity);
+  if (is_filled(site)) return refused({codes::TZC1020, copied, site.where}, site.entity);
   return refused({codes::TZC1019, no_place(site), site.where}, site.entity);
 }
 
@@ -240,9 +254,12 @@ std::optional<Decision> Binder::bind(const std::vector<const AllocationSite*>& s
     factories_.clear();
     bind_all(sites);
   }
-  if (allocations_.empty() && !component_.has_lasting_message())
-    return refused({codes::TZC1019, why_not_found(component_), component_.entities[0]->where});
-  return {};
+  if (!allocations_.empty() || component_.has_lasting_message()) return {};
+  const auto copy =
+      std::find_if(sites.begin(), sites.end(), [](const AllocationSite* site) { return is_filled(*site); });
+  return copy == sites.end()
+             ? refused({codes::TZC1019, why_not_found(component_), component_.entities[0]->where})
+             : refused({codes::TZC1020, copied, (*copy)->where}, (*copy)->entity);
 }
 
 void Binder::bind_all(const std::vector<const AllocationSite*>& sites) {

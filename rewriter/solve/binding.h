@@ -36,6 +36,7 @@ class Binder {
  private:
   void bind_all(const std::vector<const AllocationSite*>& sites);
   bool goes_without(const AllocationSite& site) const;
+  bool is_published(const EntityId& message) const;
   std::optional<Decision> obstacle_at(const AllocationSite& site) const;
   void bind(const AllocationSite& site);
   void give_publishers();

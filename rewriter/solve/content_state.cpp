@@ -27,6 +27,27 @@ bool is_element_of(const MessagePart& part, const MessagePart& array) {
          part.compare(0, array.size(), array) == 0 && part[array.size()] == '[';
 }
 
+bool lies_in_any(const MessagePart& part, const std::set<MessagePart>& wholes) {
+  return std::any_of(wholes.begin(), wholes.end(),
+                     [&](const MessagePart& whole) { return lies_in(part, whole); });
+}
+
+std::map<MessagePart, Taken> renamed_parts(const std::map<MessagePart, Taken>& parts,
+                                           const ContentState::Renaming& rename) {
+  std::map<MessagePart, Taken> names;
+  for (const auto& [part, taken] : parts)
+    if (MessagePart name = rename(part); !name.empty()) names.emplace(std::move(name), taken);
+  return names;
+}
+
+std::set<MessagePart> renamed_parts(const std::set<MessagePart>& parts,
+                                    const ContentState::Renaming& rename) {
+  std::set<MessagePart> names;
+  for (const MessagePart& part : parts)
+    if (MessagePart name = rename(part); !name.empty()) names.insert(std::move(name));
+  return names;
+}
+
 }  // namespace
 
 bool lies_in(const MessagePart& part, const MessagePart& whole) {
@@ -34,13 +55,9 @@ bool lies_in(const MessagePart& part, const MessagePart& whole) {
          (part.size() == whole.size() || part[whole.size()] == '/');
 }
 
-bool ContentState::is_own(const MessagePart& part) const {
-  return std::any_of(own_.begin(), own_.end(), [&](const MessagePart& own) { return lies_in(part, own); });
-}
-
 std::set<PublishPlace> ContentState::sharers_of(const MessagePart& part) const {
   std::set<PublishPlace> sites;
-  if (is_own(part)) return sites;
+  if (lies_in_any(part, own_)) return sites;
   for (const auto& [whole, sharers] : shared_)
     if (lies_in(part, whole)) sites.insert(sharers.begin(), sharers.end());
   return sites;
@@ -59,28 +76,57 @@ void ContentState::make(const MessagePart& message) {
 }
 
 bool ContentState::is_new(const MessagePart& part) const {
-  return std::any_of(new_.begin(), new_.end(), [&](const MessagePart& made) { return lies_in(part, made); });
+  return lies_in_any(part, new_);
+}
+
+/// A part of it, or what it is a part of.
+bool ContentState::is_unsent(const MessagePart& part) const {
+  return lies_in_any(part, unsent_) ||
+         std::any_of(unsent_.begin(), unsent_.end(),
+                     [&](const MessagePart& inner) { return lies_in(inner, part); });
 }
 
 void ContentState::reset(const MessagePart& part) {
   unshare(part);
-  if (!is_one_of_several(part)) erase_inside(taken_, part);
+  if (is_one_of_several(part)) return;
+  erase_inside(taken_, part);
+  erase_inside(borrowed_, part);
+  erase_inside(unsent_, part);
 }
 
-void ContentState::take(const MessagePart& part, const Location& where) {
+void ContentState::fill(const MessagePart& part) {
+  unsent_.insert(part);
+  for (const auto& [copy, made] : borrowed_)
+    if (lies_in(part, copy)) taken_.emplace(part, made);
+}
+
+void ContentState::take(const MessagePart& part, const Taken& taken) {
   reset(part);
-  taken_.emplace(part, where);
+  fill(part);
+  taken_.emplace(part, taken);
 }
 
-std::optional<Location> ContentState::publish(const MessagePart& part, const PublishPlace& site) {
-  std::optional<Location> where;
-  for (const auto& [array, taken_at] : taken_)
-    if (!where && (lies_in(array, part) || is_element_of(part, array))) where = taken_at;
-  if (!is_one_of_several(part)) erase_inside(taken_, part);
+void ContentState::copy(const MessagePart& message, const MessagePart& original, const Location& where) {
+  if (original.empty() || is_unsent(original)) return take(message, {where, true});
+  const std::set<PublishPlace> sites = sharers_of(original);
+  reset(message);
+  share_anew(message, sites);
+  borrowed_.emplace(message, Taken{where, true});
+}
+
+std::optional<Taken> ContentState::publish(const MessagePart& part, const PublishPlace& site) {
+  std::optional<Taken> found;
+  for (const auto& [array, taken] : taken_)
+    if (!found && (lies_in(array, part) || is_element_of(part, array))) found = taken;
+  if (!is_one_of_several(part)) {
+    erase_inside(taken_, part);
+    erase_inside(borrowed_, part);
+    erase_inside(unsent_, part);
+  }
   erase_inside(own_, part);
   shared_[part].insert(site);
   for (auto it = new_.begin(); it != new_.end();) it = lies_in(part, *it) ? new_.erase(it) : std::next(it);
-  return where;
+  return found;
 }
 
 bool ContentState::share(const MessagePart& part, const std::set<PublishPlace>& sites) {
@@ -91,7 +137,6 @@ bool ContentState::share(const MessagePart& part, const std::set<PublishPlace>& 
   return known.size() > before;
 }
 
-/// Also where it had become its owner's, and by sites that share it already.
 void ContentState::share_anew(const MessagePart& part, const std::set<PublishPlace>& sites) {
   share(part, sites);
   if (!sites.empty()) erase_inside(own_, part);
@@ -105,8 +150,11 @@ void ContentState::exchange(const MessagePart& one, const MessagePart& other) {
   });
   moved.new_.clear();
   const std::set<PublishPlace> of_one = sharers_of(one), of_other = sharers_of(other);
+  const bool one_is_unsent = lies_in_any(one, unsent_), other_is_unsent = lies_in_any(other, unsent_);
   reset(one);
   reset(other);
+  if (one_is_unsent) fill(other);
+  if (other_is_unsent) fill(one);
   share_anew(one, of_other);
   share_anew(other, of_one);
   add(moved);
@@ -126,9 +174,13 @@ void ContentState::alias_perhaps(const MessagePart& pointer, const MessagePart& 
   for (const auto& [part, sites] : same.shared_) share_anew(part, sites);
   share_anew(pointer, sharers_of(other));
   taken_.insert(same.taken_.begin(), same.taken_.end());
+  borrowed_.insert(same.borrowed_.begin(), same.borrowed_.end());
+  unsent_.insert(same.unsent_.begin(), same.unsent_.end());
+  if (lies_in_any(other, unsent_)) fill(pointer);
 }
 
 std::set<PublishPlace> ContentState::write(const MessagePart& array) {
+  fill(array);
   std::set<PublishPlace> sites = sharers_of(array);
   if (!sites.empty() && !is_one_of_several(array)) own_.insert(array);
   return sites;
@@ -149,9 +201,12 @@ bool ContentState::join(const ContentState& other) {
     grown |= !stays;
     it = stays ? std::next(it) : new_.erase(it);
   }
-  const std::size_t taken_before = taken_.size();
+  const auto size = [this] { return taken_.size() + borrowed_.size() + unsent_.size(); };
+  const std::size_t before = size();
   taken_.insert(other.taken_.begin(), other.taken_.end());
-  return grown || taken_.size() > taken_before;
+  borrowed_.insert(other.borrowed_.begin(), other.borrowed_.end());
+  unsent_.insert(other.unsent_.begin(), other.unsent_.end());
+  return grown || size() > before;
 }
 
 void ContentState::join_others(const ContentState& other) {
@@ -164,6 +219,8 @@ void ContentState::add(const ContentState& other) {
   for (const auto& [part, sites] : other.shared_) share(part, sites);
   own_.insert(other.own_.begin(), other.own_.end());
   taken_.insert(other.taken_.begin(), other.taken_.end());
+  borrowed_.insert(other.borrowed_.begin(), other.borrowed_.end());
+  unsent_.insert(other.unsent_.begin(), other.unsent_.end());
   new_.insert(other.new_.begin(), other.new_.end());
 }
 
@@ -171,12 +228,11 @@ ContentState ContentState::renamed(const Renaming& rename) const {
   ContentState result;
   for (const auto& [part, sites] : shared_)
     if (const MessagePart name = rename(part); !name.empty()) result.share(name, sites);
-  for (const MessagePart& part : own_)
-    if (const MessagePart name = rename(part); !name.empty()) result.own_.insert(name);
-  for (const auto& [part, where] : taken_)
-    if (const MessagePart name = rename(part); !name.empty()) result.taken_.emplace(name, where);
-  for (const MessagePart& part : new_)
-    if (const MessagePart name = rename(part); !name.empty()) result.new_.insert(name);
+  result.taken_ = renamed_parts(taken_, rename);
+  result.borrowed_ = renamed_parts(borrowed_, rename);
+  result.own_ = renamed_parts(own_, rename);
+  result.unsent_ = renamed_parts(unsent_, rename);
+  result.new_ = renamed_parts(new_, rename);
   return result;
 }
 

@@ -13,6 +13,12 @@ namespace tzc::rewriter {
 /// Whether the part is the whole, or lies inside it.
 bool lies_in(const MessagePart& part, const MessagePart& whole);
 
+/// Where a message gets elements that lie outside shared memory.
+struct Taken {
+  Location where;
+  bool by_copy = false;  ///< of another message
+};
+
 /// Which messages' elements are shared with subscribers, or lie outside shared memory, at one point of a program, on some
 /// path to it; and which messages are new there, on each path. Of one of several messages (is_one_of_several) nothing is ever
 /// taken away: it may have been another one.
@@ -24,14 +30,21 @@ class ContentState {
   /// The message is a new one, not bound to any memory, whichever path leads here.
   void make(const MessagePart& message);
   bool is_new(const MessagePart& part) const;
-  /// The part has content of its own from here on, or none.
+  /// The part has no content from here on, or other content, which nobody shares.
   void reset(const MessagePart& part);
-  /// The part has the elements of a std::vector from here on.
-  void take(const MessagePart& part, const Location& where);
-  /// Where a part of it was given a vector's elements; none: it was not. Who has published it before shares it as well.
-  std::optional<Location> publish(const MessagePart& part, const PublishPlace& site);
-  /// Another name of what is published.
-  void publish_as(const MessagePart& other, const PublishPlace& site) { share_anew(other, {site}); }
+  /// It has elements, which no publish has shared yet. Those of a copy, which has no memory of its own, lie outside shared memory.
+  void fill(const MessagePart& part);
+  /// The part has the elements of a std::vector, or of a copy, from here on.
+  void take(const MessagePart& part, const Taken& taken);
+  /// Whether something in it, or all of what it is a part of, may have such elements.
+  bool is_unsent(const MessagePart& part) const;
+  /// The message is a copy of another one from here on: it shares what that one's publishes share, and has elements of its own
+  /// outside shared memory where those were not published, or are not known (an empty part).
+  void copy(const MessagePart& message, const MessagePart& original, const Location& where);
+  /// Where a part of it was given such elements; none: it was not. Who has published it before shares it as well.
+  std::optional<Taken> publish(const MessagePart& part, const PublishPlace& site);
+  /// These sites share it from here on, also where it had become its owner's, and where they did already.
+  void share_anew(const MessagePart& part, const std::set<PublishPlace>& sites);
   /// Each part has from here on what the other one had. Objects stay bound to the memory that they are bound to.
   void exchange(const MessagePart& one, const MessagePart& other);
   /// The pointer leads from here on to what the other part is. What it led to keeps its content under its other names.
@@ -56,12 +69,12 @@ class ContentState {
   std::set<PublishPlace> sharers_of(const MessagePart& part) const;
 
  private:
-  bool is_own(const MessagePart& part) const;
-  void share_anew(const MessagePart& part, const std::set<PublishPlace>& sites);
-
   std::map<MessagePart, std::set<PublishPlace>> shared_;
-  std::set<MessagePart> own_;  ///< inside shared parts
-  std::map<MessagePart, Location> taken_;
+  std::set<MessagePart> own_;     ///< inside shared parts
+  std::set<MessagePart> unsent_;  ///< that have elements, perhaps, which no publish has shared
+  std::map<MessagePart, Taken> taken_;
+  std::map<MessagePart, Taken>
+      borrowed_;  ///< copies that have the elements of others as long as nobody writes
   std::set<MessagePart> new_;
 };
 

@@ -23,6 +23,24 @@ ContentState without(const MessagePart& result, ContentState state) {
   return state;
 }
 
+/// What callers give that are not known has content which none of the package's publishes shares.
+ContentState given_from_outside(const std::string& usr, const ContentFlow& flow) {
+  ContentState state;
+  const auto fill = [&](const MessagePart& part) {
+    const MessagePart root = root_of(part);
+    if (is_parameter(root) && root.size() > usr.size() &&
+        root.compare(root.size() - usr.size(), usr.size(), usr) == 0)
+      state.fill(root);
+  };
+  for (const ContentBlock& block : flow.blocks)
+    for (const ContentEvent& event : block.events) {
+      fill(event.part);
+      fill(event.other);
+      for (const auto& [parameter, part] : event.passed) fill(part);
+    }
+  return state;
+}
+
 /// The call as one of a function that overrides the callee.
 ContentEvent call_of_override(const ContentEvent& call, const std::string& function) {
   ContentEvent other = call;
@@ -41,7 +59,7 @@ CopiedElements::CopiedElements(const Facts& facts, IsTwin is_twin)
   touch_what_callees_touch();
   find_what_may_be_any();
   for (auto& [usr, function] : functions_)
-    if (called_from_outside(usr)) function.entry.emplace();
+    if (called_from_outside(usr)) function.entry = given_from_outside(usr, *function.flow);
   while (changed_) {
     changed_ = false;
     for (auto& [usr, function] : functions_)
@@ -203,7 +221,13 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
     case ContentEvent::Kind::make:
       return state.make(event.part);
     case ContentEvent::Kind::reset:
-      return state.reset(event.part);
+      state.reset(event.part);
+      if (!event.empties) state.fill(event.part);
+      return;
+    case ContentEvent::Kind::fill:
+      return state.fill(event.part);
+    case ContentEvent::Kind::copy:
+      return state.copy(event.part, event.other, event.where);
     case ContentEvent::Kind::exchange:
       return state.exchange(event.part, event.other);
     case ContentEvent::Kind::alias:
@@ -219,22 +243,22 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
         state.alias_perhaps(name, event.part);
       return;
     case ContentEvent::Kind::take:
-      state.take(event.part, event.where);
+      state.take(event.part, {event.where});
       if (event.part.find('/') != MessagePart::npos) spread(event.part, state);  // not of a container itself
       return;
     case ContentEvent::Kind::publish:
       new_.emplace(event.site, true).first->second &=
           state.is_new(event.part);  // states only lose what is new
-      if (const std::optional<Location> where = state.publish(event.part, event.site))
-        causes_.taken.emplace(event.site, *where);
-      for (const MessagePart& other : other_names_.of(event.part)) state.publish_as(other, event.site);
+      if (const std::optional<Taken> taken = state.publish(event.part, event.site))
+        causes_.taken(event.site, *taken);
+      for (const MessagePart& other : other_names_.of(event.part)) state.share_anew(other, {event.site});
       return;
     case ContentEvent::Kind::write:
-      for (const PublishPlace& site : state.write(event.part)) causes_.writes.emplace(site, event.where);
+      for (const PublishPlace& site : state.write(event.part)) causes_.written(site, event.where);
       return;
     case ContentEvent::Kind::grow:
-      for (const PublishPlace& site : state.sharers_of(event.part)) causes_.grows.emplace(site, event.where);
-      return;
+      for (const PublishPlace& site : state.sharers_of(event.part)) causes_.grown(site, event.where);
+      return state.fill(event.part);
     case ContentEvent::Kind::any:
     case ContentEvent::Kind::call:
       return;
@@ -329,8 +353,11 @@ std::optional<ContentState> CopiedElements::after(const ContentEvent& event, con
     return only_lasting(part);
   };
   ContentState inside = before.renamed(to_callee);
-  for (const auto& [parameter, given] : event.passed)  // a part of a message that is shared as a whole
+  for (const auto& [parameter, given] :
+       event.passed) {  // a part of a message that is shared, or filled, as a whole
     inside.share(parameter, before.sharers_of(given));
+    if (before.is_unsent(given)) inside.fill(parameter);
+  }
   enter(event.callee, inside);
   if (!callee.exit) return {};
   ContentState after = without(event.part, before).renamed([&](const MessagePart& part) {
@@ -348,23 +375,8 @@ std::optional<ContentState> CopiedElements::after(const ContentEvent& event, con
 }
 
 std::optional<Obstacle> CopiedElements::why_copied(const SiteId& site) const {
-  const PublishPlace place{site.file, site.begin};
-  if (const auto found = causes_.taken.find(place); found != causes_.taken.end())
-    return Obstacle{
-        codes::TZC1022,
-        "line " + std::to_string(found->second.line) + " gives it elements that lie outside shared memory",
-        found->second};
-  if (const auto found = causes_.writes.find(place); found != causes_.writes.end())
-    return Obstacle{codes::TZC1022,
-                    "line " + std::to_string(found->second.line) +
-                        " may use its elements for writing after this publish, which copies them",
-                    found->second};
-  if (const auto found = causes_.grows.find(place); found != causes_.grows.end())
-    return Obstacle{codes::TZC1022,
-                    "line " + std::to_string(found->second.line) +
-                        " may give it more elements after this publish, which copies those that it has",
-                    found->second};
-  return unfollowed_.why(site);
+  const std::optional<Obstacle> why = causes_.why({site.file, site.begin});
+  return why ? why : unfollowed_.why(site);
 }
 
 std::optional<Obstacle> CopiedElements::why_new(const SiteId& site) const {

@@ -8,6 +8,7 @@
 
 #include "model/facts.h"
 #include "solve/content_state.h"
+#include "solve/copy_causes.h"
 #include "solve/other_names.h"
 #include "solve/unfollowed_uses.h"
 
@@ -26,11 +27,6 @@ class CopiedElements {
   std::optional<Obstacle> why_new(const SiteId& site) const;
 
  private:
-  /// What copies the elements that are published in a place: that they were given a vector's before it, and that they are
-  /// written, or become more, behind it.
-  struct Causes {
-    std::map<PublishPlace, Location> taken, writes, grows;
-  };
   struct Function {
     const ContentFlow* flow = nullptr;
     std::set<std::string> touched;      ///< what outlives functions and it, or what it calls, names
@@ -75,7 +71,7 @@ class CopiedElements {
   std::set<std::string> called_;
   std::set<std::string> calls_unknown_;  ///< functions that call what nothing shows
   ContentState anytime_;                 ///< of what outlives functions, when one is called from outside
-  Causes causes_;
+  CopyCauses causes_;
   std::map<PublishPlace, bool> new_;  ///< whether what is published there is new, on all paths so far
   bool changed_ = true;
 };

@@ -155,9 +155,9 @@ void SiteDescriber::describe_message(const Publish& fact, Site& site) const {
   if (fact.nested_only)
     return refuse(site, {codes::TZC1018, "its arrays lie inside an array of messages", site.where},
                   Level::one_copy);
-  std::optional<Obstacle> why = copied_.why_copied(fact.id());
+  std::optional<Obstacle> why = unbound_.why_copied(fact.id());
+  if (!why) why = copied_.why_copied(fact.id());
   if (!why && !fact.part_of) why = copied_.why_new(fact.id());
-  if (!why) why = unbound_.why_copied(fact.id());
   if (!why && fact.part_of && fact.part_of->is_given)
     why = Obstacle{
         codes::TZC1022,

@@ -30,6 +30,11 @@ bool is_constant(const Unit& unit, const clang::Expr* expr) {
   return !expr->isValueDependent() && expr->isEvaluatable(unit.ast());
 }
 
+bool is_constant_zero(const clang::Expr* expr) {
+  const auto* literal = llvm::dyn_cast<clang::IntegerLiteral>(expr->IgnoreParenImpCasts());
+  return literal && literal->getValue() == 0;
+}
+
 /// A library's, or an array.
 bool is_foreign_container(const Unit& unit, clang::QualType type) {
   const clang::QualType pointee = pointee_of(type);
@@ -74,18 +79,18 @@ void ContentReader::array_method(const clang::Expr* array, const clang::CXXMembe
   if (name == "swap") return exchanged(array, call->getArg(0), call->getExprLoc());
   bool resets = replaces.count(name) != 0;
   if (name == "resize") {
-    const auto* size = llvm::dyn_cast<clang::IntegerLiteral>(call->getArg(0)->IgnoreParenImpCasts());
     resets =
-        (size && size->getValue() == 0) || written_arguments(call) == 2 || without_zero_fill(unit_, call);
+        is_constant_zero(call->getArg(0)) || written_arguments(call) == 2 || without_zero_fill(unit_, call);
     if (written_arguments(call) == 2) {
       const clang::CXXRecordDecl* tag = call->getArg(1)->getType()->getAsCXXRecordDecl();
       resets = tag && tag->getName() == "uninitialized_t";
     }
   }
-  if (resets) return log_.add(Kind::reset, parts_.part_of(array), call->getExprLoc());
+  const bool has_elements = name == "assign" || (name == "resize" && !is_constant_zero(call->getArg(0)));
+  if (resets) return log_.assign(parts_.part_of(array), !has_elements, call->getExprLoc());
   const bool sets_size = name == "resize" || name == "reserve";
-  if (sets_size && !is_constant(unit_, call->getArg(0)))
-    log_.add(Kind::grow, parts_.part_of(array), call->getExprLoc());
+  const bool may_vary = sets_size && !is_constant(unit_, call->getArg(0));
+  if (sets_size) log_.add(may_vary ? Kind::grow : Kind::fill, parts_.part_of(array), call->getExprLoc());
   if (keeps.count(name) == 0) log_.add(Kind::write, parts_.part_of(array), call->getExprLoc());
 }
 
@@ -93,7 +98,10 @@ void ContentReader::array_method(const clang::Expr* array, const clang::CXXMembe
 void ContentReader::replaced(const clang::Expr* array, const clang::Expr* source) {
   const MessagePart part = parts_.part_of(array);
   const bool of_message = is_of_message(parts_.part_of(source));
-  log_.add(of_message || is_made_empty(source) ? Kind::reset : Kind::take, part, array->getExprLoc());
+  if (of_message || is_made_empty(source))
+    log_.assign(part, true, array->getExprLoc());
+  else
+    log_.add(Kind::take, part, array->getExprLoc());
   if (of_message) log_.pair(Kind::exchange, part, parts_.part_of(source), array->getExprLoc());
 }
 
@@ -221,7 +229,11 @@ void ContentReader::member_call(const clang::CXXMemberCallExpr* call) {
   const std::string name = method->getNameAsString();
   if (!object || !is_message_or_pointer(object->IgnoreParenImpCasts()->getType()))
     return;  // not its base class
-  if (name == "reset") log_.add(Kind::reset, parts_.part_of(object), call->getExprLoc());
+  if (name == "reset") {
+    log_.add(Kind::reset, parts_.part_of(object), call->getExprLoc());
+    if (call->getNumArgs() > 0)
+      log_.pair(Kind::alias, parts_.part_of(object), parts_.part_of(call->getArg(0)), call->getExprLoc());
+  }
   if (name == "swap" && is_swap(call)) exchanged(object, call->getArg(0), call->getExprLoc());
 }
 

@@ -327,7 +327,7 @@ std::optional<ContentFlow> flow_of(EscapeContext& context, const SeenFunction& s
                                    const clang::FunctionDecl* function) {
   const std::unique_ptr<clang::CFG> cfg = cfg_of(context.unit, function);
   if (!cfg) return {};
-  const std::vector<DecidedValues> ways = decided_ways(seen.view, *cfg);
+  const std::vector<DecidedValues> ways = decided_ways(context.unit, seen.view, *cfg);
   ContentFlow flow;
   std::optional<IfShown> calls_unknown;
   for (const DecidedValues& way : ways) {

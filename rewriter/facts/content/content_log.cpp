@@ -25,6 +25,13 @@ void ContentLog::pair(ContentEvent::Kind kind, MessagePart part, MessagePart oth
   step(std::move(two));
 }
 
+void ContentLog::copy(MessagePart message, MessagePart original, clang::SourceLocation where) {
+  if (message.empty()) return;
+  ContentEvent copied = event(ContentEvent::Kind::copy, std::move(message), where);
+  copied.other = std::move(original);
+  step(std::move(copied));
+}
+
 void ContentLog::publish(MessagePart part, PublishPlace site, clang::SourceLocation where) {
   if (part.empty()) return;
   ContentEvent published = event(ContentEvent::Kind::publish, std::move(part), where);

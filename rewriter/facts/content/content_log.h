@@ -58,6 +58,8 @@ class ContentLog {
   void publish(MessagePart part, PublishPlace site, clang::SourceLocation where);
   /// A message as a whole is given another content, or none.
   void assign(MessagePart part, bool empties, clang::SourceLocation where);
+  /// The message is made as a copy of another one, which may be unknown.
+  void copy(MessagePart message, MessagePart original, clang::SourceLocation where);
   /// Nothing where one of the parts is not known.
   void pair(ContentEvent::Kind kind, MessagePart part, MessagePart other, clang::SourceLocation where);
   /// The expression names, publishes or passes on a message: an event where nothing shows which. Nothing for null.

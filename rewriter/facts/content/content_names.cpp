@@ -2,6 +2,7 @@
 #include "facts/content/content_names.h"
 
 #include "facts/content/started_pointers.h"
+#include "facts/flow/message_copies.h"
 #include "facts/syntax/message_type.h"
 
 namespace tzc::rewriter {
@@ -31,7 +32,7 @@ void ContentNames::variable(const clang::VarDecl* variable) {
   const MessagePart root = parts_.root_of(variable);
   const bool is_reference = variable->getType()->isReferenceType();
   if (is_reference && parts_.name_of(variable) != root) return log_.any(init);
-  log_.add(Kind::reset, root, variable->getLocation());
+  log_.assign(root, true, variable->getLocation());
   if (!init) return;
   if (names_messages(variable->getType())) return may_lead_to(root, init);
   if (is_reference || is_iterator(variable->getType()) || is_pointer_to_array(variable->getType()))
@@ -39,19 +40,20 @@ void ContentNames::variable(const clang::VarDecl* variable) {
   if (is_message_or_pointer(variable->getType())) made_from(variable, root);
 }
 
-/// A message by value, or a pointer to one.
+/// A message by value, or a pointer to one. A copy that is written as an assignment has the memory that is allocated in front of it.
 void ContentNames::made_from(const clang::VarDecl* variable, const MessagePart& root) {
+  if (has_memory_for_copy(unit_, variable)) return log_.assign(root, false, variable->getLocation());
   const clang::Expr* source = variable->getInit();
+  const bool by_pointer = is_pointer(variable->getType());
   const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(source->IgnoreImplicit());
   const bool moves = made && made->getConstructor()->isMoveConstructor();
-  const bool copies = made && made->getConstructor()->isCopyConstructor();
-  if (moves || copies) source = made->getArg(0);
+  const bool copies_pointer = by_pointer && made && made->getConstructor()->isCopyConstructor();
+  if (moves || copies_pointer) source = made->getArg(0);
   MessagePart part = parts_.part_of(source);
-  if (is_pointer(variable->getType()) ? !moves || is_result(part) : copies) {
-    if (is_pointer(variable->getType())) alias(root, source);
-  } else {
-    log_.pair(Kind::exchange, root, std::move(part), variable->getLocation());
-  }
+  const bool is_empty = is_made_empty(source) || (by_pointer && starts_with_new_message(source));
+  if (part.empty() && !is_empty) log_.assign(root, false, variable->getLocation());
+  if (by_pointer && (!moves || is_result(part))) return alias(root, source);
+  log_.pair(Kind::exchange, root, std::move(part), variable->getLocation());
 }
 
 /// The name, where it is one that is known, leads to what the expression denotes.
@@ -81,7 +83,7 @@ void ContentNames::may_lead_to(const MessagePart& name, const clang::Expr* sourc
 void ContentNames::choice(const clang::Expr* expr, llvm::ArrayRef<const clang::Expr*> ways) {
   if (!message_reached(expr->getType()) || (expr->isPRValue() && holds_messages(expr->getType()))) return;
   const MessagePart root = parts_.part_of(expr);
-  log_.add(Kind::reset, root, expr->getExprLoc());
+  log_.assign(root, true, expr->getExprLoc());
   for (const clang::Expr* way : ways) may_lead_to(root, way);
 }
 
@@ -143,15 +145,20 @@ void ContentNames::returned(const clang::ReturnStmt* stmt) {
   if (view_.function()->getReturnType()->isReferenceType()) return alias(result, value);
   const bool by_pointer = is_pointer(value->getType());
   const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(value->IgnoreImplicit());
-  if (made && (made->getNumArgs() == 0 || !(by_pointer || made->getConstructor()->isMoveConstructor())))
+  const bool copies = made && copied_message(made);
+  if (made &&
+      (made->getNumArgs() == 0 || !(by_pointer || copies || made->getConstructor()->isMoveConstructor())))
     return;
-  MessagePart part = parts_.part_of(made ? made->getArg(0) : value);
+  MessagePart part = parts_.part_of(made && !copies ? made->getArg(0) : value);
   const bool stays = value->getType()->isPointerType() || (by_pointer && !is_local(part));
   log_.pair(stays ? Kind::alias : Kind::exchange, result, std::move(part), stmt->getReturnLoc());
   if (by_pointer) log_.any(value);
 }
 
 void ContentNames::look_at(const clang::Stmt* stmt) {
+  const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
+  if (const clang::Expr* original = expr ? copied_message(expr) : nullptr)
+    log_.copy(parts_.part_of(expr), parts_.part_of(original), expr->getBeginLoc());
   if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt)) {
     for (const clang::Decl* decl : declaration->decls())
       if (const auto* one = llvm::dyn_cast<clang::VarDecl>(decl); one && !one->isStaticLocal()) variable(one);

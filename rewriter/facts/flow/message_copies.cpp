@@ -81,10 +81,12 @@ bool names_message_type(const Unit& unit, const clang::Expr* source) {
   return finder.found;
 }
 
-/// Whether nothing is made with the value but the variable: auto p = make_shared<M>(*in), MPtr p(new M(*in)).
-bool is_whole_initializer(const clang::VarDecl* variable, const clang::Expr* made) {
+/// What the variable alone is made with, if the condition holds for it: `make_shared<M>(*in)` in auto p = make_shared<M>(*in),
+/// `new M(*in)` in MPtr p(new M(*in)). Null: there is none.
+const clang::Expr* whole_initializer(const clang::VarDecl* variable,
+                                     llvm::function_ref<bool(const clang::Expr*)> is_meant) {
   const clang::Expr* value = variable->getInit();
-  while (value && value != made) {
+  while (value && !is_meant(value)) {
     const clang::Expr* inner = value->IgnoreImplicit();
     const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(inner);
     const auto* parens = llvm::dyn_cast<clang::ParenExpr>(inner);
@@ -93,7 +95,13 @@ bool is_whole_initializer(const clang::VarDecl* variable, const clang::Expr* mad
       inner = construct->getNumArgs() == 1 ? construct->getArg(0) : nullptr;
     value = inner;
   }
-  return value != nullptr;
+  return value;
+}
+
+/// if (Image last = image; ...): no statement can stand behind it.
+bool stands_in_head(const Unit& unit, const clang::DeclStmt* declaration) {
+  const auto* around = parent_as<clang::Stmt>(unit.ast(), *declaration);
+  return !llvm::isa_and_nonnull<clang::CompoundStmt, clang::SwitchCase, clang::LabelStmt>(around);
 }
 
 /// From behind a variable's name to its semicolon: ` = *in`, `(*in)`.
@@ -195,8 +203,8 @@ std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* vari
   const auto* statement = parent_as<clang::DeclStmt>(unit.ast(), *variable);
   const clang::Expr* source = copied_by(variable->getInit());
   if (!source || !is_message_object(source) || !statement || !statement->isSingleDecl() ||
-      !unit.source.place(source->getSourceRange()) || names_message_type(unit, source) ||
-      !move_out_of_result(unit, variable->getInit()).empty())
+      stands_in_head(unit, statement) || !unit.source.place(source->getSourceRange()) ||
+      names_message_type(unit, source) || !move_out_of_result(unit, variable->getInit()).empty())
     return {};
   const std::optional<Place> initializer = initializer_of(unit, variable, statement);
   if (!initializer) return {};
@@ -230,7 +238,8 @@ std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* vari
   const auto* statement = parent_as<clang::DeclStmt>(unit.ast(), *variable);
   if (!copies_message(made) || !variable->hasLocalStorage() || pointee.isNull() ||
       pointee.isConstQualified() || !statement || !statement->isSingleDecl() ||
-      !is_whole_initializer(variable, made))
+      stands_in_head(unit, statement) ||
+      !whole_initializer(variable, [&](const clang::Expr* part) { return part == made; }))
     return {};
   const clang::Expr* source = made_from(made);
   const std::optional<Place> place = unit.source.place(source->getSourceRange());
@@ -238,6 +247,13 @@ std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* vari
   if (!place || !call || !is_code_alone(unit.source.text(*call)) || names_message_type(unit, source))
     return {};
   return LaterCopy{{{*place, "", "later-copy", {}}}, unit.text(source), may_run_package_code(unit, source)};
+}
+
+bool has_memory_for_copy(const Unit& unit, const clang::VarDecl* variable) {
+  if (!variable->getInit()) return false;
+  if (later_copy(unit, variable) || !move_out_of_result(unit, variable->getInit()).empty()) return true;
+  const clang::Expr* const made = whole_initializer(variable, copies_message);
+  return made && later_copy(unit, variable, made);
 }
 
 bool is_copied_by_assignment(const clang::Expr* target, const clang::Expr* value) {

@@ -22,7 +22,7 @@ const clang::Expr* copied_by(const clang::Expr* initializer);
 /// Empty: a message does not start so, or a macro writes it.
 std::vector<Change> move_out_of_result(const Unit& unit, const clang::Expr* initializer);
 
-/// Of a local variable. None: it does not start as a copy, or cannot be written otherwise (const, several variables, a macro, a pack of
+/// Of a local variable. None: it does not start as a copy, or cannot be written otherwise (const, several variables, the head of a statement, a macro, a pack of
 /// arguments, a type in the initializer that is ported, too, `auto` that means another type in each instance of a template).
 std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* variable);
 
@@ -33,6 +33,9 @@ bool copies_message(const clang::Expr* made);
 /// is copied may end with it, other code may see the new one before it has its content, and the old one stays when copying throws.
 std::optional<LaterCopy> later_copy(const Unit& unit, const clang::VarDecl* variable,
                                     const clang::Expr* made);
+
+/// Whether the variable, a message or a pointer to one, starts as a copy that one of these writes otherwise, into memory that is allocated.
+bool has_memory_for_copy(const Unit& unit, const clang::VarDecl* variable);
 
 /// The message that new or make_shared makes the object from: M(std::move(other)), or a call that returns one. Null: none.
 const clang::Expr* made_from(const clang::Expr* expr);

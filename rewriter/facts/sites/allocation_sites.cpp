@@ -274,6 +274,7 @@ std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::
     if (is_result(sources) || (is_move(value) && !is_fresh(sources))) return {};
     how.filled = !is_fresh(sources) || copied_by(value);
     if (how.filled) how.copy = later_copy(unit_, variable);
+    if (how.filled && !sources.foreign) draft.site.copied_from = sources.entities;
   }
   place_behind(how, statement_around(unit_, *variable));
   if (how.copy && how.copy->runs_code) leave_to_node(draft);
@@ -313,6 +314,9 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
   how.is_needed = has_own_arrays(expr->getType());
   const clang::Expr* source = made_from(expr);
   how.filled = source && source->isLValue();
+  if (how.filled)
+    if (FlowSources sources = flow_.sources_of(source); !sources.foreign)
+      draft.site.copied_from = std::move(sources.entities);
   draft.site.start = lasting_start(end);
   if (draft.site.start) {
     draft.site.how = how;

@@ -127,6 +127,21 @@ bool is_array_of_data_parts(clang::QualType type) {
   return stock ? stock->has_data_part : twin_message_of(element).has_value();
 }
 
+const clang::Expr* copied_message(const clang::Expr* made) {
+  const auto is_original = [](const clang::Expr* argument) {
+    return argument->isLValue() && is_stock_or_twin(argument->getType());
+  };
+  if (const auto* construct = llvm::dyn_cast<clang::CXXConstructExpr>(made)) {
+    const bool copies = written_arguments(construct) == 1 && is_stock_or_twin(construct->getType()) &&
+                        is_original(construct->getArg(0));
+    return copies ? construct->getArg(0) : nullptr;
+  }
+  const auto* call = llvm::dyn_cast<clang::CallExpr>(made);
+  if (!call || !makes_object(call) || !is_message_or_pointer(call->getType())) return nullptr;
+  const auto original = llvm::find_if(call->arguments(), is_original);
+  return original == call->arguments().end() ? nullptr : *original;
+}
+
 const clang::Stmt* use_of(const FunctionView& view, const clang::Stmt* mention) {
   const clang::Stmt* around = view.parent(mention);
   while (llvm::isa_and_nonnull<clang::ParenExpr, clang::ImplicitCastExpr>(around))
@@ -186,14 +201,14 @@ MessagePart MessageParts::of_name(const clang::DeclRefExpr* name, unsigned depth
   return variable ? name_of(variable, depth) : MessagePart();
 }
 
-/// Not what the function's next call, or the container's next mention, has instead.
+/// Not what the function's next call, or the container's next mention, has instead; and a copy has a name of its own.
 MessagePart MessageParts::name_of(const clang::VarDecl* variable, unsigned depth) const {
   if (const clang::Expr* range = range_of(variable))
     if (const MessagePart whole = part_of(range, depth + 1); !whole.empty())
       return whole + "[each" + index_token(unit_, variable) + "]";
   if (is_another_name(variable))
     if (MessagePart same = part_of(variable->getInit(), depth + 1);
-        !same.empty() && !is_result(same) && !is_fleeting(same))
+        !same.empty() && !is_result(same) && !is_copy(same) && !is_fleeting(same))
       return same;
   return root_of(variable);
 }
@@ -317,6 +332,11 @@ MessagePart MessageParts::part_of(const clang::Expr* expr, unsigned depth) const
   expr = expr->IgnoreParens();
   if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(expr)) return of_name(name, depth);
   if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr)) return of_member(member, depth);
+  if (copied_message(expr)) return copy_root(unit_.offset(expr->getBeginLoc()));
+  if (const auto* made = llvm::dyn_cast<clang::CXXNewExpr>(expr))
+    return made->getInitializer() && copied_message(made->getInitializer())
+               ? part_of(made->getInitializer(), depth + 1)
+               : MessagePart();
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(expr)) return of_call(call, depth);
   if (const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(expr))
     return element_of(element->getBase(), element->getIdx(), depth);

@@ -64,6 +64,8 @@ bool is_pointer_to_array(clang::QualType type);
 bool is_name_of_array(clang::QualType type);
 /// An array of messages, or of twins, that have data arrays themselves.
 bool is_array_of_data_parts(clang::QualType type);
+/// What the expression copies where it makes a message: M(image), new M(*in), make_shared<M>(image). Null: it makes none, or otherwise.
+const clang::Expr* copied_message(const clang::Expr* made);
 /// The statement that uses what is mentioned, behind conversions.
 const clang::Stmt* use_of(const FunctionView& view, const clang::Stmt* mention);
 /// Whether only const functions are called through a mention of an array.

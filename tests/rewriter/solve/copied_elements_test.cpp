@@ -189,6 +189,59 @@ TEST(CopiedElements, the_elements_of_a_vector) {
       << "they lie in shared memory since the first publish";
 }
 
+/// A message that is filled, and what happens to it and to a copy of it that line 30 makes.
+std::vector<ContentEvent> with_copy(std::vector<ContentEvent> before, std::vector<ContentEvent> behind) {
+  ContentEvent copied = event(Kind::copy, "local 9copy", 30);
+  copied.other = local;
+  std::vector<ContentEvent> events{event(Kind::write, data_of(local), 3)};
+  events.insert(events.end(), before.begin(), before.end());
+  events.push_back(copied);
+  events.insert(events.end(), behind.begin(), behind.end());
+  events.push_back(publish("local 9copy", 300));
+  return events;
+}
+
+TEST(CopiedElements, a_copy_shares_what_was_published_and_has_other_elements_otherwise) {
+  EXPECT_EQ(costs({{"f", straight(with_copy({publish(local)}, {}))}}, 300), 0u);
+  EXPECT_EQ(costs({{"f", straight(with_copy({}, {publish(local)}))}}, 300), 30u);
+  EXPECT_EQ(costs({{"f", straight(with_copy({publish(local), event(Kind::fill, data_of(local))}, {}))}}, 300),
+            30u);
+  ContentEvent unknown = event(Kind::copy, local, 31);
+  EXPECT_EQ(costs({{"f", straight({unknown, publish(local)})}}), 31u) << "nothing shows of what";
+}
+
+TEST(CopiedElements, a_copy_that_is_written_to_has_other_elements) {
+  const auto flow = straight(with_copy({publish(local)}, {event(Kind::write, data_of("local 9copy"), 33)}));
+  EXPECT_EQ(costs({{"f", flow}}, 300), 30u);
+  EXPECT_EQ(costs({{"f", flow}}), 33u) << "which the write copies from those that were published";
+}
+
+TEST(CopiedElements, a_copy_on_one_of_two_ways_that_publish) {
+  ContentFlow flow;
+  flow.blocks = {
+      {{event(Kind::write, data_of(local), 3)}, {1, 2}}, {{publish(local)}, {2}}, {{}, {3}}, {{}, {}}};
+  const std::vector<ContentEvent> copied = with_copy({}, {});
+  flow.blocks[2].events.assign(copied.begin() + 1, copied.end());
+  flow.exit = 3;
+  EXPECT_EQ(costs({{"f", flow}}, 300), 30u);
+}
+
+TEST(CopiedElements, what_a_helper_copies_of_what_it_is_given) {
+  const std::string parameter = parameter_root("copy", 0), result = result_root("copy");
+  ContentEvent copied = event(Kind::copy, result, 40);
+  copied.other = parameter;
+  ContentEvent called = call("copy", {{parameter, local}});
+  called.part = result;
+  const auto program = [&](std::vector<ContentEvent> before) {
+    before.insert(before.begin(), event(Kind::write, data_of(local), 3));
+    before.push_back(called);
+    before.push_back(publish(result, 300));
+    return std::map<std::string, ContentFlow>{{"f", straight(before)}, {"copy", straight({copied})}};
+  };
+  EXPECT_EQ(costs(program({}), 300), 40u);
+  EXPECT_EQ(costs(program({publish(local)}), 300), 0u);
+}
+
 TEST(CopiedElements, a_helper_gives_the_elements_of_a_vector) {
   const std::string parameter = parameter_root("fill", 0);
   EXPECT_EQ(costs({{"f", straight({call("fill", {{parameter, local}}), publish(local)})},
