@@ -156,6 +156,21 @@ CallEffect CallEffects::into_package(const EntityId& id, const Passed& passed) {
   return CallEffect::done;
 }
 
+/// ImagePtr(new Image, release): the pointer gives it to the deleter in the end. A library's may name its type: boost::checked_delete<Image>.
+void CallEffects::into_deleter(const EntityId& id, const Deleter& deleter) {
+  if (!deleter.given) return;
+  const clang::SourceLocation where = deleter.given->getBeginLoc();
+  if (!deleter.function) {
+    const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(deleter.given->IgnoreParenImpCasts());
+    if (name && qualified_name_of(name->getDecl()) == "boost::checked_delete")
+      retype(entities_, id, name->template_arguments());
+  } else if (!only_deletes(deleter)) {
+    entities_.add_obstacle(id, codes::TZC1001, "its deleter does more than delete it, or is not seen", where);
+  } else if (!deleter.is_generic) {
+    into_package(id, {deleter.function, 0, where});
+  }
+}
+
 CallEffect CallEffects::into_method(const EntityId& id, const clang::CXXMemberCallExpr* call) {
   const clang::CXXMethodDecl* method = call->getMethodDecl();
   const std::string object = qualified_name_of(method->getParent());
@@ -170,6 +185,7 @@ CallEffect CallEffects::into_method(const EntityId& id, const clang::CXXMemberCa
     const FlowSources sources = sources_.of(container);
     for (const EntityId& target : sources.entities)
       entities_.add_flow(id, target, {call->getBeginLoc(), "stored by '" + name + "'"});
+    if (entities_.is_message(id)) into_deleter(id, deleter_of(unit_, call));
     if (!sources.foreign) return CallEffect::done;
   }
   escape(id, object + "::" + name, call->getBeginLoc());
@@ -271,6 +287,7 @@ CallEffect CallEffects::of_constructor(const EntityId& id, const clang::CXXConst
   if (entities_.is_message(id) && shows_its_end(construct))
     entities_.add_obstacle(id, codes::TZC1001, "the destructor of its owner shows when it is no longer held",
                            construct->getBeginLoc());
+  if (entities_.is_message(id) && argument == 0) into_deleter(id, deleter_of(unit_, construct));
   if (carried_by(construct->getType(), unit_.rules)) return CallEffect::result;
   if (const auto effect = into_bound(id, construct, argument)) return *effect;
   escape(id, qualified_name_of(constructor->getParent()), construct->getBeginLoc());

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "facts/flow/deleters.h"
 #include "facts/flow/flow_sources.h"
 
 namespace tzc::rewriter {
@@ -37,6 +38,7 @@ class CallEffects {
   };
   CallEffect into_function(const EntityId& id, const clang::CallExpr* call, const Passed& passed);
   CallEffect into_package(const EntityId& id, const Passed& passed);
+  void into_deleter(const EntityId& id, const Deleter& deleter);
   CallEffect into_method(const EntityId& id, const clang::CXXMemberCallExpr* call);
   std::optional<CallEffect> into_bound(const EntityId& id, const clang::Expr* call, unsigned argument);
   void into_new_object(const EntityId& id, const clang::CallExpr* call, unsigned argument);

@@ -3,6 +3,7 @@
 
 #include <clang/AST/DeclTemplate.h>
 
+#include "facts/flow/deleters.h"
 #include "facts/syntax/ast_walk.h"
 #include "model/codes.h"
 
@@ -47,6 +48,7 @@ bool CallbackPins::check_address_taken(const clang::FunctionDecl* function,
                                        const clang::DeclRefExpr* reference) {
   if (!unit_.declares(function) || is_callee(reference)) return false;
   const std::string name = function->getNameAsString();
+  if (is_named_as_deleter(unit_, reference)) return true;
   const std::optional<BoundCall> bound = binding(reference);
   const bool subscribes = is_subscribed(unit_, *reference);
   for (unsigned i = 0; i < function->getNumParams(); ++i) {
@@ -78,6 +80,7 @@ bool CallbackPins::is_kept(const clang::LambdaExpr* lambda) const {
 /// A generic one takes what it is given, as it is. What it is subscribed with is a received message, which stays a stock one.
 void CallbackPins::check_lambda(const clang::LambdaExpr* lambda) {
   if (!unit_.source.in_package(lambda->getBeginLoc()) || is_kept(lambda)) return;
+  if (is_named_as_deleter(unit_, lambda)) return;
   const bool subscribes = is_subscribed(unit_, *lambda);
   for (const clang::ParmVarDecl* parameter : lambda->getCallOperator()->parameters())
     pin(parameter, "lambda", subscribes);

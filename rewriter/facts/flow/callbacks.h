@@ -8,7 +8,7 @@
 
 namespace tzc::rewriter {
 
-/// Functions of the package that other code calls: their parameters and results keep their types.
+/// Functions of the package that other code calls: their parameters and results keep their types. Deleters do not (deleters.h).
 class CallbackPins {
  public:
   CallbackPins(const Unit& unit, EntityTable& entities) : unit_(unit), entities_(entities) {}

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "facts/flow/array_bounds.h"
+#include "facts/flow/deleters.h"
 #include "facts/flow/generic_callables.h"
 #include "facts/flow/message_copies.h"
 #include "facts/flow/overwrites.h"
@@ -99,7 +100,7 @@ bool UseFollower::refuse(const char* code, const std::string& reason) {
 /// The value goes on: what it becomes must not be ported either.
 template <class Call>
 void UseFollower::note_generic_code(const Call* call) {
-  if (entities_.is_message(id_) && may_call_generic_code(unit_, call))
+  if (entities_.is_message(id_) && may_call_generic_code(unit_, call) && !has_generic_deleter(unit_, call))
     refuse(codes::TZC1001, "a library may give it to a template that takes anything");
 }
 
