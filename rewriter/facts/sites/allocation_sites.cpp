@@ -5,6 +5,7 @@
 
 #include "facts/flow/message_copies.h"
 #include "facts/sites/containing_object.h"
+#include "facts/sites/named_elements.h"
 #include "facts/sites/object_starts.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/call_place.h"
@@ -322,9 +323,12 @@ std::optional<AllocationDraft> AllocationCollector::of_object(const clang::Expr*
     draft.site.how = how;
     return draft;
   }
-  if (how.filled && end.variable) how.copy = later_copy(unit_, end.variable, expr);
+  const std::string made = end.variable ? name_of_made(end.variable, expr) : "";
+  if (how.filled && end.variable && made == "*" + end.variable->getNameAsString())
+    how.copy = later_copy(unit_, end.variable, expr);
   if (end.variable && !llvm::isa<clang::ParmVarDecl>(end.variable)) {
-    how.object = "*" + end.variable->getNameAsString();
+    how.object = made;
+    if (made.empty()) draft.site.refusal = "it has no name where it is built";
     draft.variable = end.variable;
     place_behind(how, statement_around(unit_, *end.variable));
   } else if (end.target && end.statement) {

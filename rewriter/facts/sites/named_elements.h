@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clang/AST/Decl.h>
+#include <clang/AST/Expr.h>
+
+#include <string>
+
+namespace tzc::rewriter {
+
+/// What a message is called behind the declaration of a variable that starts with a pointer to it: *image, or *images[0] for
+/// ImagePtr images[2] = {make_shared<Image>(), ...}, also for a std::array, std::vector or std::deque that starts with such a list. Empty:
+/// it has no name, as in a map, or in a vector that is told how many pointers to put there.
+std::string name_of_made(const clang::VarDecl* variable, const clang::Expr* made);
+
+}  // namespace tzc::rewriter

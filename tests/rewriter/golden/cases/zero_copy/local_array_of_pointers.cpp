@@ -1,0 +1,31 @@
+// A local array of pointers starts with new messages: each is allocated by the name of its element.
+#include <array>
+
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  void by_array() {
+    sensor_msgs::ImagePtr images[2] = {boost::make_shared<sensor_msgs::Image>(),
+                                       boost::make_shared<sensor_msgs::Image>()};
+    for (int i = 0; i < 2; ++i) {
+      images[i]->data.resize(6000);
+      array_pub_.publish(images[i]);
+    }
+  }
+  void by_std_array() {
+    std::array<sensor_msgs::ImagePtr, 2> images = {sensor_msgs::ImagePtr(new sensor_msgs::Image),
+                                                   sensor_msgs::ImagePtr(new sensor_msgs::Image)};
+    images[0]->data.resize(6000);
+    images[1]->data.resize(6000);
+    std_array_pub_.publish(images[0]);
+    std_array_pub_.publish(images[1]);
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher array_pub_ = nh_.advertise<sensor_msgs::Image>("array", 1);
+  ros::Publisher std_array_pub_ = nh_.advertise<sensor_msgs::Image>("std_array", 1);
+};
+//--- expected
