@@ -19,6 +19,7 @@
 #include "facts/sites/factories.h"
 #include "facts/sites/library_sites.h"
 #include "facts/sites/lock_guarded.h"
+#include "facts/sites/named_elements.h"
 #include "facts/sites/publish_sites.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/bodies.h"
@@ -117,7 +118,9 @@ bool is_own_message(clang::QualType parameter) {
 }  // namespace
 
 void Collectors::declaration(const clang::VarDecl* variable) {
-  if (!variable->getType()->isDependentType()) add(allocations_.of_declaration(variable));
+  if (!variable->getType()->isDependentType())
+    for (AllocationDraft& draft : of_each_element(allocations_.of_declaration(variable)))
+      add(std::move(draft));
   const EntityId id = entities_.declare(variable);
   if (!id.empty() && llvm::isa<clang::ParmVarDecl>(variable))
     facts_.add_parameter(id, is_own_message(variable->getType()));

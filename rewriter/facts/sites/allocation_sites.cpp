@@ -251,7 +251,7 @@ void leave_to_node(AllocationDraft& draft) {
 }  // namespace
 
 std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::VarDecl* variable) {
-  const auto message = message_of(variable->getType());
+  const auto message = message_declared_by(variable);
   if (!variable->hasLocalStorage() || llvm::isa<clang::ParmVarDecl>(variable) ||
       variable->getType()->isReferenceType() || !message || !message->has_data_part)
     return {};

@@ -30,7 +30,7 @@ class AllocationCollector {
   AllocationCollector(const Unit& unit, EntityTable& entities, ValueFlow& flow)
       : unit_(unit), entities_(entities), flow_(flow) {}
 
-  /// Image image;
+  /// Image image; also Image images[2], of which each element has such a site (few_messages_in).
   std::optional<AllocationDraft> of_declaration(const clang::VarDecl* variable);
   /// A new object: new M, make_shared<M>(), M(), and where its value ends.
   std::optional<AllocationDraft> of_object(const clang::Expr* expr, const EntityId& id, const FlowEnd& end);

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/sites/named_elements.h"
 
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/DeclTemplate.h>
 #include <clang/AST/ExprCXX.h>
 #include <llvm/ADT/STLExtras.h>
 
+#include <algorithm>
 #include <set>
 
-#include "facts/syntax/message_type.h"
 #include "parse/names.h"
 
 namespace tzc::rewriter {
 namespace {
+
+/// More statements than that would be hard to read.
+constexpr std::uint64_t few = 4;
 
 bool lies_in(const clang::Stmt* part, const clang::Stmt* whole) {
   return whole && (whole == part || llvm::any_of(whole->children(), [&](const clang::Stmt* child) {
@@ -42,7 +47,27 @@ const clang::InitListExpr* elements_of(clang::QualType type, const clang::Expr* 
              : nullptr;
 }
 
-std::string element_name(const clang::VarDecl* variable, unsigned index) {
+/// An array's, or a std::array's.
+struct Elements {
+  clang::QualType type;
+  std::uint64_t number = 0;
+};
+Elements elements_in(const clang::VarDecl* variable) {
+  const clang::ASTContext& ast = variable->getASTContext();
+  const clang::QualType type = variable->getType();
+  if (const auto* array = ast.getAsConstantArrayType(type))
+    return {array->getElementType(), array->getSize().getZExtValue()};
+  const auto* record =
+      llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
+  if (class_of(type) != "std::array" || record->getTemplateArgs().size() != 2) return {};
+  const clang::TemplateArgumentList& arguments = record->getTemplateArgs();
+  if (arguments[0].getKind() != clang::TemplateArgument::Type ||
+      arguments[1].getKind() != clang::TemplateArgument::Integral)
+    return {};
+  return {arguments[0].getAsType(), arguments[1].getAsIntegral().getZExtValue()};
+}
+
+std::string element_name(const clang::VarDecl* variable, std::uint64_t index) {
   return variable->getNameAsString() + "[" + std::to_string(index) + "]";
 }
 
@@ -54,6 +79,13 @@ bool holds_several(clang::QualType type) {
       "std::pair",         "std::optional", "std::tuple",         "std::unordered_map"};
   type = type.getNonReferenceType();
   return type->isArrayType() || classes.count(class_of(type)) != 0;
+}
+
+/// Not Image images[2] = {a, b}: the elements are copies.
+bool starts_empty(const clang::VarDecl* variable) {
+  const clang::Expr* value = variable->getInit() ? variable->getInit()->IgnoreImplicit() : nullptr;
+  const auto* construct = llvm::dyn_cast_or_null<clang::CXXConstructExpr>(value);
+  return !value || (construct && construct->getNumArgs() == 0);
 }
 
 }  // namespace
@@ -69,6 +101,30 @@ std::string name_of_made(const clang::VarDecl* variable, const clang::Expr* made
       return !message.isNull() && message_of(message) ? "*" + element_name(variable, index) : "";
   }
   return "";
+}
+
+std::vector<std::string> few_messages_in(const clang::VarDecl* variable) {
+  const Elements elements = elements_in(variable);
+  std::vector<std::string> names;
+  if (elements.type.isNull() || elements.type->isAnyPointerType() || !message_of(elements.type)) return names;
+  if (elements.number > few || !starts_empty(variable)) return names;
+  for (std::uint64_t index = 0; index < elements.number; ++index)
+    names.push_back(element_name(variable, index));
+  return names;
+}
+
+std::optional<MessageType> message_declared_by(const clang::VarDecl* variable) {
+  return message_of(few_messages_in(variable).empty() ? variable->getType() : elements_in(variable).type);
+}
+
+std::vector<AllocationDraft> of_each_element(const std::optional<AllocationDraft>& declared) {
+  if (!declared) return {};
+  const std::vector<std::string> names =
+      declared->variable ? few_messages_in(declared->variable) : std::vector<std::string>();
+  std::vector<AllocationDraft> drafts(std::max<std::size_t>(names.size(), 1), *declared);
+  for (std::size_t index = 0; index < names.size(); ++index)
+    std::get<InsertedAllocation>(drafts[index].site.how).object = names[index];
+  return drafts;
 }
 
 }  // namespace tzc::rewriter

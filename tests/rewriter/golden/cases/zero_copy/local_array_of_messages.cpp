@@ -1,0 +1,27 @@
+// A few messages in a local array: each element gets allocate behind the declaration.
+#include <array>
+
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+class Node {
+ public:
+  void by_array() {
+    sensor_msgs::Image images[2];
+    for (int i = 0; i < 2; ++i) {
+      images[i].data.resize(6000);
+      array_pub_.publish(images[i]);
+    }
+  }
+  void by_std_array() {
+    std::array<sensor_msgs::Image, 3> images;
+    for (sensor_msgs::Image& image : images) image.data.resize(6000);
+    for (sensor_msgs::Image& image : images) std_array_pub_.publish(image);
+  }
+
+ private:
+  ros::NodeHandle nh_;
+  ros::Publisher array_pub_ = nh_.advertise<sensor_msgs::Image>("array", 1);
+  ros::Publisher std_array_pub_ = nh_.advertise<sensor_msgs::Image>("std_array", 1);
+};
+//--- expected
