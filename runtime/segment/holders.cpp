@@ -40,11 +40,11 @@ void Holders::revoke_buffered() const {
   for (const auto& revoker : revokers()) revoker->revoke_buffered();
 }
 
-std::size_t Holders::waiting_records(const BlockName& block) const {
-  std::vector<const void*> records;
-  for (const auto& revoker : revokers()) revoker->add_waiting(block, records);
-  std::sort(records.begin(), records.end());
-  return static_cast<std::size_t>(std::unique(records.begin(), records.end()) - records.begin());
+std::size_t Holders::waiting_handles(const BlockName& block) const {
+  std::vector<const void*> handles;
+  for (const auto& revoker : revokers()) revoker->add_waiting(block, handles);
+  std::sort(handles.begin(), handles.end());
+  return static_cast<std::size_t>(std::unique(handles.begin(), handles.end()) - handles.begin());
 }
 
 // Copied: a connection locks itself to revoke, and one that sends takes mutex_ while it is locked.

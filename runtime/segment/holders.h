@@ -21,8 +21,9 @@ class Revoker {
   virtual void revoke(const BlockName& block) = 0;
   /// Revokes what is in flight by the grace of PublisherOptions::buffered_bytes.
   virtual void revoke_buffered() = 0;
-  /// Adds the records that refer to the block and were not written yet. Each of them has a handle of it until it is revoked.
-  virtual void add_waiting(const BlockName& block, std::vector<const void*>& records) const = 0;
+  /// Adds the addresses of the handles of the block that records have which were not written yet, until they are revoked. A record has
+  /// one for each time that it names the block, and connections share records.
+  virtual void add_waiting(const BlockName& block, std::vector<const void*>& handles) const = 0;
 };
 
 /// The subscribers that know a segment, and what they hold of it. Thread-safe.
@@ -38,8 +39,8 @@ class Holders {
   /// Asks every connection that may have the block in flight to revoke it.
   void revoke(const BlockName& block) const;
   void revoke_buffered() const;
-  /// How many records refer to the block and wait in this process to be written, to one subscriber or several.
-  std::size_t waiting_records(const BlockName& block) const;
+  /// How many handles of the block the records have that wait in this process to be written, to one subscriber or several.
+  std::size_t waiting_handles(const BlockName& block) const;
   /// A slot that some subscriber says it released something of; no_slot: no more now. For the allocator alone.
   std::uint32_t next_released();
   std::size_t count() const;

@@ -27,7 +27,7 @@ std::size_t guarded_bytes(std::size_t bytes) {
 /// Handles beside those of records that wait in queues: the program's own message refers to the block, so it cannot be reclaimed
 /// whatever is revoked.
 bool has_other_handles(Block& block) {
-  const std::size_t waiting = Segment::of(block).holders().waiting_records(Segment::name_of(block));
+  const std::size_t waiting = Segment::of(block).holders().waiting_handles(Segment::name_of(block));
   return block.handles().load(std::memory_order_acquire) > waiting;
 }
 

@@ -123,9 +123,9 @@ void ConnectionImpl::revoke_buffered() {
   if (state_ != ConnectionState::gone) heed_revocation(window_.revoke_buffered());
 }
 
-void ConnectionImpl::add_waiting(const segment::BlockName& block, std::vector<const void*>& records) const {
+void ConnectionImpl::add_waiting(const segment::BlockName& block, std::vector<const void*>& handles) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  sender_.add_waiting(block, records);
+  sender_.add_waiting(block, handles);
 }
 
 void ConnectionImpl::close() {

@@ -82,7 +82,7 @@ class ConnectionImpl final : public Connection,
   void trunk_lost() override { hung_up(); }
   void revoke(const segment::BlockName& block) override;
   void revoke_buffered() override;
-  void add_waiting(const segment::BlockName& block, std::vector<const void*>& records) const override;
+  void add_waiting(const segment::BlockName& block, std::vector<const void*>& handles) const override;
 
  private:
   std::uint32_t granted_features() const;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "channel/publish/outbox.h"
 
-#include <algorithm>
 #include <cstring>
 #include <iterator>
 
@@ -18,12 +17,6 @@ using posix::SendResult;
 
 iovec part(const void* data, std::size_t size) {
   return iovec{const_cast<void*>(data), size};
-}
-
-bool refers_to(const Record& record, const segment::BlockName& block) {
-  return std::any_of(record.buffers().begin(), record.buffers().end(), [&block](const BufferPtr& buffer) {
-    return segment::Segment::name_of(*buffer) == block;
-  });
 }
 
 SendResult counted(SendResult result, std::size_t bytes, Traffic& traffic) {
@@ -110,9 +103,11 @@ void Outbox::push(Outgoing item) {
   items_.push_back(std::move(item));
 }
 
-void Outbox::add_records(const segment::BlockName& block, std::vector<const void*>& records) const {
+void Outbox::add_handles(const segment::BlockName& block, std::vector<const void*>& handles) const {
   for (const Outgoing& item : items_) {
-    if (item.record && refers_to(*item.record, block)) records.push_back(item.record.get());
+    if (!item.record) continue;
+    for (const BufferPtr& buffer : item.record->buffers())
+      if (segment::Segment::name_of(*buffer) == block) handles.push_back(&buffer);
   }
 }
 

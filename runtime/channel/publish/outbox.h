@@ -48,8 +48,8 @@ class Outbox {
   std::size_t size() const { return items_.size(); }
   std::size_t records() const { return records_; }
   void push(Outgoing item);
-  /// Adds the records that refer to the block.
-  void add_records(const segment::BlockName& block, std::vector<const void*>& records) const;
+  /// Adds where the records have their handles of the block: two in a record that names it twice.
+  void add_handles(const segment::BlockName& block, std::vector<const void*>& handles) const;
   /// Writes from the front until the socket is full or all is written.
   posix::SendResult flush(int socket, Traffic& traffic);
   /// Drops the records up to this one; the receiver skips a half-written one.

@@ -49,8 +49,8 @@ class PacketSender {
 
   std::uint64_t bytes() const { return traffic_.bytes; }
   std::size_t waiting_records() const { return outbox_.records(); }
-  void add_waiting(const segment::BlockName& block, std::vector<const void*>& records) const {
-    outbox_.add_records(block, records);
+  void add_waiting(const segment::BlockName& block, std::vector<const void*>& handles) const {
+    outbox_.add_handles(block, handles);
   }
 
  private:

@@ -173,6 +173,36 @@ TEST(Queue, best_effort_leaves_what_the_program_refers_to_in_the_outbox) {
   EXPECT_EQ(out->stats().dropped, 82u);
 }
 
+// Two arrays of a message in one buffer: the record in the outbox has two handles of it, which are nobody else's.
+TEST(Queue, best_effort_takes_back_a_block_that_a_record_names_twice) {
+  const auto out = publisher(100, mb, Policy::best_effort());
+  const auto in = idle_subscriber(out->address()), other = idle_subscriber(out->address());
+  for (int i = 0; i < 40; ++i) out->publish(text_record(std::string(60'000, 'x')));  // fills the sockets
+  BufferPtr own = filled(*out->memory(), mb, 2);
+  out->publish(text_record("b", {own, own}));
+  EXPECT_FALSE(out->memory()->allocate(mb)) << "the program refers to it";
+  own.reset();
+  EXPECT_TRUE(out->memory()->allocate(mb));
+}
+
+TEST(Queue, a_block_that_a_record_names_twice_is_free_when_it_was_read_or_taken_back) {
+  const auto out = publisher(1, mb, Policy::best_effort());
+  const auto in = idle_subscriber(out->address());
+  for (unsigned char i = 0; i < 4; ++i) {
+    BufferPtr own = filled(*out->memory(), mb, i);
+    ASSERT_TRUE(own) << "round " << int{i};  // what was sent before was read, or is taken back now
+    out->publish(text_record("b", {own, own}));
+    own.reset();
+    if (i % 2 != 0) continue;
+    const MessagePtr message = in->read();
+    ASSERT_EQ(message->blocks().size(), 2u);
+    EXPECT_TRUE(all_bytes_are(message->blocks()[0], i) && all_bytes_are(message->blocks()[1], i));
+    EXPECT_FALSE(out->memory()->allocate(mb)) << "it is held";
+  }
+  EXPECT_TRUE(out->memory()->allocate(mb));
+  EXPECT_EQ(out->stats().dropped, 2u);
+}
+
 TEST(Queue, no_policy_ever_takes_back_what_a_subscriber_holds) {
   const auto out = publisher(10, 2 * mb, Policy::best_effort());
   const auto in = idle_subscriber(out->address());
