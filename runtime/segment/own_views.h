@@ -38,7 +38,7 @@ class OwnViews final : public ForkCopied {
 
   // A forked child goes on to see the views that the forking thread keeps until fork() returns.
   bool hold_for_child() noexcept override { return views_->has_views(); }
-  void copy_in_child() noexcept override { views_->copy_in_child(); }
+  bool copy_in_child() noexcept override { return views_->copy_in_child(); }
   void release_for_child() noexcept override {}
 
  private:

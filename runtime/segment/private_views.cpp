@@ -89,13 +89,16 @@ bool PrivateViews::has_views() const noexcept {
 }
 
 // Of a view that was written to, too: only the pages that were are copies already.
-void PrivateViews::copy_in_child() noexcept {
-  for_each_view([this](std::size_t first, std::size_t pages) {
+bool PrivateViews::copy_in_child() noexcept {
+  bool all = true;
+  for_each_view([this, &all](std::size_t first, std::size_t pages) {
     runs_[first].fetch_or(written, std::memory_order_acq_rel);
     const bool writable =
         ::mprotect(mapping_.data() + first * page_, pages * page_, PROT_READ | PROT_WRITE) == 0;
     if (writable) mapping_.populate(first * page_, pages * page_);
+    all = all && writable;
   });
+  return all;
 }
 
 bool PrivateViews::make_writable(const posix::WriteFault& fault) noexcept {

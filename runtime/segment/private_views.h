@@ -47,8 +47,8 @@ class PrivateViews final : public posix::WriteFaultArea {
   bool is_written(std::uint64_t offset) const;
 
   bool has_views() const noexcept;
-  /// In a forked child: every view is a copy from now on, whatever becomes of the memory, unless the system refuses that.
-  void copy_in_child() noexcept;
+  /// In a forked child: every view is a copy from now on, whatever becomes of the memory. False: the system refuses that.
+  bool copy_in_child() noexcept;
 
   bool make_writable(const posix::WriteFault& fault) noexcept override;
 

@@ -85,7 +85,7 @@ class ReceivedSegment final : public ForkCopied {
   TZC_HOT void release(const BlockRef& ref);
 
   bool hold_for_child() noexcept override;
-  void copy_in_child() noexcept override { views_->copy_in_child(); }
+  bool copy_in_child() noexcept override { return views_->copy_in_child(); }
   void release_for_child() noexcept override;
 
  private:

@@ -6,6 +6,9 @@
 
 #include <atomic>
 #include <cerrno>
+#include <memory>
+#include <string>
+#include <utility>
 
 #include "support.h"
 
@@ -14,11 +17,12 @@ namespace channel {
 namespace test {
 namespace {
 
-std::atomic<bool> child_dies_at_fork{false};
+std::atomic<bool> child_dies_at_fork{false}, child_stops_at_fork{false};
 
 // As the program starts, so before those of the library, whose part in the child comes later therefore.
 [[maybe_unused]] const int registered = ::pthread_atfork(nullptr, nullptr, [] {
   if (child_dies_at_fork) ::raise(SIGKILL);
+  if (child_stops_at_fork) ::raise(SIGSTOP);
 });
 
 /// A line on which the parent lets its child go on.
@@ -147,6 +151,79 @@ int fork_that_fails() {
 
 TEST(ForkedReading, a_fork_that_fails_keeps_nothing_in_a_child) {
   EXPECT_EQ(exit_status(in_child(fork_that_fails)), 0);
+}
+
+/// What a process of its own says when it forks twice with a message in its hands, under a limit or with a child that stops.
+template <class Prepare>
+void expect_to_say_once(const std::string& cause, Prepare prepare) {
+  const pid_t process = in_child([&] {
+    const auto out = publisher(10, 4 * mb);
+    const auto in = idle_subscriber(out->address());
+    publish_in_place(*out, 1);
+    const MessagePtr message = in->read();
+    ::testing::internal::CaptureStderr();
+    pid_t children[2] = {};
+    for (pid_t& child : children) {
+      [[maybe_unused]] const auto limited = prepare();
+      child = in_child([] { return 0; });
+    }
+    for (const pid_t child : children) {
+      ::kill(child, SIGCONT);
+      ::waitpid(child, nullptr, 0);
+    }
+    const std::string said = ::testing::internal::GetCapturedStderr();
+    const std::size_t first = said.find(cause);
+    return first != std::string::npos &&
+                   said.find("may see later messages") == said.rfind("may see later messages")
+               ? 0
+               : 1;
+  });
+  EXPECT_EQ(exit_status(process), 0) << cause;
+}
+
+/// This process gets no more of it until the end.
+class Limited {
+ public:
+  Limited(decltype(RLIMIT_DATA) resource, rlim_t most) : resource_(resource) {
+    ::getrlimit(resource_, &before_);
+    const rlimit few{most, before_.rlim_max};
+    ::setrlimit(resource_, &few);
+  }
+  ~Limited() { ::setrlimit(resource_, &before_); }
+  Limited(const Limited&) = delete;
+  Limited& operator=(const Limited&) = delete;
+
+ private:
+  const decltype(RLIMIT_DATA) resource_;
+  rlimit before_{};
+};
+
+TEST(ForkedReading, says_once_that_a_child_gets_no_memory) {
+  expect_to_say_once("memory for copies", [] { return std::make_unique<Limited>(RLIMIT_DATA, 4096); });
+}
+
+TEST(ForkedReading, says_once_that_there_are_no_descriptors_for_a_childs_report) {
+  expect_to_say_once("no descriptors", [] { return std::make_unique<Limited>(RLIMIT_NOFILE, 0); });
+}
+
+TEST(ForkedReading, says_once_that_a_child_was_stopped) {
+  expect_to_say_once("five seconds", [first = true]() mutable {
+    child_stops_at_fork = std::exchange(first, false);
+    return 0;
+  });
+}
+
+TEST(ForkedReading, says_nothing_of_a_child_that_has_its_copies_or_is_killed) {
+  const auto out = publisher();
+  const auto in = idle_subscriber(out->address());
+  publish_in_place(*out, 1);
+  const MessagePtr message = in->read();
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(exit_status(in_child([] { return 0; })), 0);
+  child_dies_at_fork = true;
+  ::waitpid(in_child([] { return 0; }), nullptr, 0);
+  child_dies_at_fork = false;
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(ForkedReading, of_a_view_in_the_publishers_own_process) {
