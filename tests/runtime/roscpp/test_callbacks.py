@@ -78,6 +78,13 @@ class Ends(TopicCase):
             self.assertTrue(talker.alive())
             talker.stop()
 
+    def test_messages_in_a_static_object_of_a_callback_are_read_at_exit(self):
+        talker = self.start_talker(count=0, rate=100)
+        keeper = self.keep(at_exit="true")
+        self.assertEqual(keeper.wait(30), 0, keeper.tail())
+        self.assert_got(Listener(keeper), range(5), shared=True)
+        self.assertTrue(talker.alive())
+
     def test_shutdown_in_a_callback(self):
         for direct in ("false", "true"):
             keeper = self.keep(shutdown="true", direct=direct)

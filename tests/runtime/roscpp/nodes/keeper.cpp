@@ -3,7 +3,8 @@
 /// of them, and prints them afterwards.
 ///
 /// Private parameters: keep (messages), outlive (a process ID: they are printed when it has ended), direct
-/// (dispatch), shutdown (end the whole node in the callback: ros::shutdown).
+/// (dispatch), shutdown (end the whole node in the callback: ros::shutdown), at_exit (it keeps them in a static object of the callback,
+/// which calls exit() with the last of them; they are printed as that object is destroyed).
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
@@ -12,6 +13,7 @@
 #include <tzc/ros.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -21,6 +23,20 @@
 
 namespace {
 
+/// Made in a callback, so exit() destroys it before it waits for the threads of the transport.
+struct PrintedAtExit {
+  std::vector<sensor_msgs::ImageConstPtr> kept;
+  ~PrintedAtExit() {
+    for (const sensor_msgs::ImageConstPtr& image : kept) tzc_test::print_image(*image);
+  }
+};
+
+void exit_with(const sensor_msgs::ImageConstPtr& image, std::size_t wanted) {
+  static PrintedAtExit at_exit;
+  at_exit.kept.push_back(image);
+  if (at_exit.kept.size() == wanted) std::exit(0);
+}
+
 struct Keeper {
   std::unique_ptr<ros::NodeHandle> node;
   ros::Subscriber subscriber;
@@ -29,6 +45,7 @@ struct Keeper {
   std::mutex mutex;
   std::atomic<bool> is_full{false};
   bool shuts_down = false;
+  bool exits = false;
 
   void subscribe(bool direct) {
     const std::lock_guard<std::mutex> lock(
@@ -38,6 +55,7 @@ struct Keeper {
   }
 
   void take(const sensor_msgs::ImageConstPtr& image) {
+    if (exits) return exit_with(image, wanted);
     {
       const std::lock_guard<std::mutex> lock(mutex);  // direct dispatch calls on another thread
       if (kept.size() < wanted) kept.push_back(image);
@@ -57,6 +75,7 @@ int main(int argc, char** argv) {
   ros::NodeHandle options("~");
   keeper.wanted = static_cast<std::size_t>(options.param("keep", 5));
   keeper.shuts_down = options.param("shutdown", false);
+  keeper.exits = options.param("at_exit", false);
   const pid_t outlived = options.param("outlive", 0);
   keeper.node.reset(new ros::NodeHandle);
   keeper.subscribe(options.param("direct", false));
