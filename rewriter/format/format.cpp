@@ -5,13 +5,12 @@
 #include <clang/Tooling/Core/Replacement.h>
 #include <llvm/Config/llvm-config.h>
 
-#include <algorithm>
-#include <cctype>
 #include <vector>
 
 #include "edits/diff.h"
 #include "format/continuations.h"
 #include "format/line_width.h"
+#include "format/styled_lines.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -27,13 +26,6 @@ std::vector<clang::tooling::Range> changed_ranges(const std::string& before, con
     offset += line.text.size();
   }
   return ranges;
-}
-
-std::string without_blanks(const std::string& text) {
-  std::string rest;
-  std::copy_if(text.begin(), text.end(), std::back_inserter(rest),
-               [](char c) { return !std::isspace(static_cast<unsigned char>(c)); });
-  return rest;
 }
 
 /// The .clang-format that applies; none where there is none or Clang cannot read it, which is for its owner's own clang-format to say.
@@ -59,10 +51,11 @@ std::string format_changes(const std::string& path, const std::string& before, c
   if (style.DisableFormat) return after;
   style.MaxEmptyLinesToKeep = 1000;  // keeps the empty lines before a changed line
   style.SortIncludes = clang::format::FormatStyle::SI_Never;
-  const auto replacements = clang::format::reformat(style, after, changed_ranges(before, after), path);
-  llvm::Expected<std::string> formatted = clang::tooling::applyAllReplacements(after, replacements);
-  if (!formatted) return llvm::consumeError(formatted.takeError()), after;
-  return without_blanks(*formatted) == without_blanks(after) ? *formatted : after;
+  const std::string aligned =
+      realigned(before, after);  // lines behind a bracket that moved are changed ones, too
+  const auto replacements = clang::format::reformat(style, aligned, changed_ranges(before, aligned), path);
+  const std::string styled = with_changed_lines_styled(before, aligned, replacements, style.TabWidth);
+  return styled.empty() ? aligned : styled;
 }
 
 }  // namespace tzc::rewriter
