@@ -239,7 +239,7 @@ Edits add_generator(const CmakeProject& project) {
 
 Edits add_include(const CmakeProject& project, const std::string& target) {
   const CmakeCommandRef made = find_target(project, target);
-  if (!made || made_by_catkin_simple(project, target)) return {};
+  if (!made || made_by_catkin_simple(project, target) || is_behind_catkin_simple(project, target)) return {};
   if (folder_has(project, *made.file, "include_directories", "INCLUDE_DIRS")) return {};
   for (const CmakeCommandRef& ref : commands_of_target(project, "target_include_directories", target))
     if (any_value(ref, 1, "INCLUDE_DIRS")) return {};

@@ -208,7 +208,61 @@ std::vector<std::size_t> blocks_around(const CmakeCommandRef& ref, const std::st
   return blocks;
 }
 
+/// Whether a command stands in a macro or function: it runs where that is called.
+bool is_in_body(const CmakeCommandRef& ref) {
+  bool is_inside = false;
+  for (const CmakeCommand& command : ref.file->commands) {
+    if (&command == ref.command) break;
+    if (command.name == "macro" || command.name == "function") is_inside = true;
+    if (command.name == "endmacro" || command.name == "endfunction") is_inside = false;
+  }
+  return is_inside;
+}
+
+/// Whether a command runs before all that its file makes by other files.
+bool runs_before_other_files(const CmakeCommandRef& ref) {
+  return std::none_of(ref.file->commands.begin(), ref.file->commands.end(), [&](const CmakeCommand& command) {
+    const bool is_other_file =
+        command.name == "add_subdirectory" || command.name == "subdirs" || command.name == "include";
+    return is_other_file && command.begin < ref.command->begin;
+  });
+}
+
+/// Whether the folder that makes a target is the command's, and makes it behind it, or one that is added behind it.
+bool runs_before(const CmakeProject& project, const CmakeCommandRef& ref, const CmakeCommandRef& maker) {
+  if (ref.file == maker.file) return ref.command->begin < maker.command->begin;
+  const auto is_file = [&](std::size_t parent) { return &project.files[parent] == ref.file; };
+  return std::any_of(maker.file->parents.begin(), maker.file->parents.end(), is_file) &&
+         runs_before_other_files(ref);
+}
+
+/// The calls of catkin_simple() that run in any case. None where something may take back what they do, or is another catkin_simple.
+std::vector<CmakeCommandRef> certain_calls_of_catkin_simple(const CmakeProject& project) {
+  std::vector<CmakeCommandRef> calls;
+  bool is_found = false;
+  for (const CmakeListFile& file : project.files)
+    for (const CmakeCommand& command : file.commands) {
+      if (is_definition(command, "catkin_simple")) return {};
+      if (find_argument(command, "INCLUDE_DIRECTORIES") != std::string::npos) return {};  // set_property
+      const bool finds = command.name == "find_package" && find_argument(command, "catkin_simple") == 0;
+      is_found = is_found || finds;
+      const CmakeCommandRef call{&file, &command};
+      if (command.name == "catkin_simple" && always_runs(call) && !is_in_body(call)) calls.push_back(call);
+    }
+  return is_found ? calls : std::vector<CmakeCommandRef>();
+}
+
 }  // namespace
+
+bool is_behind_catkin_simple(const CmakeProject& project, const std::string& target) {
+  const std::vector<CmakeCommandRef> calls = certain_calls_of_catkin_simple(project);
+  const std::vector<CmakeCommandRef> makers = makers_of_target(project, target);
+  return !makers.empty() && std::all_of(makers.begin(), makers.end(), [&](const CmakeCommandRef& maker) {
+    return !is_in_body(maker) && std::any_of(calls.begin(), calls.end(), [&](const CmakeCommandRef& call) {
+      return runs_before(project, call, maker);
+    });
+  });
+}
 
 bool runs_with_target(const CmakeCommandRef& command, const CmakeCommandRef& maker,
                       const std::string& target) {

@@ -57,6 +57,11 @@ bool runs_with_target(const CmakeCommandRef& command, const CmakeCommandRef& mak
 /// Whether a command runs whatever its file decides.
 bool always_runs(const CmakeCommandRef& command);
 
+/// Whether catkin_simple() has given the target, by whatever command it is made, the folders of all packages that package.xml builds with:
+/// it calls include_directories(${catkin_INCLUDE_DIRS}), which reaches the folder that it is called in and those added behind it. False
+/// wherever that is not certain.
+bool is_behind_catkin_simple(const CmakeProject& project, const std::string& target);
+
 /// The files whose settings reach a target, as indices: those in which a command's first argument may be its name, those above
 /// them, and what these include.
 std::set<std::size_t> files_of_target(const CmakeProject& project, const std::string& target);
