@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/content/content_closures.h"
 
+#include "facts/flow/deleters.h"
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/message_parts.h"
 #include "facts/syntax/message_type.h"
@@ -109,7 +110,7 @@ void ContentClosures::made(const clang::LambdaExpr* lambda) {
   if (is_only_called(view_, lambda)) return;
   const bool is_with_messages = is_given_with_messages(view_, lambda);
   for (const clang::FunctionDecl* body : bodies_of(lambda)) {
-    if (!is_with_messages) any_given_to(body, log_);
+    if (!is_with_messages && !only_deletes({nullptr, body})) any_given_to(body, log_);
     run(body, false, {});
   }
 }

@@ -160,7 +160,9 @@ CallEffect CallEffects::into_package(const EntityId& id, const Passed& passed) {
 void CallEffects::into_deleter(const EntityId& id, const Deleter& deleter) {
   if (!deleter.given) return;
   const clang::SourceLocation where = deleter.given->getBeginLoc();
-  if (!deleter.function) {
+  const clang::CXXRecordDecl* object = deleter.given->getType().getNonReferenceType()->getAsCXXRecordDecl();
+  const bool is_own_object = object && unit_.source.in_package(object->getLocation());
+  if (!deleter.function && !is_own_object) {
     const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(deleter.given->IgnoreParenImpCasts());
     if (name && qualified_name_of(name->getDecl()) == "boost::checked_delete")
       retype(entities_, id, name->template_arguments());

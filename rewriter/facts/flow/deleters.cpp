@@ -112,7 +112,7 @@ Deleter deleter_of(const Unit& unit, const clang::CXXMemberCallExpr* reset) {
 bool only_deletes(const Deleter& deleter) {
   const clang::FunctionDecl* definition = nullptr;
   const clang::Stmt* body = deleter.function ? deleter.function->getBody(definition) : nullptr;
-  if (!body || !llvm::isa<clang::CompoundStmt>(body)) return false;
+  if (!body || !llvm::isa<clang::CompoundStmt>(body) || definition->getNumParams() != 1) return false;
   Deletion deletion(definition->getParamDecl(0));
   return deletion.is_all(body) && deletion.deletes;
 }

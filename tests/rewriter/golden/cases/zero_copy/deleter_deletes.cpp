@@ -38,3 +38,30 @@ class Node {
   ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);
 };
 //--- expected
+// publish src/node.cpp:18 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:23 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:28 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:33 sensor_msgs/Image zero_copy 'image'
+// advertise src/node.cpp:38 sensor_msgs/Image zero_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/Image.h>
+// -void release(sensor_msgs::Image* image) {
+// +void release(tzc::sensor_msgs::Image* image) {
+// -  void operator()(sensor_msgs::Image* image) const { delete image; }
+// +  void operator()(tzc::sensor_msgs::Image* image) const { delete image; }
+// -    boost::shared_ptr<sensor_msgs::Image> image(new sensor_msgs::Image, [](sensor_msgs::Image* m) { delete m; });
+// +    boost::shared_ptr<tzc::sensor_msgs::Image> image(new tzc::sensor_msgs::Image, [](tzc::sensor_msgs::Image* m) { delete m; });
+// +    pub_.allocate(*image);
+// -    boost::shared_ptr<sensor_msgs::Image> image(new sensor_msgs::Image, [](auto* m) { delete m; });
+// +    boost::shared_ptr<tzc::sensor_msgs::Image> image(new tzc::sensor_msgs::Image, [](auto* m) { delete m; });
+// +    pub_.allocate(*image);
+// -    sensor_msgs::ImagePtr image(new sensor_msgs::Image, release);
+// +    tzc::sensor_msgs::ImagePtr image(new tzc::sensor_msgs::Image, release);
+// +    pub_.allocate(*image);
+// -    sensor_msgs::ImagePtr image(new sensor_msgs::Image(), Release());
+// +    tzc::sensor_msgs::ImagePtr image(new tzc::sensor_msgs::Image(), Release());
+// +    pub_.allocate(*image);
+// -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);
+// +  tzc::Publisher pub_ = tzc::advertise<tzc::sensor_msgs::Image>(nh_, "image", 1);

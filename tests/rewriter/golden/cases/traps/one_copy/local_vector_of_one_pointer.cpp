@@ -19,3 +19,10 @@ class Node {
   ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);
 };
 //--- expected
+// publish src/node.cpp:13 sensor_msgs/Image one_copy 'image' TZC1019 it has no name where it is built
+// advertise src/node.cpp:19 sensor_msgs/Image one_copy 'image'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// -  ros::Publisher pub_ = nh_.advertise<sensor_msgs::Image>("image", 1);
+// +  tzc::Publisher pub_ = tzc::advertise<sensor_msgs::Image>(nh_, "image", 1);
