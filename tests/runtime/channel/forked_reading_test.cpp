@@ -198,15 +198,15 @@ class Limited {
   rlimit before_{};
 };
 
-TEST(ForkedReading, says_once_that_a_child_gets_no_memory) {
+TEST(ForkedReading, says_once_that_a_forked_child_gets_no_memory) {
   expect_to_say_once("memory for copies", [] { return std::make_unique<Limited>(RLIMIT_DATA, 4096); });
 }
 
-TEST(ForkedReading, says_once_that_there_are_no_descriptors_for_a_childs_report) {
+TEST(ForkedReading, says_once_that_there_are_no_descriptors_for_a_forked_childs_report) {
   expect_to_say_once("no descriptors", [] { return std::make_unique<Limited>(RLIMIT_NOFILE, 0); });
 }
 
-TEST(ForkedReading, says_once_that_a_child_was_stopped) {
+TEST(ForkedReading, says_once_that_a_forked_child_was_stopped) {
   expect_to_say_once("five seconds", [first = true]() mutable {
     child_stops_at_fork = std::exchange(first, false);
     return 0;
