@@ -16,17 +16,20 @@ namespace {
 
 using Names = std::set<std::string>;
 
-const Names pointers = {"std::shared_ptr",   "std::__shared_ptr",   "std::__shared_ptr_access",
-                        "std::unique_ptr",   "std::optional",       "boost::shared_ptr",
-                        "boost::scoped_ptr", "boost::intrusive_ptr"};
+const Names pointers = {"std::shared_ptr",     "std::__shared_ptr",    "std::__shared_ptr_access",
+                        "std::unique_ptr",     "std::optional",        "boost::shared_ptr",
+                        "boost::scoped_ptr",   "boost::intrusive_ptr", "boost::shared_array",
+                        "boost::scoped_array", "boost::optional"};
 const Names iterators = {"__gnu_cxx::__normal_iterator",  "std::_Deque_iterator",
                          "std::_List_iterator",           "std::_List_const_iterator",
                          "std::__detail::_Node_iterator", "std::__detail::_Node_const_iterator",
                          "std::_Rb_tree_iterator",        "std::_Rb_tree_const_iterator"};
-const Names sequences = {"std::vector", "std::array", "std::deque", "std::list", "std::forward_list"};
+const Names sequences = {"std::vector", "std::array",        "std::deque",
+                         "std::list",   "std::forward_list", "boost::array"};
 const Names sorted = {"std::map", "std::multimap", "std::set", "std::multiset"};
 
-const Names of_pointers = {"operator*", "operator->", "operator bool", "get", "has_value", "_M_get"};
+const Names of_pointers = {"operator*", "operator->", "operator[]", "operator bool",
+                           "get",       "has_value",  "_M_get"};
 const Names of_iterators = {"operator*",  "operator->", "operator++", "operator--", "operator+",  "operator-",
                             "operator+=", "operator-=", "operator[]", "operator==", "operator!=", "base"};
 const Names of_containers = {"size", "empty", "max_size", "begin", "end", "cbegin", "cend", "rbegin", "rend"};

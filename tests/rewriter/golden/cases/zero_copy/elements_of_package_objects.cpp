@@ -26,6 +26,8 @@ class Node {
     std::memcpy(&image_.data[3], &sources_[2].pixel, sources_.size());
     std::memcpy(&image_.data[4], &sources_.begin()->pixel, sources_.begin() == sources_.end() ? 0 : 1);
     std::memcpy(&image_.data[5], &named_.begin()->second.pixel, 1);
+    unsigned char* at = &image_.data[6];
+    for (int i = 0; i < 3; ++i) *at++ = array_[i].pixel + shared_array_[i].pixel;
     pub_.publish(image_);
   }
 
@@ -38,10 +40,12 @@ class Node {
   std::unique_ptr<Source> owned_ = std::make_unique<Source>();
   std::vector<Source> sources_{3};
   std::map<int, Source> named_;
+  std::unique_ptr<Source[]> array_{new Source[3]};
+  std::shared_ptr<Source[]> shared_array_{new Source[3]};
 };
 //--- expected
-// publish src/node.cpp:29 sensor_msgs/Image zero_copy 'image'
-// advertise src/node.cpp:34 sensor_msgs/Image zero_copy 'image'
+// publish src/node.cpp:31 sensor_msgs/Image zero_copy 'image'
+// advertise src/node.cpp:36 sensor_msgs/Image zero_copy 'image'
 //
 // +++ src/node.cpp
 // +#include <tzc/ros.h>
