@@ -180,7 +180,6 @@ void ContentState::alias_perhaps(const MessagePart& pointer, const MessagePart& 
 }
 
 std::set<PublishPlace> ContentState::write(const MessagePart& array) {
-  fill(array);
   std::set<PublishPlace> sites = sharers_of(array);
   if (!sites.empty() && !is_one_of_several(array)) own_.insert(array);
   return sites;

@@ -51,7 +51,7 @@ class ContentState {
   void alias(const MessagePart& pointer, const MessagePart& other);
   /// The pointer may lead to what the other part is from here on.
   void alias_perhaps(const MessagePart& pointer, const MessagePart& other);
-  /// The publishes whose elements a write to the array copies. Afterwards the array has its own again.
+  /// The publishes whose elements a write to the array copies. Afterwards the array has its own again (fill).
   std::set<PublishPlace> write(const MessagePart& array);
 
   /// Adds what another path brings. False: it brings nothing new.

@@ -41,6 +41,23 @@ ContentState given_from_outside(const std::string& usr, const ContentFlow& flow)
   return state;
 }
 
+/// The name may denote what any other one of its family does; an element is not its container.
+void refresh(const OtherNames& names, const MessagePart& name, ContentState& state) {
+  for (const MessagePart& other : names.of(name))
+    if (!is_element_of(name, other)) state.alias_perhaps(name, other);
+}
+
+/// Whatever else it may be called has such elements, too, perhaps.
+void fill(const OtherNames& names, const MessagePart& part, ContentState& state) {
+  state.fill(part);
+  for (const MessagePart& other : names.of(part)) state.fill(other);
+}
+
+/// Its other names denote the same.
+void spread(const OtherNames& names, const MessagePart& part, ContentState& state) {
+  for (const MessagePart& other : names.of(part)) state.alias_perhaps(other, part);
+}
+
 /// The call as one of a function that overrides the callee.
 ContentEvent call_of_override(const ContentEvent& call, const std::string& function) {
   ContentEvent other = call;
@@ -222,20 +239,21 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
       return state.make(event.part);
     case ContentEvent::Kind::reset:
       state.reset(event.part);
-      if (!event.empties) state.fill(event.part);
+      if (!event.empties) fill(other_names_, event.part, state);
       return;
     case ContentEvent::Kind::fill:
-      return state.fill(event.part);
+      return fill(other_names_, event.part, state);
     case ContentEvent::Kind::copy:
       return state.copy(event.part, event.other, event.where);
     case ContentEvent::Kind::exchange:
       return state.exchange(event.part, event.other);
     case ContentEvent::Kind::alias:
       state.alias(event.part, event.other);
-      for (const MessagePart& name : other_names_.in_same_container(event.part)) refresh(name, state);
+      for (const MessagePart& name : other_names_.in_same_container(event.part))
+        refresh(other_names_, name, state);
       return;
     case ContentEvent::Kind::moved:
-      for (const MessagePart& name : other_names_.moved_with(event.part)) refresh(name, state);
+      for (const MessagePart& name : other_names_.moved_with(event.part)) refresh(other_names_, name, state);
       return;
     case ContentEvent::Kind::perhaps:
       state.alias_perhaps(event.part, event.other);
@@ -244,7 +262,8 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
       return;
     case ContentEvent::Kind::take:
       state.take(event.part, {event.where});
-      if (event.part.find('/') != MessagePart::npos) spread(event.part, state);  // not of a container itself
+      if (event.part.find('/') != MessagePart::npos)
+        spread(other_names_, event.part, state);  // not of a container itself
       return;
     case ContentEvent::Kind::publish:
       new_.emplace(event.site, true).first->second &=
@@ -255,25 +274,14 @@ void CopiedElements::apply(const ContentEvent& event, ContentState& state) {
       return;
     case ContentEvent::Kind::write:
       for (const PublishPlace& site : state.write(event.part)) causes_.written(site, event.where);
-      return;
+      return fill(other_names_, event.part, state);
     case ContentEvent::Kind::grow:
       for (const PublishPlace& site : state.sharers_of(event.part)) causes_.grown(site, event.where);
-      return state.fill(event.part);
+      return fill(other_names_, event.part, state);
     case ContentEvent::Kind::any:
     case ContentEvent::Kind::call:
       return;
   }
-}
-
-/// The name may denote what any other one of its family does; an element is not its container.
-void CopiedElements::refresh(const MessagePart& name, ContentState& state) const {
-  for (const MessagePart& other : other_names_.of(name))
-    if (!is_element_of(name, other)) state.alias_perhaps(name, other);
-}
-
-/// Its other names denote the same.
-void CopiedElements::spread(const MessagePart& part, ContentState& state) const {
-  for (const MessagePart& other : other_names_.of(part)) state.alias_perhaps(other, part);
 }
 
 void CopiedElements::enter(const std::string& usr, const ContentState& state) {
@@ -370,7 +378,7 @@ std::optional<ContentState> CopiedElements::after(const ContentEvent& event, con
   for (const auto& [parameter, given] : event.passed)
     if (callee.exit->sharers_of(parameter).empty() && callee.exit->sharers_of(given).empty())
       after.unshare(given);
-  for (const auto& [parameter, given] : event.passed) spread(given, after);
+  for (const auto& [parameter, given] : event.passed) spread(other_names_, given, after);
   return after;
 }
 

@@ -59,8 +59,6 @@ class CopiedElements {
   ContentState left_by_others(const Function& caller) const;
   void enter_others(const Function& caller, const ContentState& given);
   std::optional<ContentState> after(const ContentEvent& call, const ContentState& before);
-  void refresh(const MessagePart& name, ContentState& state) const;
-  void spread(const MessagePart& part, ContentState& state) const;
   void enter(const std::string& usr, const ContentState& state);
   void leave(const std::string& usr, Function& function);
 

@@ -293,7 +293,10 @@ void ContentReader::ended_in_library(clang::QualType type, const IfShown& runs) 
 }
 
 void ContentReader::look_at(const clang::Stmt* stmt) {
-  if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) return closures_.made(lambda);
+  if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) {
+    names_.look_at(lambda);
+    return closures_.made(lambda);
+  }
   if (const auto* expr = llvm::dyn_cast<clang::Expr>(stmt)) mention(expr);
   names_.look_at(stmt);
   moved_.look_at(stmt);

@@ -81,7 +81,9 @@ void ContentNames::may_lead_to(const MessagePart& name, const clang::Expr* sourc
 
 /// flag ? front_ : back_, std::tie(front_, back_)
 void ContentNames::choice(const clang::Expr* expr, llvm::ArrayRef<const clang::Expr*> ways) {
-  if (!message_reached(expr->getType()) || (expr->isPRValue() && holds_messages(expr->getType()))) return;
+  const clang::QualType type = expr->getType();
+  if (!message_reached(type) || (expr->isPRValue() && holds_messages(type) && !is_stock_or_twin(type)))
+    return;
   const MessagePart root = parts_.part_of(expr);
   log_.assign(root, true, expr->getExprLoc());
   for (const clang::Expr* way : ways) may_lead_to(root, way);
@@ -155,11 +157,20 @@ void ContentNames::returned(const clang::ReturnStmt* stmt) {
   if (by_pointer) log_.any(value);
 }
 
+/// [copy = image]: a variable of the closure.
+void ContentNames::captured(const clang::LambdaExpr* lambda) {
+  for (const clang::LambdaCapture& capture : lambda->captures())
+    if (lambda->isInitCapture(&capture))
+      if (const auto* one = llvm::dyn_cast<clang::VarDecl>(capture.getCapturedVar())) variable(one);
+}
+
 void ContentNames::look_at(const clang::Stmt* stmt) {
   const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
   if (const clang::Expr* original = expr ? copied_message(expr) : nullptr)
     log_.copy(parts_.part_of(expr), parts_.part_of(original), expr->getBeginLoc());
-  if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt)) {
+  if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) {
+    captured(lambda);
+  } else if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt)) {
     for (const clang::Decl* decl : declaration->decls())
       if (const auto* one = llvm::dyn_cast<clang::VarDecl>(decl); one && !one->isStaticLocal()) variable(one);
   } else if (const auto* statement = llvm::dyn_cast<clang::ReturnStmt>(stmt)) {

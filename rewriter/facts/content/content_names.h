@@ -23,6 +23,7 @@ class ContentNames {
 
  private:
   void variable(const clang::VarDecl* variable);
+  void captured(const clang::LambdaExpr* lambda);
   void made_from(const clang::VarDecl* variable, const MessagePart& root);
   void assignment(const clang::CXXOperatorCallExpr* call);
   void returned(const clang::ReturnStmt* stmt);

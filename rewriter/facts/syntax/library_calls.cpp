@@ -26,6 +26,11 @@ bool makes_package_object(const Unit& unit, const clang::FunctionDecl* function)
          });
 }
 
+/// A stock one's, or a twin's, which copies what the stock one does.
+bool is_of_message(const Unit& unit, const clang::CXXMethodDecl* method) {
+  return message_of(method->getParent()) || twin_message_of(unit.ast().getRecordType(method->getParent()));
+}
+
 /// pthread_create(&thread, nullptr, work, this)
 bool gives_function(llvm::ArrayRef<const clang::Expr*> arguments) {
   return llvm::any_of(arguments, [](const clang::Expr* argument) {
@@ -42,7 +47,7 @@ bool calls_no_package_code(const Unit& unit, const clang::FunctionDecl* function
   if (is_plain_access(unit, function)) return true;
   if (function->getBuiltinID() != 0 && function->isExternC()) return !gives_function(arguments);
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
-  if (method && message_of(method->getParent())) return true;
+  if (method && is_of_message(unit, method)) return true;
   if (!calls_nothing(qualified_name_of(function)) || makes_package_object(unit, function)) return false;
   // A lambda of this function that is handed over is part of the function's text.
   return llvm::none_of(arguments, [&](const clang::Expr* argument) {
