@@ -164,7 +164,8 @@ struct AllocationSite {
   EntityId function;      ///< result of the function around it
   std::string refusal;    ///< why there is no place for allocate, where it is something special
   std::optional<LastingStart> start;
-  std::vector<EntityId> copied_from;  ///< what it starts as a copy of; none: it does not, or that is not known
+  std::vector<EntityId>
+      copied_from;  ///< what it starts as a copy of; none: it does not, or that is not known
   Location where;
 };
 

@@ -56,7 +56,7 @@ void say(Cause& cause) {
   if (std::exchange(cause.said, true)) return;
   constexpr char begin[] =
       "TZC: a forked child may see later messages in place of those that this process held at the fork: ";
-  constexpr char end[] = " (docs/core.md#fork). Copy what it needs before the fork\n";
+  constexpr char end[] = ". Copy what it needs before the fork\n";
   char line[sizeof begin + sizeof end + 128];
   char* at = line;
   for (const char* const part : {begin, cause.text, end}) {

@@ -117,14 +117,4 @@ std::optional<MessageType> message_declared_by(const clang::VarDecl* variable) {
   return message_of(few_messages_in(variable).empty() ? variable->getType() : elements_in(variable).type);
 }
 
-std::vector<AllocationDraft> of_each_element(const std::optional<AllocationDraft>& declared) {
-  if (!declared) return {};
-  const std::vector<std::string> names =
-      declared->variable ? few_messages_in(declared->variable) : std::vector<std::string>();
-  std::vector<AllocationDraft> drafts(std::max<std::size_t>(names.size(), 1), *declared);
-  for (std::size_t index = 0; index < names.size(); ++index)
-    std::get<InsertedAllocation>(drafts[index].site.how).object = names[index];
-  return drafts;
-}
-
 }  // namespace tzc::rewriter

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "facts/sites/allocation_sites.h"
 #include "facts/syntax/message_type.h"
 
 namespace tzc::rewriter {
@@ -24,9 +23,5 @@ std::vector<std::string> few_messages_in(const clang::VarDecl* variable);
 
 /// The message that a variable is, or each of those few elements. None: it is something else.
 std::optional<MessageType> message_declared_by(const clang::VarDecl* variable);
-
-/// The site of a variable that is declared, as one of each of those elements. A statement for each, behind the declaration: what lies in
-/// the array is as new there as a single message is.
-std::vector<AllocationDraft> of_each_element(const std::optional<AllocationDraft>& declared);
 
 }  // namespace tzc::rewriter
