@@ -162,7 +162,9 @@ void ContentReader::array_of_messages(const clang::Expr* expr) {
   }
   const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(use);
   if (op && (!op->isAssignmentOp() || op->getArg(0)->IgnoreParenImpCasts() != expr)) return;
-  log_.add(Kind::take, parts_.part_of(expr), expr->getExprLoc());
+  // A container of the program's own is none: given_messages.cpp tells of what it gets.
+  if (MessagePart array = parts_.part_of(expr); is_of_message(array) || is_parameter(array))
+    log_.add(Kind::take, std::move(array), expr->getExprLoc());
 }
 
 void ContentReader::publish(const clang::CallExpr* call) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/content/content_names.h"
 
+#include "facts/content/empty_copies.h"
 #include "facts/content/started_pointers.h"
 #include "facts/flow/message_copies.h"
 #include "facts/syntax/message_type.h"
@@ -166,8 +167,12 @@ void ContentNames::captured(const clang::LambdaExpr* lambda) {
 
 void ContentNames::look_at(const clang::Stmt* stmt) {
   const auto* expr = llvm::dyn_cast<clang::Expr>(stmt);
-  if (const clang::Expr* original = expr ? copied_message(expr) : nullptr)
-    log_.copy(parts_.part_of(expr), parts_.part_of(original), expr->getBeginLoc());
+  if (const clang::Expr* original = expr ? copied_message(expr) : nullptr) {
+    if (copies_nothing(view_, parts_, expr))
+      log_.assign(parts_.part_of(expr), true, expr->getBeginLoc());
+    else
+      log_.copy(parts_.part_of(expr), parts_.part_of(original), expr->getBeginLoc());
+  }
   if (const auto* lambda = llvm::dyn_cast<clang::LambdaExpr>(stmt)) {
     captured(lambda);
   } else if (const auto* declaration = llvm::dyn_cast<clang::DeclStmt>(stmt)) {
