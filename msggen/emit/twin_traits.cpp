@@ -3,26 +3,54 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "emit/types.h"
 
 namespace tzc::msggen {
 namespace {
 
-std::string visits(const Message& message, Analysis& analysis) {
+std::string visit_inside(const Field& field, const char* function, Analysis& analysis) {
+  const std::string inner = twin_element(field, analysis);
+  return field.array == ArrayKind::none
+             ? fmt::format("    Traits<{}>::{}(message.{}, visit);\n", inner, function, field.name)
+             : fmt::format("    for (auto& element : message.{}) Traits<{}>::{}(element, visit);\n",
+                           field.name, inner, function);
+}
+
+std::string visits_of_data(const Message& message, Analysis& analysis) {
   std::string text;
   for (const Field& f : message.fields) {
     const Part part = analysis.part(f);
     if (part == Part::data) text += fmt::format("    visit(message.{});\n", f.name);
-    if (part != Part::mixed) continue;
-    const std::string inner = twin_element(f, analysis);
-    if (f.array == ArrayKind::none) {
-      text += fmt::format("    Traits<{}>::visit_data(message.{}, visit);\n", inner, f.name);
-    } else {
-      text += fmt::format("    for (auto& element : message.{}) Traits<{}>::visit_data(element, visit);\n",
-                          f.name, inner);
-    }
+    if (part == Part::mixed) text += visit_inside(f, "visit_data", analysis);
   }
   return text;
+}
+
+bool has_message_arrays(const Message& message, Analysis& analysis) {
+  return std::any_of(message.fields.begin(), message.fields.end(), [&](const Field& field) {
+    return analysis.part(field) == Part::mixed &&
+           (field.array == ArrayKind::variable || has_message_arrays(*field.message, analysis));
+  });
+}
+
+std::string visits_of_message_arrays(const Message& message, Analysis& analysis) {
+  std::string text;
+  for (const Field& f : message.fields) {
+    if (analysis.part(f) != Part::mixed) continue;
+    if (f.array == ArrayKind::variable) text += fmt::format("    visit(message.{});\n", f.name);
+    if (has_message_arrays(*f.message, analysis)) text += visit_inside(f, "visit_message_arrays", analysis);
+  }
+  return text;
+}
+
+std::string visitor(const std::string& name, const std::string& visits) {
+  return fmt::format(
+      "  template <class Message, class Visitor>\n"
+      "  static void {}({}) {{{}}}\n",
+      name, visits.empty() ? "Message&, Visitor&&" : "Message& message, Visitor&& visit",
+      visits.empty() ? "" : "\n" + visits + "  ");
 }
 
 std::string tzc_traits(const std::string& twin, const Message& message, Analysis& analysis) {
@@ -36,16 +64,17 @@ std::string tzc_traits(const std::string& twin, const Message& message, Analysis
       "  typedef ::std::true_type Generated;\n"
       "\n"
       "  /// Visits every data array, in wire order. Message is the twin, const or not.\n"
-      "  template <class Message, class Visitor>\n"
-      "  static void visit_data(Message& message, Visitor&& visit) {{\n"
-      "{visits}"
-      "  }}\n"
+      "{visit_data}"
+      "  /// Visits every array of messages that have data arrays.\n"
+      "{visit_message_arrays}"
       "}};\n"
       "\n"
       "}}  // namespace message\n"
       "}}  // namespace tzc\n",
       fmt::arg("twin", twin), fmt::arg("stock", stock_type(message)),
-      fmt::arg("visits", visits(message, analysis)));
+      fmt::arg("visit_data", visitor("visit_data", visits_of_data(message, analysis))),
+      fmt::arg("visit_message_arrays",
+               visitor("visit_message_arrays", visits_of_message_arrays(message, analysis))));
 }
 
 // A message package that is upgraded, or hidden by an overlay, keeps the twin that was generated from its old definition.

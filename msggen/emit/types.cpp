@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 namespace tzc::msggen {
 
 std::string stock_type(const Message& message) {
@@ -27,8 +29,9 @@ std::string field_type(const Field& field, Analysis& analysis) {
     case ArrayKind::variable:
       break;
   }
-  const bool data = analysis.part(field) == Part::data;
-  return fmt::format("{}<{}>", data ? "::tzc::Array" : "::std::vector", element);
+  static const std::map<Part, const char*> arrays{
+      {Part::control, "::std::vector"}, {Part::data, "::tzc::Array"}, {Part::mixed, "::tzc::MessageArray"}};
+  return fmt::format("{}<{}>", arrays.at(analysis.part(field)), element);
 }
 
 std::string include_guard(const std::string& package, const std::string& name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facts/content/content_reader.h"
 
+#include "facts/content/bound_elements.h"
 #include "facts/content/started_pointers.h"
 #include "facts/flow/overwrites.h"
 #include "facts/syntax/ast_walk.h"
@@ -146,7 +147,7 @@ void ContentReader::array_assigned(const clang::CXXOperatorCallExpr* op) {
   log_.add(Kind::reset, parts_.part_of(array), array->getExprLoc());
 }
 
-/// Elements that it gets have arrays of their own, which allocate has not seen: they lie outside shared memory.
+/// Elements that it gets have arrays of their own, which allocate has not seen: most lie outside shared memory.
 void ContentReader::array_of_messages(const clang::Expr* expr) {
   static const std::set<std::string> adds_none = {"reserve", "begin", "end",  "rbegin", "rend",    "front",
                                                   "back",    "at",    "data", "erase",  "pop_back"};
@@ -162,6 +163,7 @@ void ContentReader::array_of_messages(const clang::Expr* expr) {
   }
   const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(use);
   if (op && (!op->isAssignmentOp() || op->getArg(0)->IgnoreParenImpCasts() != expr)) return;
+  if (adds_bound_elements(view_, expr)) return;
   // A container of the program's own is none: given_messages.cpp tells of what it gets.
   if (MessagePart array = parts_.part_of(expr); is_of_message(array) || is_parameter(array))
     log_.add(Kind::take, std::move(array), expr->getExprLoc());

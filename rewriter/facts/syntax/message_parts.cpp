@@ -3,6 +3,8 @@
 
 #include <llvm/ADT/StringExtras.h>
 
+#include <set>
+
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/bodies.h"
 #include "facts/syntax/calls.h"
@@ -121,7 +123,8 @@ bool returns_message(const clang::FunctionDecl* function) {
 bool is_array_of_data_parts(clang::QualType type) {
   const auto* templated = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
       type.getNonReferenceType()->getAsCXXRecordDecl());
-  if (!templated || qualified_name_of(templated) != "std::vector") return false;
+  static const std::set<std::string> arrays = {"std::vector", "tzc::MessageArray"};
+  if (!templated || arrays.count(qualified_name_of(templated)) == 0) return false;
   const clang::QualType element = templated->getTemplateArgs().get(0).getAsType();
   const std::optional<MessageType> stock = message_of(element);
   return stock ? stock->has_data_part : twin_message_of(element).has_value();
@@ -151,8 +154,12 @@ const clang::Stmt* use_of(const FunctionView& view, const clang::Stmt* mention) 
 
 bool is_only_read(const FunctionView& view, const clang::Expr* array) {
   if (array->getType().isConstQualified()) return true;
-  const auto* cast = llvm::dyn_cast_or_null<clang::ImplicitCastExpr>(view.parent(array));
-  return cast && cast->getType().isConstQualified();
+  const auto cast_around = [&](const clang::Stmt* inner) {
+    return llvm::dyn_cast_or_null<clang::ImplicitCastExpr>(view.parent(inner));
+  };
+  for (const clang::ImplicitCastExpr* cast = cast_around(array); cast; cast = cast_around(cast))
+    if (cast->getType().isConstQualified()) return true;
+  return false;
 }
 
 MessagePart MessageParts::root_of(const clang::ValueDecl* decl) const {

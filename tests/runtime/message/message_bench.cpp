@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 #include <tzc/message.h>
 #include <tzc/sensor_msgs/Image.h>
+#include <tzc/sensor_msgs/PointCloud.h>
 
 #include <numeric>
 
@@ -49,6 +50,30 @@ void EncodeStockView(benchmark::State& state) {
   }
 }
 BENCHMARK(EncodeStockView);
+
+/// A cloud whose channels are added after allocate, and bound or not, is filled and encoded. Arguments: channels, values of each.
+template <bool bound>
+void BuildChannels(benchmark::State& state) {
+  const auto channels = static_cast<std::size_t>(state.range(0)),
+             values = static_cast<std::size_t>(state.range(1));
+  message::Encoded encoded;
+  for (auto _ : state) {
+    sensor_msgs::PointCloud cloud;
+    if (!message::allocate(cloud, memory())) state.SkipWithError("no memory");
+    if (bound)
+      cloud.channels.resize(channels);
+    else
+      static_cast<std::vector<sensor_msgs::ChannelFloat32>&>(cloud.channels).resize(channels);
+    for (auto& channel : cloud.channels) {
+      channel.values.resize(values);
+      std::iota(channel.values.begin(), channel.values.end(), 0.0F);
+    }
+    if (!message::encode(cloud, memory(), encoded)) state.SkipWithError("no memory");
+    encoded = message::Encoded();
+  }
+}
+BENCHMARK_TEMPLATE(BuildChannels, false)->ArgsProduct({{1, 4, 16, 64}, {4, 1000, 100000}});
+BENCHMARK_TEMPLATE(BuildChannels, true)->ArgsProduct({{1, 4, 16, 64}, {4, 1000, 100000}});
 
 void EncodeStock(benchmark::State& state) {
   ::sensor_msgs::Image image;

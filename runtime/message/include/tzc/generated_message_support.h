@@ -4,6 +4,7 @@
 #pragma once
 
 #include <tzc/array.h>
+#include <tzc/message_array.h>
 
 #include <ros/builtin_message_traits.h>
 #include <ros/message_operations.h>
@@ -28,17 +29,21 @@ namespace message {
 
 /// What a generated header states about its message. The primary template serves stock messages, which have no
 /// tzc::Array. A specialisation has what follows; visit_data calls v(array) for each data array, at any depth, in
-/// wire order:
+/// wire order, and visit_message_arrays for each MessageArray:
 ///
 ///     typedef ::pkg::Type Stock;
 ///     typedef std::true_type Generated;
 ///     template <class V> static void visit_data(tzc::pkg::Type&, V&& v);
 ///     template <class V> static void visit_data(const tzc::pkg::Type&, V&& v);
+///     template <class V> static void visit_message_arrays(tzc::pkg::Type&, V&& v);
+///     template <class V> static void visit_message_arrays(const tzc::pkg::Type&, V&& v);
 template <class M>
 struct Traits {
   typedef M Stock;
   template <class Message, class Visitor>
   static void visit_data(Message&, Visitor&&) {}
+  template <class Message, class Visitor>
+  static void visit_message_arrays(Message&, Visitor&&) {}
 };
 
 /// The stock type of a tzc:: message, or of a stock message itself.
@@ -152,6 +157,22 @@ struct Serializer<tzc::Array<T> > {
   static void read_elements(Stream& stream, tzc::Array<T>& array, message_traits::FalseType) {
     std::uninitialized_fill(array.begin(), array.end(), *tzc::detail::ElementCopy<T>());
     for (T& element : array) stream.next(element);
+  }
+};
+
+/// It travels as the vector that it is.
+template <class T>
+struct Serializer<tzc::MessageArray<T> > {
+  template <class Stream>
+  static void write(Stream& stream, const std::vector<T>& messages) {
+    stream.next(messages);
+  }
+  template <class Stream>
+  static void read(Stream& stream, std::vector<T>& messages) {
+    stream.next(messages);
+  }
+  static std::uint32_t serializedLength(const std::vector<T>& messages) {
+    return serializationLength(messages);
   }
 };
 

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <geometry_msgs/Point.h>
+#include <sensor_msgs/ChannelFloat32.h>
 #include <std_msgs/Header.h>
 namespace sensor_msgs {
-template <class A>
-struct ChannelFloat32_ {
-  std::string name;
-  std::vector<float> values;
-  FAKE_MEMBERS(ChannelFloat32_)
-};
-typedef ChannelFloat32_<std::allocator<void>> ChannelFloat32;
 template <class A>
 struct PointCloud_ {
   std_msgs::Header header;

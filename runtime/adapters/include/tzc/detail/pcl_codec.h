@@ -21,6 +21,8 @@ struct Traits< ::pcl::PCLPointCloud2> {
   typedef ::sensor_msgs::PointCloud2 Stock;
   template <class Message, class Visitor>
   static void visit_data(Message&, Visitor&&) {}
+  template <class Message, class Visitor>
+  static void visit_message_arrays(Message&, Visitor&&) {}
 };
 template <class Point>
 struct Traits< ::pcl::PointCloud<Point> > : Traits< ::pcl::PCLPointCloud2> {};

@@ -44,7 +44,9 @@ template <class M>
 bool encode(const M& message, const std::shared_ptr<MemorySource>& memory, Encoded& encoded) {
   detail::PartialOutput output(encoded);
   Codec<M>::write(output, message);
-  return output.finish(memory);
+  if (!output.finish(memory)) return false;
+  Traits<M>::visit_message_arrays(message, [&](const auto& messages) { messages.bind_published(memory); });
+  return true;
 }
 
 template <class S>
@@ -99,6 +101,7 @@ boost::shared_ptr<typename StockOf<M>::type> stock_copy(const M&, Encoded& encod
 template <class M>
 bool allocate(M& message, const std::shared_ptr<MemorySource>& memory) {
   detail::Placement placement(memory);
+  Traits<M>::visit_message_arrays(message, [&](auto& messages) { messages.bind(memory); });
   Traits<M>::visit_data(message, [&](auto& array) { placement.measure(array); });
   if (!placement.acquire()) return false;
   Traits<M>::visit_data(message, [&](auto& array) { placement.place(array); });

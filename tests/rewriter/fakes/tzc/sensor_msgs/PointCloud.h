@@ -2,15 +2,10 @@
 #pragma once
 #include <sensor_msgs/PointCloud.h>
 #include <tzc/array.h>
+#include <tzc/message_array.h>
+#include <tzc/sensor_msgs/ChannelFloat32.h>
 namespace tzc {
 namespace sensor_msgs {
-struct ChannelFloat32 {
-  typedef ::sensor_msgs::ChannelFloat32 Stock;
-  typedef boost::shared_ptr<ChannelFloat32> Ptr;
-  typedef boost::shared_ptr<ChannelFloat32 const> ConstPtr;
-  std::string name;
-  ::tzc::Array<float> values;
-};
 struct PointCloud {
   typedef ::sensor_msgs::PointCloud Stock;
   typedef boost::shared_ptr<PointCloud> Ptr;
@@ -24,7 +19,7 @@ struct PointCloud {
   explicit operator Stock() const { return Stock(); }
   ::std_msgs::Header header;
   ::tzc::Array<::geometry_msgs::Point> points;
-  typedef std::vector<ChannelFloat32> _channels_type;
+  typedef ::tzc::MessageArray<ChannelFloat32> _channels_type;
   _channels_type channels;
 };
 typedef boost::shared_ptr<PointCloud> PointCloudPtr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <tzc/array.h>
+#include <tzc/message_array.h>
 #include <tzc/visualization_msgs/Marker.h>
 #include <visualization_msgs/MarkerArray.h>
 namespace tzc {
@@ -16,7 +17,7 @@ struct MarkerArray {
     return *this;
   }
   explicit operator Stock() const { return Stock(); }
-  typedef std::vector< ::tzc::visualization_msgs::Marker> _markers_type;
+  typedef ::tzc::MessageArray< ::tzc::visualization_msgs::Marker> _markers_type;
   _markers_type markers;
 };
 typedef boost::shared_ptr<MarkerArray> MarkerArrayPtr;

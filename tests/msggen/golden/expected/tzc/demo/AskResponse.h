@@ -100,6 +100,9 @@ struct Traits<::tzc::demo::AskResponse> {
   static void visit_data(Message& message, Visitor&& visit) {
     Traits<::tzc::demo::Picture>::visit_data(message.view, visit);
   }
+  /// Visits every array of messages that have data arrays.
+  template <class Message, class Visitor>
+  static void visit_message_arrays(Message&, Visitor&&) {}
 };
 
 }  // namespace message

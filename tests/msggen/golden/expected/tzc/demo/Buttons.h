@@ -109,6 +109,9 @@ struct Traits<::tzc::demo::Buttons> {
     visit(message.pressed);
     visit(message.since);
   }
+  /// Visits every array of messages that have data arrays.
+  template <class Message, class Visitor>
+  static void visit_message_arrays(Message&, Visitor&&) {}
 };
 
 }  // namespace message

@@ -99,6 +99,9 @@ struct Traits<::tzc::demo::Channel> {
   static void visit_data(Message& message, Visitor&& visit) {
     visit(message.values);
   }
+  /// Visits every array of messages that have data arrays.
+  template <class Message, class Visitor>
+  static void visit_message_arrays(Message&, Visitor&&) {}
 };
 
 }  // namespace message

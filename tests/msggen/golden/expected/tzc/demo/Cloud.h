@@ -68,7 +68,7 @@ struct Cloud {
   _origin_type origin;
   typedef ::tzc::Array<::demo::Place> _points_type;
   _points_type points;  // data
-  typedef ::std::vector<::tzc::demo::Channel> _channels_type;
+  typedef ::tzc::MessageArray<::tzc::demo::Channel> _channels_type;
   _channels_type channels;
   typedef ::std::vector<::std::string> _notes_type;
   _notes_type notes;
@@ -127,6 +127,11 @@ struct Traits<::tzc::demo::Cloud> {
   static void visit_data(Message& message, Visitor&& visit) {
     visit(message.points);
     for (auto& element : message.channels) Traits<::tzc::demo::Channel>::visit_data(element, visit);
+  }
+  /// Visits every array of messages that have data arrays.
+  template <class Message, class Visitor>
+  static void visit_message_arrays(Message& message, Visitor&& visit) {
+    visit(message.channels);
   }
 };
 

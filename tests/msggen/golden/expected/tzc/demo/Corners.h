@@ -160,6 +160,9 @@ struct Traits<::tzc::demo::Corners> {
     visit(message.Corners);
     visit(message.i);
   }
+  /// Visits every array of messages that have data arrays.
+  template <class Message, class Visitor>
+  static void visit_message_arrays(Message&, Visitor&&) {}
 };
 
 }  // namespace message

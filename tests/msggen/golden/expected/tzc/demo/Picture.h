@@ -123,6 +123,9 @@ struct Traits<::tzc::demo::Picture> {
   static void visit_data(Message& message, Visitor&& visit) {
     visit(message.data);
   }
+  /// Visits every array of messages that have data arrays.
+  template <class Message, class Visitor>
+  static void visit_message_arrays(Message&, Visitor&&) {}
 };
 
 }  // namespace message

@@ -98,6 +98,9 @@ struct Traits<::tzc::demo::Shop> {
   static void visit_data(Message& message, Visitor&& visit) {
     visit(message.prices);
   }
+  /// Visits every array of messages that have data arrays.
+  template <class Message, class Visitor>
+  static void visit_message_arrays(Message&, Visitor&&) {}
 };
 
 }  // namespace message

@@ -111,6 +111,9 @@ struct Traits<::tzc::demo::Stock> {
     for (auto& element : message.labels) Traits<::tzc::demo::Picture>::visit_data(element, visit);
     visit(message.prices);
   }
+  /// Visits every array of messages that have data arrays.
+  template <class Message, class Visitor>
+  static void visit_message_arrays(Message&, Visitor&&) {}
 };
 
 }  // namespace message
