@@ -20,8 +20,8 @@ void erase_inside(Container& parts, const MessagePart& whole) {
     it = lies_in(name_of(*it), whole) ? parts.erase(it) : std::next(it);
 }
 
-/// Whether the part is, or lies in, an element of a message's own array of messages. Those that are added to it have no memory yet. Of what
-/// containers of the program get, given_messages.cpp tells.
+/// Whether the part is, or lies in, an element of a message's own array of messages, "cloud/channels". Of what containers of the program get,
+/// given_messages.cpp tells.
 bool is_element_of(const MessagePart& part, const MessagePart& array) {
   return array.find('/') != MessagePart::npos && part.size() > array.size() &&
          part.compare(0, array.size(), array) == 0 && part[array.size()] == '[';
@@ -51,8 +51,9 @@ std::set<MessagePart> renamed_parts(const std::set<MessagePart>& parts,
 }  // namespace
 
 bool lies_in(const MessagePart& part, const MessagePart& whole) {
-  return part.compare(0, whole.size(), whole) == 0 &&
-         (part.size() == whole.size() || part[whole.size()] == '/');
+  return (part.compare(0, whole.size(), whole) == 0 &&
+          (part.size() == whole.size() || part[whole.size()] == '/')) ||
+         is_element_of(part, whole);
 }
 
 std::set<PublishPlace> ContentState::sharers_of(const MessagePart& part) const {

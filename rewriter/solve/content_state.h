@@ -10,7 +10,7 @@
 
 namespace tzc::rewriter {
 
-/// Whether the part is the whole, or lies inside it.
+/// Whether the part is the whole, or lies inside it: an element of a message's own array does, one of the program's container is another message.
 bool lies_in(const MessagePart& part, const MessagePart& whole);
 
 /// Where a message gets elements that lie outside shared memory.

@@ -66,3 +66,41 @@ int main() {
   }
 }
 //--- expected
+// advertise src/node.cpp:8 sensor_msgs/PointCloud zero_copy 'local'
+// advertise src/node.cpp:9 sensor_msgs/PointCloud zero_copy 'lasting'
+// advertise src/node.cpp:10 sensor_msgs/PointCloud zero_copy 'pushed'
+// advertise src/node.cpp:11 sensor_msgs/PointCloud zero_copy 'looped'
+// publish src/node.cpp:20 sensor_msgs/PointCloud zero_copy 'local'
+// publish src/node.cpp:28 sensor_msgs/PointCloud zero_copy 'lasting'
+// publish src/node.cpp:41 sensor_msgs/PointCloud zero_copy 'pushed'
+// publish src/node.cpp:49 sensor_msgs/PointCloud zero_copy 'looped'
+//
+// +++ src/node.cpp
+// +#include <tzc/ros.h>
+// +#include <tzc/sensor_msgs/ChannelFloat32.h>
+// +#include <tzc/sensor_msgs/PointCloud.h>
+// -      : local_(nh.advertise<sensor_msgs::PointCloud>("local", 10)),
+// -        lasting_(nh.advertise<sensor_msgs::PointCloud>("lasting", 10)),
+// -        pushed_(nh.advertise<sensor_msgs::PointCloud>("pushed", 10)),
+// -        looped_(nh.advertise<sensor_msgs::PointCloud>("looped", 10)) {}
+// +      : local_(tzc::advertise<tzc::sensor_msgs::PointCloud>(nh, "local", 10)),
+// +        lasting_(tzc::advertise<tzc::sensor_msgs::PointCloud>(nh, "lasting", 10)),
+// +        pushed_(tzc::advertise<tzc::sensor_msgs::PointCloud>(nh, "pushed", 10)),
+// +        looped_(tzc::advertise<tzc::sensor_msgs::PointCloud>(nh, "looped", 10)) {}
+// -    sensor_msgs::PointCloud cloud;
+// +    tzc::sensor_msgs::PointCloud cloud;
+// +    local_.allocate(cloud);
+// -    sensor_msgs::PointCloudPtr cloud(new sensor_msgs::PointCloud);
+// -    sensor_msgs::ChannelFloat32 ids, angles;
+// +    tzc::sensor_msgs::PointCloudPtr cloud(new tzc::sensor_msgs::PointCloud);
+// +    pushed_.allocate(*cloud);
+// +    tzc::sensor_msgs::ChannelFloat32 ids, angles;
+// +    pushed_.allocate(ids);
+// +    pushed_.allocate(angles);
+// -      sensor_msgs::PointCloud cloud;
+// +      tzc::sensor_msgs::PointCloud cloud;
+// +      looped_.allocate(cloud);
+// -  ros::Publisher local_, lasting_, pushed_, looped_;
+// -  sensor_msgs::PointCloud cloud_;
+// +  tzc::Publisher local_, lasting_, pushed_, looped_;
+// +  tzc::sensor_msgs::PointCloud cloud_;
