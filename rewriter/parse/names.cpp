@@ -5,6 +5,17 @@
 #include <clang/Index/USRGeneration.h>
 
 namespace tzc::rewriter {
+namespace {
+
+/// What is known of std::vector holds for the class of the twins that is one.
+std::string as_vector(std::string name) {
+  static const std::string own = "tzc::MessageArray";
+  const bool is_own =
+      name.compare(0, own.size(), own) == 0 && (name.size() == own.size() || name[own.size()] == ':');
+  return is_own ? name.replace(0, own.size(), "std::vector") : name;
+}
+
+}  // namespace
 
 std::string qualified_name_of(const clang::NamedDecl* decl) {
   std::string name;
@@ -16,7 +27,7 @@ std::string qualified_name_of(const clang::NamedDecl* decl) {
       continue;
     name = space->getNameAsString() + "::" + name;
   }
-  return name + decl->getNameAsString();
+  return as_vector(name + decl->getNameAsString());
 }
 
 std::string usr_of(const clang::Decl* decl) {

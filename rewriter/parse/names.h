@@ -11,7 +11,8 @@ class NamedDecl;
 
 namespace tzc::rewriter {
 
-/// With the namespaces and classes around it, inline and anonymous namespaces left out.
+/// With the namespaces and classes around it, inline and anonymous namespaces left out. A tzc::MessageArray goes by std::vector, which it is, so
+/// that a port is seen as its original.
 std::string qualified_name_of(const clang::NamedDecl* decl);
 /// Clang's name for a declaration in all translation units.
 std::string usr_of(const clang::Decl* decl);

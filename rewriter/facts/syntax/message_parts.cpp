@@ -3,8 +3,6 @@
 
 #include <llvm/ADT/StringExtras.h>
 
-#include <set>
-
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/bodies.h"
 #include "facts/syntax/calls.h"
@@ -123,8 +121,7 @@ bool returns_message(const clang::FunctionDecl* function) {
 bool is_array_of_data_parts(clang::QualType type) {
   const auto* templated = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(
       type.getNonReferenceType()->getAsCXXRecordDecl());
-  static const std::set<std::string> arrays = {"std::vector", "tzc::MessageArray"};
-  if (!templated || arrays.count(qualified_name_of(templated)) == 0) return false;
+  if (!templated || qualified_name_of(templated) != "std::vector") return false;
   const clang::QualType element = templated->getTemplateArgs().get(0).getAsType();
   const std::optional<MessageType> stock = message_of(element);
   return stock ? stock->has_data_part : twin_message_of(element).has_value();

@@ -301,8 +301,9 @@ std::vector<clang::QualType> types_in(const clang::TemplateArgument& argument) {
 
 bool reaches_messages(clang::QualType type, bool through_pointers) {
   static const std::set<std::string> containers = {
-      "vector",   "deque", "list",  "forward_list", "array", "map",      "unordered_map",
-      "multimap", "queue", "stack", "pair",         "tuple", "optional", "circular_buffer"};
+      "vector", "MessageArray", "deque",         "list",     "forward_list",
+      "array",  "map",          "unordered_map", "multimap", "queue",
+      "stack",  "pair",         "tuple",         "optional", "circular_buffer"};
   if (type->isReferenceType()) return through_pointers && reaches_messages(type.getNonReferenceType(), true);
   if (const auto* array = type->getAsArrayTypeUnsafe())
     return reaches_messages(array->getElementType(), through_pointers);

@@ -11,7 +11,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from copies import check_copies, mark_needless  # noqa: E402
 from execution import differences, keep_counters_of, last_program  # noqa: E402
-from grammar import absent, attacks, builders, changes, effects, keepers, later, libraries, messages, names  # noqa: E402
+from grammar import absent, added, attacks, builders, changes, effects, keepers, later, libraries, messages, names  # noqa: E402
 from grammar import outputs, owners, package, pointers, publishers, subscribers, times  # noqa: E402
 from grammar.program import Program  # noqa: E402
 from grammar.uses import Use  # noqa: E402
@@ -43,7 +43,7 @@ class Programs(unittest.TestCase):
         ways = [("owner", owners.OWNERS), ("store", pointers.STORES + keepers.STORES), ("transfer", owners.TRANSFERS),
                 ("output", outputs.PLAIN + attacks.HIDDEN), ("time", [*times.ONCE, *times.ANEW, attacks.in_next_step]),
                 ("home", names.HOMES), ("name", names.STANDS_FOR), ("use", names.DOES), ("change", changes.CHANGES + changes.WHOLE),
-                ("later", later.WAYS), *attacks.REACHES.items()]
+                ("later", later.WAYS), ("added", added.WAYS), ("owner", added.OWNERS), *attacks.REACHES.items()]
         self.assertEqual({f"{kind}: {way.__name__}" for kind, some in ways for way in some} - seen, set())
 
     def test_what_writes_when_it_ends_does_not_outlive_the_elements(self):

@@ -3,7 +3,7 @@
 publishing. What is written through an old pointer after a publish shows in the next message, which must be the same
 before and after the port; messages that subscribers keep must not change. Others attack what is inserted for the port, by messages that are not there in every step, that are
 named by expressions which do something, or that other threads fill or read."""
-from . import absent, changes, copied, effects, keepers, later, messages, names, outputs, owners, pointers, readers, subscribers, times
+from . import absent, added, changes, copied, effects, keepers, later, messages, names, outputs, owners, pointers, readers, subscribers, times
 from . import waits
 from .publishers import in_block
 from .uses import Use
@@ -144,6 +144,15 @@ def lasting(program, kind):
     label(program, program.topics[published:], use.chosen)
 
 
+def adds(program):
+    """Elements of an array of messages are added."""
+    published = len(program.topics)
+    program.includes.add("sensor_msgs/ChannelFloat32.h")
+    body, chosen = added.lines(program, added.use(program).send)
+    program.steps += somewhere(program, body)
+    label(program, program.topics[published:], chosen)
+
+
 def label(program, topics, chosen):
     traits = [f"{what}: {which.__name__}" for what, which in chosen]
     program.traits += traits
@@ -167,7 +176,9 @@ def make(program):
             lasting(program, changes.Change)
         elif chance < 0.3:
             lasting(program, later.Later)
-        elif chance < 0.54:
+        elif chance < 0.36:
+            adds(program)
+        elif chance < 0.58:
             reach(program)
         else:
             attack(program)
