@@ -5,6 +5,7 @@
 
 #include "facts/flow/message_copies.h"
 #include "facts/sites/containing_object.h"
+#include "facts/sites/copied_in.h"
 #include "facts/sites/named_elements.h"
 #include "facts/sites/object_starts.h"
 #include "facts/syntax/ast_walk.h"
@@ -264,7 +265,7 @@ std::optional<AllocationDraft> AllocationCollector::of_declaration(const clang::
   draft.variable = variable;
   InsertedAllocation how;
   how.object = variable->getNameAsString();
-  how.is_needed = message->has_direct_data_part;
+  how.is_needed = message->has_direct_data_part && !is_only_copied_in(variable);
   if (const clang::Expr* value = variable->getInit()) {
     draft.is_of_template = value->isTypeDependent();
     if (const std::vector<Change> moved = move_out_of_result(unit_, value); !moved.empty()) {
