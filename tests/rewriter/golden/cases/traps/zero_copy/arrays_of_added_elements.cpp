@@ -95,8 +95,6 @@ int main() {
 // +    tzc::sensor_msgs::PointCloudPtr cloud(new tzc::sensor_msgs::PointCloud);
 // +    pushed_.allocate(*cloud);
 // +    tzc::sensor_msgs::ChannelFloat32 ids, angles;
-// +    pushed_.allocate(ids);
-// +    pushed_.allocate(angles);
 // -      sensor_msgs::PointCloud cloud;
 // +      tzc::sensor_msgs::PointCloud cloud;
 // +      looped_.allocate(cloud);
