@@ -50,7 +50,10 @@ class MessageArray : public std::vector<T> {
   MessageArray(MessageArray&& other) noexcept : Vector(std::move(other)), memory_(std::move(other.memory_)) {}
   ~MessageArray() = default;
 
-  MessageArray& operator=(const MessageArray& other) { return *this = static_cast<const Vector&>(other); }
+  MessageArray& operator=(const MessageArray& other) {
+    if (this == &other) return *this;
+    return *this = static_cast<const Vector&>(other);
+  }
   /// Keeps this object's own binding if it has one.
   MessageArray& operator=(MessageArray&& other) noexcept {
     if (this == &other) return *this;
