@@ -128,8 +128,7 @@ struct InsertedAllocation {
       opening;          ///< where a brace opens, for a statement that stands alone in place of a block
   bool filled = false;  ///< the message already has content there, which allocate would copy
   std::optional<LaterCopy> copy;  ///< instead it can get its content behind allocate
-  bool is_needed =
-      true;  ///< no: all of its arrays belong to elements that are not there yet, or it is only copied
+  bool is_needed = true;          ///< no: its arrays are in elements that come later, or it is only copied
 
   /// Whether it has content where allocate could be called, or would be, if it could.
   bool has_content() const { return filled && !(at && copy); }

@@ -301,9 +301,8 @@ std::vector<clang::QualType> types_in(const clang::TemplateArgument& argument) {
 
 bool reaches_messages(clang::QualType type, bool through_pointers) {
   static const std::set<std::string> containers = {
-      "vector", "MessageArray", "deque",         "list",     "forward_list",
-      "array",  "map",          "unordered_map", "multimap", "queue",
-      "stack",  "pair",         "tuple",         "optional", "circular_buffer"};
+      "vector",   "deque", "list",  "forward_list", "array", "map",      "unordered_map",
+      "multimap", "queue", "stack", "pair",         "tuple", "optional", "circular_buffer"};
   if (type->isReferenceType()) return through_pointers && reaches_messages(type.getNonReferenceType(), true);
   if (const auto* array = type->getAsArrayTypeUnsafe())
     return reaches_messages(array->getElementType(), through_pointers);
@@ -311,8 +310,9 @@ bool reaches_messages(clang::QualType type, bool through_pointers) {
     return through_pointers && reaches_messages(pointee, true);
   if (message_of(type) || twin_message_of(type)) return true;
   const auto* templated = specialization_of(type);
-  if (!templated || !is_known_wrapper(templated) || containers.count(templated->getName().str()) == 0)
-    return false;
+  if (!templated || !is_known_wrapper(templated)) return false;
+  const std::string name = qualified_name_of(templated);
+  if (containers.count(name.substr(name.rfind(':') + 1)) == 0) return false;
   return llvm::any_of(templated->getTemplateArgs().asArray(), [&](const clang::TemplateArgument& argument) {
     return llvm::any_of(types_in(argument),
                         [&](clang::QualType part) { return reaches_messages(part, through_pointers); });

@@ -182,66 +182,69 @@ TEST_F(ArrayOfMessages, arrays_inside_its_elements_are_bound) {
   EXPECT_TRUE(in_segment(lasting.controls[0].markers[0].points.data())) << "bound by publish";
 }
 
+using Stock = ::sensor_msgs::ChannelFloat32;
+
+Stock as(const Channel& element, const std::vector<Stock>&) {
+  return to_stock(element);
+}
+Channel as(const Channel& element, const Channels&) {
+  return element;
+}
+
+template <class Array>
+void put(Array& array, unsigned operation, std::size_t at, const Channel& element) {
+  auto made = as(element, array);
+  const auto there = array.begin() + static_cast<std::ptrdiff_t>(at);
+  switch (operation) {
+    case 0:
+      return array.push_back(made);
+    case 1:
+      return array.push_back(std::move(made));
+    case 2:
+      return static_cast<void>(array.emplace_back(to_stock(element)));
+    case 3:
+      return static_cast<void>(array.insert(there, made));
+    case 4:
+      return static_cast<void>(array.insert(there, 2, made));
+    case 5:
+      return static_cast<void>(array.insert(there, {made, made}));
+    default:
+      if (!array.empty()) array.push_back(array[at % array.size()]);
+  }
+}
+
+template <class Array>
+void replace(Array& array, unsigned operation, std::size_t at, const Channel& element) {
+  const auto made = as(element, array);
+  switch (operation) {
+    case 0:
+      return array.resize(at);
+    case 1:
+      return array.resize(at + 2, made);
+    case 2:
+      return static_cast<void>(array = std::vector<typename Array::value_type>(at, made));
+    case 3:
+      return array.assign({made});
+    default:
+      return static_cast<void>(array = Array(array));
+  }
+}
+
 /// Every operation by itself, in random order, beside a std::vector of the stock messages.
 TEST_F(ArrayOfMessages, it_is_a_vector) {
   std::mt19937 random(7);
   const auto pick = [&](std::size_t n) { return random() % n; };
-  std::vector<::sensor_msgs::ChannelFloat32> oracle;
-  const auto stock = [](const Channel& element) { return to_stock(element); };
+  std::vector<Stock> oracle;
   for (int step = 0; step < 3000; ++step) {
     const Channel made = channel(pick(9), "made");
     const std::size_t at = pick(channels_.size() + 1);
-    const auto there = channels_.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto same = oracle.begin() + static_cast<std::ptrdiff_t>(at);
-    switch (pick(12)) {
-      case 0:
-        channels_.push_back(made);
-        oracle.push_back(stock(made));
-        break;
-      case 1:
-        channels_.push_back(Channel(made));
-        oracle.push_back(stock(made));
-        break;
-      case 2:
-        channels_.emplace_back(stock(made));
-        oracle.emplace_back(stock(made));
-        break;
-      case 3:
-        channels_.insert(there, made);
-        oracle.insert(same, stock(made));
-        break;
-      case 4:
-        channels_.insert(there, 2, made);
-        oracle.insert(same, 2, stock(made));
-        break;
-      case 5:
-        channels_.insert(there, {made, made});
-        oracle.insert(same, {stock(made), stock(made)});
-        break;
-      case 6:
-        channels_.resize(at);
-        oracle.resize(at);
-        break;
-      case 7:
-        channels_.resize(at + 2, made);
-        oracle.resize(at + 2, stock(made));
-        break;
-      case 8:
-        channels_ = Vector(at, made);
-        oracle.assign(at, stock(made));
-        break;
-      case 9:
-        channels_.assign({made});
-        oracle.assign({stock(made)});
-        break;
-      case 10:
-        channels_ = Channels(channels_);
-        break;
-      case 11:
-        if (channels_.empty()) break;
-        channels_.push_back(channels_[at % channels_.size()]);
-        oracle.push_back(::sensor_msgs::ChannelFloat32(oracle[at % oracle.size()]));
-        break;
+    const unsigned operation = static_cast<unsigned>(pick(12));
+    if (operation < 7) {
+      put(channels_, operation, at, made);
+      put(oracle, operation, at, made);
+    } else {
+      replace(channels_, operation - 7, at, made);
+      replace(oracle, operation - 7, at, made);
     }
     if (pick(4) == 0) copied_by_publish();
     ASSERT_EQ(oracle, to_stock(cloud_).channels) << "step " << step;

@@ -21,22 +21,25 @@ def owned_message(program):
     return [f"{CLOUD.cpp}Ptr msg(new {CLOUD.cpp});"], "msg->", "msg", True
 
 
-def lasting_message(program):
-    name = program.variable(CLOUD.cpp, "cloud")
-    return [f"{name}.channels.clear();"], f"{name}.", name, False
+def lasting(begin):
+    """A member or a global, which begins each step so."""
+    def owner(program):
+        name = program.variable(CLOUD.cpp, "cloud")
+        return [begin.format(name)], f"{name}.", name, False
+    return owner
 
 
-def replaced_message(program):
-    name = program.variable(CLOUD.cpp, "cloud")
-    return [f"{name} = {CLOUD.cpp}();"], f"{name}.", name, False
+def named(name, way):
+    way.__name__ = name
+    return way
 
 
-def grown_message(program):
-    name = program.variable(CLOUD.cpp, "cloud")
-    return [f"if ({name}.channels.size() > 5) {name}.channels.resize(1);"], f"{name}.", name, False
-
-
-OWNERS = [local_message, owned_message, lasting_message, replaced_message, grown_message]
+OWNERS = [
+    local_message, owned_message,
+    named("emptied_message", lasting("{}.channels.clear();")),
+    named("replaced_message", lasting(f"{{}} = {CLOUD.cpp}();")),
+    named("grown_message", lasting("if ({0}.channels.size() > 5) {0}.channels.resize(1);")),
+]
 
 # How they are added. `channels` is an expression; each returns statements, which may need a channel that is filled: `made`.
 # ----------------------------------------------------------------------------------------------------------------------
@@ -69,11 +72,6 @@ def by_function(program, channels):
 def by_name(kind):
     def way(program, channels):
         return [f"{kind} all = {channels};", "all.resize(2);", f"all[0].values.assign({SIZE}, k + 0.5f);"]
-    return way
-
-
-def named(name, way):
-    way.__name__ = name
     return way
 
 
