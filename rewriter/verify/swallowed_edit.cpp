@@ -2,6 +2,7 @@
 #include "verify/swallowed_edit.h"
 
 #include <clang/Basic/LangOptions.h>
+#include <clang/Basic/LangStandard.h>
 #include <clang/Lex/Lexer.h>
 
 #include <algorithm>
@@ -27,8 +28,9 @@ using CodeTokens = std::vector<CodeToken>;
 
 clang::LangOptions any_cxx() {
   clang::LangOptions language;
-  language.CPlusPlus = language.CPlusPlus11 = language.CPlusPlus14 = language.CPlusPlus17 = true;
-  language.LineComment = language.RawStringLiterals = true;
+  std::vector<std::string> no_includes;
+  clang::LangOptions::setLangDefaults(language, clang::Language::CXX, llvm::Triple(), no_includes,
+                                      clang::LangStandard::lang_cxx17);
   return language;
 }
 

@@ -98,7 +98,8 @@ const clang::ClassTemplateSpecializationDecl* sequence_of(const clang::FunctionD
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
   const clang::CXXRecordDecl* record = method ? method->getParent() : nullptr;
   if (!record || !record->isInStdNamespace() || !record->getIdentifier()) return nullptr;
-  const bool is_one = llvm::is_contained({"vector", "deque", "list", "basic_string"}, record->getName());
+  static constexpr llvm::StringRef sequences[] = {"vector", "deque", "list", "basic_string"};
+  const bool is_one = llvm::is_contained(sequences, record->getName());
   return is_one ? llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record) : nullptr;
 }
 
@@ -141,10 +142,10 @@ std::optional<bool> sequence_returns(const Unit& unit, const clang::FunctionDecl
   const llvm::StringRef name = name_of(callee);
   const clang::QualType element = sequence->getTemplateArgs()[0].getAsType();
   if (sequence->getName() == "basic_string") {
-    if (llvm::isa<clang::CXXConstructorDecl>(callee) ||
-        llvm::is_contained({"substr", "erase", "compare", "copy", "at", "replace", "insert", "append",
-                            "assign", "resize", "reserve"},
-                           name))
+    static constexpr llvm::StringRef members[] = {"substr", "erase",   "compare", "copy",
+                                                  "at",     "replace", "insert",  "append",
+                                                  "assign", "resize",  "reserve"};
+    if (llvm::isa<clang::CXXConstructorDecl>(callee) || llvm::is_contained(members, name))
       return string_returns(unit, callee, arguments, element);
     return {};
   }
@@ -172,8 +173,9 @@ bool is_small_constant(const Unit& unit, const clang::Expr* argument) {
 bool is_time_constructor(const clang::FunctionDecl* callee) {
   if (!llvm::isa<clang::CXXConstructorDecl>(callee)) return false;
   const std::string name = qualified_name_of(llvm::cast<clang::CXXMethodDecl>(callee)->getParent());
-  return llvm::is_contained({"ros::Time", "ros::Duration", "ros::WallTime", "ros::WallDuration"},
-                            llvm::StringRef(name));
+  static constexpr llvm::StringRef times[] = {"ros::Time", "ros::Duration", "ros::WallTime",
+                                              "ros::WallDuration"};
+  return llvm::is_contained(times, llvm::StringRef(name));
 }
 
 /// Whether a stream is a local variable that the function only writes to and reads the text of, so that it never throws.
@@ -190,12 +192,12 @@ class OwnStream : public AstVisitor {
  private:
   bool writes_text(const clang::Expr* mention) const {
     const auto* around = parent_as<clang::Expr>(unit_.ast(), *mention);
+    static constexpr llvm::StringRef settings[] = {"str", "precision", "width", "fill", "setf", "unsetf"};
     if (mention->getType().isConstQualified()) return true;
     if (llvm::isa_and_nonnull<clang::ImplicitCastExpr>(around)) return writes_text(around);
     if (const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(around))
       return member->getMemberDecl()->getIdentifier()
-                 ? llvm::is_contained({"str", "precision", "width", "fill", "setf", "unsetf"},
-                                      member->getMemberDecl()->getName())
+                 ? llvm::is_contained(settings, member->getMemberDecl()->getName())
                  : writes_text(member);
     const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(around);
     const auto* call = llvm::dyn_cast_or_null<clang::CXXMemberCallExpr>(around);

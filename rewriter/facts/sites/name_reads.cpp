@@ -70,9 +70,10 @@ bool is_owned_element(const clang::Expr* expr) {
   const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(expr->IgnoreParens());
   if (!op || op->getOperator() != clang::OO_Subscript) return false;
   const clang::CXXRecordDecl* record = op->getArg(0)->getType()->getAsCXXRecordDecl();
+  static constexpr llvm::StringRef owners[] = {"vector", "deque",         "array",
+                                               "map",    "unordered_map", "basic_string"};
   return record && record->isInStdNamespace() && record->getIdentifier() &&
-         llvm::is_contained({"vector", "deque", "array", "map", "unordered_map", "basic_string"},
-                            record->getName());
+         llvm::is_contained(owners, record->getName());
 }
 
 bool leads_only(clang::OverloadedOperatorKind op) {
@@ -81,10 +82,10 @@ bool leads_only(clang::OverloadedOperatorKind op) {
 
 /// What it yields leads to elements, and a change of these is seen where it is made.
 bool leads_only(const clang::FunctionDecl* callee) {
+  static constexpr llvm::StringRef names[] = {"begin", "end", "rbegin", "rend", "data",       "front",
+                                              "back",  "at",  "find",   "get",  "lower_bound"};
   return leads_only(callee->getOverloadedOperator()) ||
-         (callee->getIdentifier() && llvm::is_contained({"begin", "end", "rbegin", "rend", "data", "front",
-                                                         "back", "at", "find", "get", "lower_bound"},
-                                                        callee->getName()));
+         (callee->getIdentifier() && llvm::is_contained(names, callee->getName()));
 }
 
 /// The element of an array that a mention of the array is part of; null: it is something else.
