@@ -8,7 +8,6 @@ source "$(dirname "$0")/lib.sh"
 source_dir=$1
 here=$(cd "$(dirname "$0")" && pwd)
 ws=$scratch/ws
-depends=$(sed -n 's/^set(TZC_CATKIN_DEPENDS \(.*\))/\1/p' "$source_dir/cmake/TzcCatkin.cmake")
 
 mkdir -p "$ws/src"
 # What a clone would hold, build folders left out.
@@ -59,19 +58,3 @@ if command -v catkin >/dev/null; then
 else
   wrong "catkin (Debian: catkin-tools) is not installed; scripts/setup installs it"
 fi
-
-# catkin_lint gives up on projects whose CMake code is in modules; package.xml it judges by what CMake asks for. That it
-# names each package whose headers are included is what architecture.package_xml looks at.
-private_depends=$(sed -n 's#.*<exec_depend>\(.*\)</exec_depend>#\1#p' "$source_dir/package.xml")
-mkdir "$scratch/lint"
-cp "$source_dir/package.xml" "$scratch/lint/"
-cat >"$scratch/lint/CMakeLists.txt" <<CMAKE
-cmake_minimum_required(VERSION 3.16)
-project(tzc)
-find_package(catkin REQUIRED COMPONENTS $depends)
-$(printf 'find_package(%s REQUIRED)\n' $private_depends)
-catkin_package(CATKIN_DEPENDS $depends)
-CMAKE
-logged lint catkin_lint --offline -W1 --strict "$scratch/lint"
-grep -q "checked 1 packages and found 0 problems" "$scratch/lint.log" || wrong "catkin_lint: $(cat "$scratch/lint.log")"
-echo "catkin_lint: content with package.xml"
