@@ -33,7 +33,7 @@ class FactsBuilder {
     return *this;
   }
   FactsBuilder& flow(const std::string& from, const std::string& to, unsigned line = 1) {
-    facts.flows.push_back({id(from), id(to), {"/p/node.cpp", line, 1}, from + " to " + to});
+    facts.flows.push_back({id(from), id(to), {"/p/node.cpp", line, 1}, from + " to " + to, false, {}});
     return *this;
   }
   FactsBuilder& obstacle(const std::string& entity, const std::string& code) {

@@ -104,7 +104,7 @@ TEST_F(Attributed, a_line_without_an_edit_belongs_to_what_it_uses_or_publishes) 
 }
 
 TEST_F(Attributed, a_flow_belongs_to_its_line) {
-  facts_.flows.push_back({id("pub"), id("other"), {node, 6, 1}, ""});
+  facts_.flows.push_back({id("pub"), id("other"), {node, 6, 1}, "", false, {}});
   EXPECT_THAT(suspects(error(8)), ElementsAre(of("other")));
 }
 
