@@ -48,7 +48,9 @@ struct MethodCall {
   const char* method;
   const char* to;
   const char* header;
-  int arguments = -1;  ///< how many the call has; -1: any number
+  int arguments = -1;             ///< how many the call has; -1: any number
+  unsigned filled = 0;            ///< of one that fills a message: which argument that is
+  const char* message = nullptr;  ///< and of which type, "sensor_msgs/Image"; null: of any
 };
 
 /// A function of a library that advertises for the package, `advertise...`, and returns the publisher: the

@@ -26,7 +26,7 @@ const MethodCall* const methods[] = {
     &rules::advertise,           &rules::image_advertise,        &rules::camera_advertise,
     &rules::attached_publish,    &rules::attached_image_publish, &rules::attached_camera_publish,
     &rules::subscribe,           &rules::image_subscribe,        &rules::camera_subscribe,
-    &rules::cv_image_to_message, &rules::cv_image_into_message,
+    &rules::cv_image_to_message, &rules::cv_image_into_message,  &rules::laser_projection,
 };
 
 const LibraryAdvertise* const advertisers[] = {

@@ -12,7 +12,7 @@ extern const LibraryCall pcl_to_ros_msg, pcl_from_pcl, pcl_move_from_pcl, fill_i
     add_point_field, pcl_from_ros_msg, cv_copy_of_message;
 extern const MethodCall advertise, image_advertise, camera_advertise, attached_publish,
     attached_image_publish, attached_camera_publish, subscribe, image_subscribe, camera_subscribe,
-    cv_image_to_message, cv_image_into_message, kept_filter, kept_image_filter;
+    cv_image_to_message, cv_image_into_message, laser_projection, kept_filter, kept_image_filter;
 extern const LibraryAdvertise library_advertise, library_image_advertise, library_camera_advertise;
 extern const AttachedAdvertise attached_advertise, attached_image_advertise, attached_camera_advertise;
 extern const LibraryTransport attached_laser_advertise;

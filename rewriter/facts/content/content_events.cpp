@@ -187,18 +187,9 @@ bool ContentReader::rule_call(const clang::CallExpr* call, const std::string& na
     if (rule->elements == LibraryCall::Elements::of_vector) log_.add(Kind::take, part, call->getExprLoc());
     return true;
   }
-  for (const MethodCall* rule : unit_.rules.methods) {
-    const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
-    const bool is_meant =
-        rule->role == MethodCall::Role::fills_message &&
-        (name == rule->to || (member && name == std::string(rule->object) + "::" + rule->method));
-    if (!is_meant) continue;
-    for (const clang::Expr* argument : call->arguments())
-      if (is_message_or_pointer(argument->getType()))
-        log_.add(Kind::reset, parts_.part_of(argument), call->getExprLoc());
-    return true;
-  }
-  return false;
+  const std::optional<FillingCall> filling = filling_call(unit_, call);
+  if (filling) log_.add(Kind::reset, parts_.part_of(filling->message), call->getExprLoc());
+  return filling.has_value();
 }
 
 void ContentReader::package_call(const clang::FunctionDecl* function,

@@ -16,12 +16,8 @@ const clang::Expr* filled_by(const Unit& unit, const clang::CallExpr* call) {
     const LibraryCall* rule = unit.rules.find_call(qualified_name_of(function), i);
     if (rule) return rule->elements == LibraryCall::Elements::left ? nullptr : call->getArg(i);
   }
-  const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
-  const clang::CXXMethodDecl* method = member ? member->getMethodDecl() : nullptr;
-  if (!method || call->getNumArgs() == 0) return nullptr;
-  const MethodCall* rule = unit.rules.find_method(qualified_name_of(method->getParent()),
-                                                  method->getNameAsString(), written_arguments(call));
-  return rule && rule->role == MethodCall::Role::fills_message ? call->getArg(0) : nullptr;
+  const std::optional<FillingCall> filling = filling_call(unit, call);
+  return filling && llvm::isa<clang::CXXMemberCallExpr>(call) ? filling->message : nullptr;
 }
 
 }  // namespace

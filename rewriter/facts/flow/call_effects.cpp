@@ -173,15 +173,19 @@ void CallEffects::into_deleter(const EntityId& id, const Deleter& deleter) {
   }
 }
 
-CallEffect CallEffects::into_method(const EntityId& id, const clang::CXXMemberCallExpr* call) {
+CallEffect CallEffects::into_method(const EntityId& id, const clang::CXXMemberCallExpr* call,
+                                    const Passed& passed) {
   const clang::CXXMethodDecl* method = call->getMethodDecl();
   const std::string object = qualified_name_of(method->getParent());
   const std::string name = method->getNameAsString();
   if (is_publish(call)) return CallEffect::done;
-  if (const MethodCall* rule = unit_.rules.find_method(object, name, written_arguments(call))) {
-    if (rule->role == MethodCall::Role::fills_message) use_rule(id, call, *rule);
+  const std::optional<FillingCall> filling = filling_call(unit_, call);
+  if (filling && filling->message == call->getArg(passed.argument)) {
+    use_rule(id, call, *filling->rule);
     return CallEffect::done;
   }
+  const MethodCall* rule = unit_.rules.find_method(object, name, written_arguments(call));
+  if (rule && rule->role != MethodCall::Role::fills_message) return CallEffect::done;
   const clang::Expr* container = call->getImplicitObjectArgument();
   if (carried_by(container->getType(), unit_.rules)) {
     const FlowSources sources = sources_.of(container);
@@ -232,7 +236,8 @@ CallEffect CallEffects::into_function(const EntityId& id, const clang::CallExpr*
   }
   if (unit_.declares(passed.function)) return into_package(id, passed);
   const auto* method = llvm::dyn_cast<clang::CXXMemberCallExpr>(call);
-  if (method && method->getMethodDecl()) return into_method(id, method);  // not through a pointer to member
+  if (method && method->getMethodDecl())
+    return into_method(id, method, passed);  // not through a pointer to member
   if (passed.function->isInStdNamespace() && carried_by(call->getType(), unit_.rules)) {
     if (may_fill(passed.function, passed.argument)) entities_.add_data_use(id, passed.where);
     return CallEffect::result;

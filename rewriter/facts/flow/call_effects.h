@@ -39,7 +39,7 @@ class CallEffects {
   CallEffect into_function(const EntityId& id, const clang::CallExpr* call, const Passed& passed);
   CallEffect into_package(const EntityId& id, const Passed& passed);
   void into_deleter(const EntityId& id, const Deleter& deleter);
-  CallEffect into_method(const EntityId& id, const clang::CXXMemberCallExpr* call);
+  CallEffect into_method(const EntityId& id, const clang::CXXMemberCallExpr* call, const Passed& passed);
   std::optional<CallEffect> into_bound(const EntityId& id, const clang::Expr* call, unsigned argument);
   void into_new_object(const EntityId& id, const clang::CallExpr* call, unsigned argument);
   CallEffect into_swap(const EntityId& id, const clang::CallExpr* call);

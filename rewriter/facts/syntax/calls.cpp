@@ -117,6 +117,26 @@ bool builds_message(const Unit& unit, const clang::CallExpr* call) {
   });
 }
 
+std::optional<FillingCall> filling_call(const Unit& unit, const clang::CallExpr* call) {
+  const clang::FunctionDecl* function = call->getDirectCallee();
+  if (!function) return {};
+  const std::string name = qualified_name_of(function);
+  const bool is_method = llvm::isa<clang::CXXMemberCallExpr>(call);
+  for (const MethodCall* rule : unit.rules.methods) {
+    if (rule->role != MethodCall::Role::fills_message) continue;
+    const bool is_written = name == rule->to;
+    if (!is_written && !(is_method && name == std::string(rule->object) + "::" + rule->method)) continue;
+    const unsigned at = is_written ? rule->filled + 1 : rule->filled;  // behind the object
+    if (at >= call->getNumArgs()) continue;
+    const clang::QualType type = call->getArg(at)->getType();
+    const std::optional<MessageType> stock = message_of(type);
+    const std::optional<MessageType> message = stock ? stock : twin_message_of(type);
+    if (message && (!rule->message || message->name == rule->message))
+      return FillingCall{rule, call->getArg(at)};
+  }
+  return {};
+}
+
 const clang::Expr* pointer_followed(const clang::Expr* expr) {
   const auto* op = llvm::dyn_cast<clang::UnaryOperator>(expr);
   if (op && op->getOpcode() == clang::UO_Deref) return op->getSubExpr()->IgnoreParenImpCasts();

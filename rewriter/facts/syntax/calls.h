@@ -32,6 +32,12 @@ bool makes_several(const clang::Expr* made);
 const clang::CXXRecordDecl* class_that_is_made(const clang::CallExpr* call);
 /// cv_image.toImageMsg(), and what an earlier run made of it.
 bool builds_message(const Unit& unit, const clang::CallExpr* call);
+/// A call of a library's method that fills a message which it is given, or of what an earlier run wrote in its place.
+struct FillingCall {
+  const MethodCall* rule;
+  const clang::Expr* message;
+};
+std::optional<FillingCall> filling_call(const Unit& unit, const clang::CallExpr* call);
 /// `pointer` of *pointer; null: it is no such expression.
 const clang::Expr* pointer_followed(const clang::Expr* expr);
 /// std::move and its likes: the result is the argument.
