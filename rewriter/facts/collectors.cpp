@@ -330,7 +330,7 @@ void Collectors::escapes(const std::vector<const clang::FunctionDecl*>& function
         facts_.synchronizing.insert(code.around(stmt));
       if (code.hands_over(stmt)) facts_.handing_over.insert(code.around(stmt));
     }
-    for (ElementUse& use : element_uses(context, view)) facts_.element_uses.push_back(std::move(use));
+    for (ElementUse& use : element_uses(context, seen)) facts_.element_uses.push_back(std::move(use));
     contents(context, seen, code);
     note_given_messages(unit_, view, facts_);
     mats.analyse(view);

@@ -5,6 +5,7 @@
 
 #include "facts/escape/filled_message.h"
 #include "facts/escape/held_locks.h"
+#include "facts/escape/kept_pointers.h"
 #include "facts/escape/threads.h"
 #include "facts/syntax/calls.h"
 #include "facts/syntax/message_parts.h"
@@ -14,51 +15,23 @@ namespace tzc::rewriter {
 namespace {
 
 using Kind = ElementUse::Kind;
-
-/// Functions of the standard library that write where this argument points to.
-bool writes_to(const std::string& function, unsigned argument) {
-  static const std::set<std::string> to_first = {
-      "memset",           "memcpy",       "memmove",     "std::memset",    "std::memcpy",   "std::memmove",
-      "std::fill",        "std::fill_n",  "std::iota",   "std::sort",      "std::generate", "std::generate_n",
-      "std::stable_sort", "std::reverse", "std::rotate", "std::shuffle",   "std::replace",  "std::replace_if",
-      "std::partition",   "std::unique",  "std::remove", "std::remove_if", "std::swap"};
-  static const std::set<std::string> to_third = {"std::copy",         "std::copy_n",        "std::copy_if",
-                                                 "std::move",         "std::copy_backward", "std::transform",
-                                                 "std::replace_copy", "std::reverse_copy"};
-  return (argument == 0 && to_first.count(function) != 0) || (argument >= 2 && to_third.count(function) != 0);
-}
+using Kinds = KeptPointers::Kinds;
 
 class UseReader {
  public:
-  explicit UseReader(const FunctionView& view) : view_(view) {}
-
-  /// PointCloud2Iterator<float> x(cloud, "x"); *x = 1;
-  Kind of_iterator(const clang::CXXConstructExpr* made) const {
-    const auto* declaration = llvm::dyn_cast_or_null<clang::DeclStmt>(view_.parent(made));
-    if (!declaration) return Kind::walk;
-    for (const clang::Decl* decl : declaration->decls())
-      if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(decl))
-        for (const clang::DeclRefExpr* use : view_.uses(variable)) {
-          const clang::Stmt* element = use;
-          const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(around_of(element));
-          if (op && (op->getOperator() == clang::OO_Star || op->getOperator() == clang::OO_Subscript) &&
-              is_written(view_.parent(op), op))
-            return Kind::write;
-        }
-    return Kind::walk;
-  }
+  UseReader(const FunctionView& view, const KeptPointers& kept) : view_(view), kept_(kept) {}
 
   /// None: the elements do not matter.
-  std::optional<Kind> of_array(const clang::MemberExpr* array) const {
+  Kinds of_array(const clang::MemberExpr* array) const {
     const clang::Stmt* mention = array;
     const clang::Stmt* around = around_of(mention);
     if (const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(around)) return of_method(member);
     if (const auto* op = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(around)) {
       if (op->getOperator() == clang::OO_Subscript) return of_element(op);
-      if (op->isAssignmentOp()) return op->getArg(0) == mention ? Kind::rebuild : Kind::walk;
+      if (op->isAssignmentOp()) return {op->getArg(0) == mention ? Kind::rebuild : Kind::walk};
     }
-    if (const clang::VarDecl* variable = variable_of_loop(around)) return of_loop(variable);
-    return of_argument(around, mention).value_or(Kind::walk);
+    if (const clang::VarDecl* variable = variable_of_loop(around)) return {of_loop(variable)};
+    return {of_argument(around, mention).value_or(Kind::walk)};
   }
 
  private:
@@ -72,7 +45,7 @@ class UseReader {
     return around;
   }
 
-  std::optional<Kind> of_method(const clang::MemberExpr* member) const {
+  Kinds of_method(const clang::MemberExpr* member) const {
     static const std::set<std::string> about_sizes = {"size", "empty", "capacity", "max_size",
                                                       "get_allocator"};
     static const std::set<std::string> pointers = {"begin", "end",     "rbegin", "rend", "cbegin",
@@ -80,27 +53,26 @@ class UseReader {
     static const std::set<std::string> one = {"at", "front", "back"};
     const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member->getMemberDecl());
     const auto* call = llvm::dyn_cast_or_null<clang::CXXMemberCallExpr>(view_.parent(member));
-    if (!method || !call) return Kind::walk;
+    if (!method || !call) return {Kind::walk};
     const std::string name = method->getNameAsString();
     if (about_sizes.count(name)) return {};
     if (one.count(name)) return of_element(call);
-    if (!pointers.count(name)) return method->isConst() ? Kind::walk : Kind::rebuild;
+    if (!pointers.count(name)) return {method->isConst() ? Kind::walk : Kind::rebuild};
     const clang::Stmt* pointer = call;
     const clang::Stmt* around = around_of(pointer);
-    return of_argument(around, pointer).value_or(Kind::walk);
+    if (const std::optional<Kind> given = of_argument(around, pointer)) return {*given};
+    return kept_.kinds_of(call);
   }
 
   /// data[i] = 1, data[i] += 1, ++data[i]; a pointer to it lives on.
-  Kind of_element(const clang::Expr* element) const {
+  Kinds of_element(const clang::Expr* element) const {
     const clang::Stmt* inner = element;
     const clang::Stmt* around = view_.parent(inner);
     while (llvm::isa_and_nonnull<clang::ParenExpr>(around)) inner = around, around = view_.parent(around);
-    return is_written(around, inner) ? Kind::write : is_address(around) ? Kind::walk : Kind::look;
-  }
-  static bool is_written(const clang::Stmt* around, const clang::Stmt* inner) {
-    const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(around);
-    const auto* step = llvm::dyn_cast_or_null<clang::UnaryOperator>(around);
-    return (op && op->isAssignmentOp() && op->getLHS() == inner) || (step && step->isIncrementDecrementOp());
+    if (is_assigned(around, inner)) return {Kind::write};
+    const auto* address = llvm::dyn_cast_or_null<clang::UnaryOperator>(around);
+    if (address && address->getOpcode() == clang::UO_AddrOf) return kept_.kinds_of(address);
+    return {is_address(around) ? Kind::walk : Kind::look};
   }
   static bool is_address(const clang::Stmt* around) {
     const auto* op = llvm::dyn_cast_or_null<clang::UnaryOperator>(around);
@@ -126,26 +98,27 @@ class UseReader {
   }
   Kind of_loop(const clang::VarDecl* variable) const {
     for (const clang::DeclRefExpr* use : view_.uses(variable))
-      if (variable->getType()->isReferenceType() && is_written(view_.parent(use), use)) return Kind::write;
+      if (variable->getType()->isReferenceType() && is_assigned(view_.parent(use), use)) return Kind::write;
     return Kind::walk;
   }
 
   const FunctionView& view_;
+  const KeptPointers& kept_;
 };
 
 }  // namespace
 
-std::vector<ElementUse> element_uses(const EscapeContext& context, const FunctionView& view) {
+std::vector<ElementUse> element_uses(const EscapeContext& context, const SeenFunction& seen) {
+  const FunctionView& view = seen.view;
   std::vector<ElementUse> uses;
-  const UseReader reader(view);
   const ThreadCode code(context, view);
+  const KeptPointers kept(seen, code);
+  const UseReader reader(view, kept);
   const HeldLocks locks(code, view);
   const bool is_constructor = llvm::isa<clang::CXXConstructorDecl>(view.function());
-  const auto add = [&](const clang::Expr* message, const clang::Expr* at, std::optional<Kind> kind,
-                       bool read_only) {
-    if (!kind) return;
+  const auto add = [&](const clang::Expr* message, const clang::Expr* at, Kind kind, bool read_only) {
     ElementUse use;
-    use.kind = *kind;
+    use.kind = kind;
     use.read_only = read_only;
     use.code = code.around(at);
     if (is_constructor && !is_closure(use.code)) return;  // no other thread has the object
@@ -160,12 +133,13 @@ std::vector<ElementUse> element_uses(const EscapeContext& context, const Functio
   for (const clang::Stmt* stmt : view.statements()) {
     const auto* array = llvm::dyn_cast<clang::MemberExpr>(stmt);
     const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(stmt);
-    if (array && is_data_array(array->getType()))
-      add(array->getBase(), array, reader.of_array(array), is_only_read(view, array));
-    else if (made && is_cloud_iterator(made->getConstructor()->getParent()) && made->getNumArgs() > 1)
-      add(made->getArg(0), made, reader.of_iterator(made),
-          made->getConstructor()->getParent()->getName().contains("Const"));
-    else if (const clang::Expr* message = filled_message(context.unit, stmt))
+    if (array && is_data_array(array->getType())) {
+      for (const Kind kind : reader.of_array(array))
+        add(array->getBase(), array, kind, is_only_read(view, array));
+    } else if (made && is_cloud_iterator(made->getConstructor()->getParent()) && made->getNumArgs() > 1) {
+      const bool read_only = made->getConstructor()->getParent()->getName().contains("Const");
+      for (const Kind kind : kept.kinds_of(made)) add(made->getArg(0), made, kind, read_only);
+    } else if (const clang::Expr* message = filled_message(context.unit, stmt))
       add(message, message, Kind::write, false);
   }
   return uses;

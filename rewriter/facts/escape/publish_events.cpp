@@ -6,6 +6,7 @@
 #include "facts/escape/hidden_calls.h"
 #include "facts/syntax/library_calls.h"
 #include "facts/syntax/package_types.h"
+#include "facts/syntax/plain_access.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -149,6 +150,7 @@ void EventFinder::add_call(const clang::Stmt* at, const clang::FunctionDecl* fun
   const bool seen = context_.unit.declares_all_of(function);
   if (function && is_own_lambda(function)) return;
   if (function && calls_no_package_code(context_.unit, function, arguments)) {
+    if (is_plain_access(context_.unit, function)) return;  // nor code that its types hide
     const bool releases = !llvm::isa<clang::CXXConstructorDecl>(function) && !(method && method->isConst());
     for (const clang::Expr* argument : arguments) {
       add_hidden(at, view_.span(at), argument->getType(), releases);
