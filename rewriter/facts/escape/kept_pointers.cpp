@@ -17,14 +17,15 @@ bool is_step(clang::OverloadedOperatorKind op) {
          op == clang::OO_Minus || op == clang::OO_PlusEqual || op == clang::OO_MinusEqual;
 }
 
-/// Its value still leads to the elements: x + 1, x++, (float*)x, x += 4.
+/// Its value may still lead to the elements: x + 1, x++, (float*)x, x += 4; ++x, ++y.
 bool leads_on(const clang::Stmt* around) {
   if (llvm::isa<clang::ParenExpr, clang::CastExpr, clang::ExprWithCleanups, clang::MaterializeTemporaryExpr>(
           around))
     return true;
   if (const auto* step = llvm::dyn_cast<clang::UnaryOperator>(around)) return step->isIncrementDecrementOp();
   if (const auto* sum = llvm::dyn_cast<clang::BinaryOperator>(around))
-    return (sum->isAdditiveOp() || sum->isCompoundAssignmentOp()) && sum->getType()->isPointerType();
+    return sum->isCommaOp() ||
+           ((sum->isAdditiveOp() || sum->isCompoundAssignmentOp()) && sum->getType()->isPointerType());
   const auto* call = llvm::dyn_cast<clang::CXXOperatorCallExpr>(around);
   return call && is_step(call->getOperator());
 }
@@ -81,15 +82,19 @@ const clang::VarDecl* KeptPointers::variable_of(const clang::Expr* pointer) cons
   return nullptr;
 }
 
+KeptPointers::Value KeptPointers::value_of(const clang::DeclRefExpr* use) const {
+  Value value{use, view_.parent(use)};
+  while (value.around && !follows(value.around, value.pointer) && leads_on(value.around))
+    value = {value.around, view_.parent(value.around)};
+  return value;
+}
+
 /// What stands for the element, or a part of it, where the variable is followed; null: it is not.
 const clang::Stmt* KeptPointers::element_of(const clang::DeclRefExpr* use) const {
-  const clang::Stmt* pointer = use;
-  const clang::Stmt* around = view_.parent(pointer);
-  while (around && !follows(around, pointer) && leads_on(around))
-    pointer = around, around = view_.parent(around);
-  if (!around || !follows(around, pointer)) return nullptr;
-  const clang::Stmt* element = around;
-  for (around = view_.parent(element); around; around = view_.parent(around)) {
+  const Value value = value_of(use);
+  if (!value.around || !follows(value.around, value.pointer)) return nullptr;
+  const clang::Stmt* element = value.around;
+  for (const clang::Stmt* around = view_.parent(element); around; around = view_.parent(around)) {
     const auto* member = llvm::dyn_cast<clang::MemberExpr>(around);
     const bool is_part = member && !member->isArrow() && llvm::isa<clang::FieldDecl>(member->getMemberDecl());
     if (!is_part && !llvm::isa<clang::ParenExpr, clang::ArraySubscriptExpr>(around)) break;
@@ -100,27 +105,27 @@ const clang::Stmt* KeptPointers::element_of(const clang::DeclRefExpr* use) const
 
 bool KeptPointers::is_written(const clang::DeclRefExpr* use) const {
   if (const clang::Stmt* element = element_of(use)) return is_assigned(view_.parent(element), element);
-  const clang::Stmt* pointer = use;
-  const clang::Stmt* around = view_.parent(pointer);
-  while (around && leads_on(around)) pointer = around, around = view_.parent(around);
-  const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(around);
+  const Value value = value_of(use);
+  const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(value.around);
   const clang::FunctionDecl* function = call ? call->getDirectCallee() : nullptr;
   if (!function) return false;
   for (unsigned i = 0; i < call->getNumArgs(); ++i)
-    if (call->getArg(i) == pointer && writes_to(qualified_name_of(function), i)) return true;
+    if (call->getArg(i) == value.pointer && writes_to(qualified_name_of(function), i)) return true;
   return false;
 }
 
-/// last = x: it may live longer in there.
-bool KeptPointers::is_copied(const clang::DeclRefExpr* use) const {
-  const clang::Stmt* pointer = use;
-  const clang::Stmt* around = view_.parent(pointer);
-  while (around && !follows(around, pointer) && leads_on(around))
-    pointer = around, around = view_.parent(around);
-  const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(around);
+/// x += 4; x = x + 4; if (x != x.end()): no element is read, and nothing else gets the pointer.
+bool KeptPointers::only_steps(const clang::DeclRefExpr* use) const {
+  const clang::Stmt* around = value_of(use).around;
+  if (const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(around)) {
+    const auto* target = llvm::dyn_cast<clang::DeclRefExpr>(op->getLHS()->IgnoreParens());
+    return op->isComparisonOp() || (op->isAssignmentOp() && target && target->getDecl() == use->getDecl());
+  }
+  if (const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(around))
+    return member->getMemberDecl()->getNameAsString() == "end";  // of an iterator
   const auto* call = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(around);
-  return (op && op->isAssignmentOp() && op->getRHS() == pointer) ||
-         (call && call->isAssignmentOp() && call->getArg(0) != pointer);
+  return (call && call->isComparisonOp()) ||
+         llvm::isa_and_nonnull<clang::CompoundStmt, clang::ForStmt, clang::WhileStmt, clang::IfStmt>(around);
 }
 
 bool KeptPointers::stands_alone(const clang::VarDecl* variable) const {
@@ -128,7 +133,7 @@ bool KeptPointers::stands_alone(const clang::VarDecl* variable) const {
   const clang::Stmt* scope = declaration ? view_.parent(declaration) : nullptr;
   if (!scope || view_.jumps()) return false;
   for (const clang::DeclRefExpr* use : view_.uses(variable))
-    if (is_copied(use) || view_.lambda_around(use) != view_.lambda_around(declaration)) return false;
+    if (view_.lambda_around(use) != view_.lambda_around(declaration)) return false;
   const FunctionView::Span life{view_.span(declaration).enter, view_.span(scope).exit};
   for (const SeenEvent& seen : events_)
     if (life.contains(seen.span)) return false;
@@ -137,18 +142,16 @@ bool KeptPointers::stands_alone(const clang::VarDecl* variable) const {
   });
 }
 
-/// A run that only reads may meet a thread that publishes.
-bool KeptPointers::is_read(const clang::DeclRefExpr* use) const {
-  return element_of(use) && !is_written(use);
-}
-
 KeptPointers::Kinds KeptPointers::kinds_of(const clang::Expr* pointer) const {
   const clang::VarDecl* variable = variable_of(pointer);
   if (!variable) return {Kind::walk};
   const std::vector<const clang::DeclRefExpr*>& uses = view_.uses(variable);
   if (llvm::none_of(uses, [&](const clang::DeclRefExpr* use) { return is_written(use); }))
     return {Kind::walk};
-  const bool only_writes = llvm::none_of(uses, [&](const clang::DeclRefExpr* use) { return is_read(use); });
+  // One that may be read through, in a run that does not write, may meet a thread that publishes.
+  const bool only_writes = llvm::all_of(uses, [&](const clang::DeclRefExpr* use) {
+    return is_written(use) || (!element_of(use) && only_steps(use));
+  });
   return only_writes && stands_alone(variable) ? Kinds{Kind::write} : Kinds{Kind::write, Kind::walk};
 }
 

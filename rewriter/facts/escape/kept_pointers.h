@@ -24,10 +24,14 @@ class KeptPointers {
 
  private:
   const clang::VarDecl* variable_of(const clang::Expr* pointer) const;
+  /// What still leads to the elements, and what it stands in.
+  struct Value {
+    const clang::Stmt *pointer, *around;
+  };
+  Value value_of(const clang::DeclRefExpr* use) const;
   const clang::Stmt* element_of(const clang::DeclRefExpr* use) const;
   bool is_written(const clang::DeclRefExpr* use) const;
-  bool is_read(const clang::DeclRefExpr* use) const;
-  bool is_copied(const clang::DeclRefExpr* use) const;
+  bool only_steps(const clang::DeclRefExpr* use) const;
   bool stands_alone(const clang::VarDecl* variable) const;
 
   const FunctionView& view_;
