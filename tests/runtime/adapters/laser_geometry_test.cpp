@@ -108,7 +108,8 @@ TEST_F(ProjectLaser, what_throws_leaves_a_cloud_that_can_be_used) {
     lent.stock().data.resize(8, 7);
     lent.stock().width = 2;
     throw std::runtime_error("the library");
-  } catch (const std::runtime_error&) {
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ("the library", error.what());
   }
   EXPECT_EQ(std::vector<std::uint8_t>(8, 7),
             std::vector<std::uint8_t>(cloud_.data.cbegin(), cloud_.data.cend()));
