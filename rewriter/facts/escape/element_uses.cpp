@@ -7,6 +7,7 @@
 #include "facts/escape/held_locks.h"
 #include "facts/escape/kept_pointers.h"
 #include "facts/escape/threads.h"
+#include "facts/syntax/ast_walk.h"
 #include "facts/syntax/calls.h"
 #include "facts/syntax/message_parts.h"
 #include "facts/syntax/message_type.h"

@@ -4,6 +4,7 @@
 #include <clang/AST/ExprCXX.h>
 #include <clang/AST/StmtCXX.h>
 
+#include "facts/syntax/ast_walk.h"
 #include "facts/syntax/calls.h"
 #include "facts/syntax/lock_names.h"
 
@@ -44,15 +45,6 @@ bool follows(const clang::Stmt* around, const clang::Stmt* pointer) {
 }
 
 }  // namespace
-
-bool is_assigned(const clang::Stmt* around, const clang::Stmt* element) {
-  const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(around);
-  const auto* call = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(around);
-  const auto* step = llvm::dyn_cast_or_null<clang::UnaryOperator>(around);
-  return (op && op->isAssignmentOp() && op->getLHS() == element) ||
-         (call && call->isAssignmentOp() && call->getArg(0) == element) ||
-         (step && step->isIncrementDecrementOp());
-}
 
 bool writes_to(const std::string& function, unsigned argument) {
   static const std::set<std::string> to_first = {

@@ -39,8 +39,6 @@ class KeptPointers {
   const ThreadCode& code_;
 };
 
-/// data[i] = 1, data[i] += 1, ++data[i]: `around` lies around the element.
-bool is_assigned(const clang::Stmt* around, const clang::Stmt* element);
 /// Functions of the standard library that write where this argument points to.
 bool writes_to(const std::string& function, unsigned argument);
 

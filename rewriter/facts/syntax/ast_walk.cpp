@@ -63,6 +63,15 @@ bool is_wrapping(const clang::Stmt* around) {
                                clang::CXXBindTemporaryExpr, clang::FullExpr>(around);
 }
 
+bool is_assigned(const clang::Stmt* around, const clang::Stmt* object) {
+  const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(around);
+  const auto* call = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(around);
+  const auto* step = llvm::dyn_cast_or_null<clang::UnaryOperator>(around);
+  return (op && op->isAssignmentOp() && op->getLHS() == object) ||
+         (call && call->isAssignmentOp() && call->getArg(0) == object) ||
+         (step && step->isIncrementDecrementOp());
+}
+
 bool is_lambda(const clang::FunctionDecl* function) {
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
   return method && method->getParent()->isLambda();

@@ -78,6 +78,8 @@ bool is_statement(clang::ASTContext& ast, const clang::Expr& expr);
 
 /// Parentheses around an expression, and nodes that nobody wrote. Null is neither.
 bool is_wrapping(const clang::Stmt* around);
+/// object = value, object += 1, ++object, also by an operator of its class: `around` lies directly around the object.
+bool is_assigned(const clang::Stmt* around, const clang::Stmt* object);
 bool is_lambda(const clang::FunctionDecl* function);
 
 /// ({ ...; label: value; }): whether it is such a value, by a function that gives a statement's parent.

@@ -47,13 +47,10 @@ bool has_dereference(const clang::CXXRecordDecl* record) {
          });
 }
 
-bool is_assigned(const FunctionView& view, const clang::DeclRefExpr* use) {
-  const auto* op = llvm::dyn_cast_or_null<clang::BinaryOperator>(view.parent(use));
-  const auto* call = llvm::dyn_cast_or_null<clang::CXXOperatorCallExpr>(view.parent(use));
+/// Also by pointer.reset(...) or swap.
+bool may_be_set(const FunctionView& view, const clang::DeclRefExpr* use) {
   const auto* member = llvm::dyn_cast_or_null<clang::MemberExpr>(view.parent(use));
-  const auto* step = llvm::dyn_cast_or_null<clang::UnaryOperator>(view.parent(use));
-  return (op && op->isAssignmentOp() && op->getLHS() == use) || (step && step->isIncrementDecrementOp()) ||
-         (call && call->isAssignmentOp() && call->getArg(0) == use) ||
+  return is_assigned(view.parent(use), use) ||
          (member && !member->isArrow() && member->getMemberDecl()->getDeclName().isIdentifier() &&
           (member->getMemberDecl()->getName() == "reset" || member->getMemberDecl()->getName() == "swap"));
 }
@@ -176,7 +173,7 @@ bool MessageParts::is_another_name(const clang::VarDecl* variable) const {
   if (variable->getType()->isReferenceType()) return true;
   if (pointee_of(variable->getType()).isNull()) return false;
   return llvm::none_of(view_.uses(variable),
-                       [&](const clang::DeclRefExpr* use) { return is_assigned(view_, use); });
+                       [&](const clang::DeclRefExpr* use) { return may_be_set(view_, use); });
 }
 
 /// auto& [image, count] = part_; of a copy, each part is an object of its own.
