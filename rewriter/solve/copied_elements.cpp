@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/codes.h"
+#include "solve/callers.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -58,16 +59,6 @@ void spread(const OtherNames& names, const MessagePart& part, ContentState& stat
   for (const MessagePart& other : names.of(part)) state.alias_perhaps(other, part);
 }
 
-/// The call as one of a function that overrides the callee.
-ContentEvent call_of_override(const ContentEvent& call, const std::string& function) {
-  ContentEvent other = call;
-  other.callee = function;
-  other.passed.clear();
-  for (const auto& [parameter, given] : call.passed)  // "parameter 0 of CALLEE"
-    other.passed.emplace(parameter.substr(0, parameter.size() - call.callee.size()) + function, given);
-  return other;
-}
-
 }  // namespace
 
 CopiedElements::CopiedElements(const Facts& facts, IsTwin is_twin)
@@ -113,42 +104,22 @@ void CopiedElements::add_functions() {
         if (event.kind != ContentEvent::Kind::call || event.callee == usr) continue;
         if (event.callee.empty()) calls_unknown_.insert(usr);
         called_.insert(event.callee);
-        called_.insert(overrides_of(event.callee).begin(), overrides_of(event.callee).end());
+        const std::set<std::string>& others = overrides_of(event.callee, facts_);
+        called_.insert(others.begin(), others.end());
       }
   }
 }
 
 void CopiedElements::touch_what_callees_touch() {
-  std::map<std::string, std::set<std::string>> callers;
-  std::set<std::string> open;
-  for (const auto& [usr, function] : functions_) {
-    open.insert(usr);
-    for (const ContentBlock& block : function.flow->blocks)
-      for (const ContentEvent& event : block.events) {
-        callers[event.callee].insert(usr);
-        for (const std::string& other : overrides_of(event.callee)) callers[other].insert(usr);
-      }
-  }
-  while (!open.empty()) {
-    const std::string usr = *open.begin();
-    open.erase(open.begin());
-    const std::set<std::string>& touched = functions_.at(usr).touched;
-    for (const std::string& name : callers[usr]) {
-      if (name == usr) continue;
-      Function& caller = functions_.at(name);
-      const std::size_t before = caller.touched.size();
-      caller.touched.insert(touched.begin(), touched.end());
-      const bool learns = calls_unknown_.count(usr) != 0 && calls_unknown_.insert(name).second;
-      if (learns || caller.touched.size() > before) open.insert(name);
-    }
-  }
-}
-
-/// The functions that a call of this one may run as well.
-const std::set<std::string>& CopiedElements::overrides_of(const std::string& usr) const {
-  static const std::set<std::string> none;
-  const auto found = facts_.overrides.find(usr);
-  return found == facts_.overrides.end() ? none : found->second;
+  Callers(facts_).learn([this](const std::string& caller, const std::string& callee) {
+    const auto found = functions_.find(callee);
+    if (found == functions_.end()) return false;
+    std::set<std::string>& touched = functions_.at(caller).touched;
+    const std::size_t before = touched.size();
+    touched.insert(found->second.touched.begin(), found->second.touched.end());
+    const bool learns = calls_unknown_.count(callee) != 0 && calls_unknown_.insert(caller).second;
+    return learns || touched.size() > before;
+  });
 }
 
 /// By the middleware, a timer or main's caller: no function of the package calls it. Objects may also end, or be called, in a library.
@@ -297,7 +268,7 @@ void CopiedElements::enter(const std::string& usr, const ContentState& state) {
 /// Whether the call may run what nothing names, or a function of the package does that it may run.
 bool CopiedElements::calls_unknown(const ContentEvent& call) const {
   if (call.callee.empty()) return true;
-  const auto& others = overrides_of(call.callee);
+  const auto& others = overrides_of(call.callee, facts_);
   return calls_unknown_.count(call.callee) != 0 ||
          std::any_of(others.begin(), others.end(),
                      [&](const std::string& other) { return calls_unknown_.count(other) != 0; });
@@ -306,7 +277,7 @@ bool CopiedElements::calls_unknown(const ContentEvent& call) const {
 /// What the callee does, or any function that overrides it. None: none of them has returned yet.
 std::optional<ContentState> CopiedElements::after_call(const ContentEvent& event, const ContentState& before,
                                                        const std::string& caller) {
-  const std::set<std::string>& others = overrides_of(event.callee);
+  const std::set<std::string>& others = overrides_of(event.callee, facts_);
   if (others.empty()) return after(event, before);
   std::optional<ContentState> all;
   const auto add = [&](const ContentEvent& call) {
@@ -365,6 +336,7 @@ std::optional<ContentState> CopiedElements::after(const ContentEvent& event, con
        event.passed) {  // a part of a message that is shared, or filled, as a whole
     inside.share(parameter, before.sharers_of(given));
     if (before.is_unsent(given)) inside.fill(parameter);
+    if (callee.touches(given)) inside.alias_perhaps(given, parameter);
   }
   enter(event.callee, inside);
   if (!callee.exit) return {};

@@ -46,7 +46,6 @@ class CopiedElements {
 
   void add_functions();
   void touch_what_callees_touch();
-  const std::set<std::string>& overrides_of(const std::string& usr) const;
   bool called_from_outside(const std::string& usr) const;
   bool may_be_any(const std::string& usr) const;
   void find_what_may_be_any();

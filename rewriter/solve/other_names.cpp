@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "solve/callers.h"
+
 namespace tzc::rewriter {
 namespace {
 
@@ -51,6 +53,34 @@ void for_each_event(const Facts& facts, const Visitor& visit) {
       for (const ContentEvent& event : block.events) visit(event);
 }
 
+using LastingStems = std::map<std::string, std::set<std::string>>;  // by function
+
+/// What outlives functions and is named in a function, or in what it calls.
+LastingStems lasting_stems(const Facts& facts) {
+  LastingStems stems;
+  for (const auto& [usr, flow] : facts.contents) {
+    std::set<std::string>& names = stems[usr];
+    const auto add = [&names = names](const MessagePart& part) {
+      if (outlives_functions(part)) names.insert(stem_of(part));
+    };
+    for (const ContentBlock& block : flow.blocks)
+      for (const ContentEvent& event : block.events) {
+        add(event.part);
+        add(event.other);
+        for (const auto& [parameter, part] : event.passed) add(part);
+      }
+  }
+  Callers(facts).learn([&](const std::string& caller, const std::string& callee) {
+    const auto found = stems.find(callee);
+    if (found == stems.end()) return false;
+    std::set<std::string>& names = stems[caller];
+    const std::size_t before = names.size();
+    names.insert(found->second.begin(), found->second.end());
+    return names.size() > before;
+  });
+  return stems;
+}
+
 }  // namespace
 
 bool is_element_of(const MessagePart& part, const MessagePart& container) {
@@ -72,6 +102,7 @@ OtherNames::OtherNames(const Facts& facts) {
     if (event.kind == ContentEvent::Kind::call) unite_results(facts, event.callee);
   });
   unite_kept_parameters(facts);
+  unite_named_arguments(facts);
   add_elements(changed);
   for (const auto& [stem, names] : by_stem_) by_family_[family_of(stem)].insert(names.begin(), names.end());
 }
@@ -139,6 +170,23 @@ void OtherNames::unite_kept_parameters(const Facts& facts) {
     }
     given.erase(first, last);
   }
+}
+
+/// A function that is given what it names itself, too, as filled(image_) of a member function that reads image_.
+void OtherNames::unite_named_arguments(const Facts& facts) {
+  const LastingStems named = lasting_stems(facts);
+  const auto unite_given = [&](const ContentEvent& call) {
+    const auto found = named.find(call.callee);
+    if (found == named.end()) return;
+    for (const auto& [parameter, part] : call.passed)
+      if (found->second.count(stem_of(part)) != 0) unite(stem_of(parameter), stem_of(part));
+  };
+  for_each_event(facts, [&](const ContentEvent& event) {
+    if (event.kind != ContentEvent::Kind::call) return;
+    unite_given(event);
+    for (const std::string& other : overrides_of(event.callee, facts))
+      unite_given(call_of_override(event, other));
+  });
 }
 
 /// A call returns what any function that overrides the callee does.

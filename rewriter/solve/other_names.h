@@ -13,7 +13,8 @@ namespace tzc::rewriter {
 /// "frames_[0]" of "frames_"
 bool is_element_of(const MessagePart& part, const MessagePart& container);
 
-/// Names that may denote one message: elements of a container by different indices, and what pointers are given. Of the whole run, in
+/// Names that may denote one message: elements of a container by different indices, what pointers are given, and a parameter and what its function
+/// names itself. Of the whole run, in
 /// no order: a name that once led to a message may lead to it again.
 class OtherNames {
  public:
@@ -30,6 +31,7 @@ class OtherNames {
   const std::string& family_of(const std::string& stem) const;
   void unite_results(const Facts& facts, const std::string& callee);
   void unite_kept_parameters(const Facts& facts);
+  void unite_named_arguments(const Facts& facts);
   void unite(const std::string& one, const std::string& other);
   void add_name(const MessagePart& part);
   void add_elements(const std::set<MessagePart>& changed);
