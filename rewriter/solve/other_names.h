@@ -13,9 +13,8 @@ namespace tzc::rewriter {
 /// "frames_[0]" of "frames_"
 bool is_element_of(const MessagePart& part, const MessagePart& container);
 
-/// Names that may denote one message: elements of a container by different indices, what pointers are given, and a parameter and what its function
-/// names itself. Of the whole run, in
-/// no order: a name that once led to a message may lead to it again.
+/// Names that may denote one message: elements of a container by different indices, what pointers are given, a parameter and what its
+/// function names itself. Of the whole run, in no order: a name that once led to a message may lead to it again.
 class OtherNames {
  public:
   explicit OtherNames(const Facts& facts);

@@ -9,6 +9,7 @@
 #include "facts/content/content_events.h"
 #include "facts/content/content_reader.h"
 #include "facts/content/decided_branches.h"
+#include "facts/content/handlers.h"
 
 namespace tzc::rewriter {
 namespace {
@@ -93,6 +94,7 @@ class FlowBuilder {
   unsigned add(std::vector<ContentStep> steps, unsigned at);
   unsigned add(const clang::CFGElement& element, const clang::FunctionDecl* function, unsigned at);
   unsigned perhaps(Part part, unsigned at);
+  unsigned may_leave(unsigned at, unsigned handlers);
   unsigned run(const ClosureRun& closure, unsigned at);
   Part graph_of(const clang::FunctionDecl* closure);
   unsigned call(const PerhapsCall& perhaps_called, unsigned at);
@@ -126,12 +128,21 @@ FlowBuilder::Part FlowBuilder::add(const clang::CFG& cfg, const clang::FunctionD
   const auto index = [&](const clang::CFGBlock& block) {
     return first + cfg.size() - 1 - block.getBlockID();
   };
+  const Handlers caught(cfg, function->getBody());
   for (const clang::CFGBlock* block : cfg) {
     unsigned at = index(*block);
     if (block == &cfg.getEntry()) at = add(reader_->steps_of(function), at);
     if (const auto* handler = llvm::dyn_cast_or_null<clang::CXXCatchStmt>(block->getLabel()))
       at = add(reader_->steps_of(handler), at);
-    for (const clang::CFGElement& element : *block) at = add(element, function, at);
+    const clang::CFGBlock* tried = nullptr;
+    for (const clang::CFGElement& element : *block) {
+      const clang::CFGBlock* const handlers = caught.around(element);
+      if (handlers && handlers != tried) at = may_leave(at, index(*handlers));
+      const unsigned before = std::exchange(at, add(element, function, at));
+      const bool happened = at != before || !flow_.blocks[at].events.empty();
+      if (handlers && happened) at = may_leave(at, index(*handlers));
+      tried = handlers;
+    }
     unsigned successor = 0;
     for (const clang::CFGBlock::AdjacentBlock& next : block->succs()) {
       const clang::CFGBlock* const reached = next.getReachableBlock();
@@ -174,6 +185,14 @@ unsigned FlowBuilder::add(std::vector<ContentStep> steps, unsigned at) {
 void FlowBuilder::append(ContentEvent event, unsigned at) {
   for (auto given = given_.rbegin(); given != given_.rend(); ++given) rename(*given, event);
   flow_.blocks[at].events.push_back(std::move(event));
+}
+
+/// An exception may leave the block here.
+unsigned FlowBuilder::may_leave(unsigned at, unsigned handlers) {
+  const unsigned behind = new_block();
+  connect(at, handlers);
+  connect(at, behind);
+  return behind;
 }
 
 /// The part runs any number of times.
