@@ -7,6 +7,7 @@
 #include "facts/syntax/ast_walk.h"
 #include "facts/syntax/bodies.h"
 #include "facts/syntax/calls.h"
+#include "facts/syntax/light_types.h"
 #include "facts/syntax/made_vectors.h"
 #include "facts/syntax/message_type.h"
 
@@ -169,9 +170,13 @@ void ContentReader::array_of_messages(const clang::Expr* expr) {
     log_.add(Kind::take, std::move(array), expr->getExprLoc());
 }
 
+/// A camera's calibration, which goes out beside the image that the site is about: a few numbers, not its elements.
 void ContentReader::publish(const clang::CallExpr* call) {
   for (const clang::Expr* argument : published_by(call)) {
     if (!is_message_or_pointer(argument->getType())) continue;
+    const std::optional<MessageType> message = message_reached(argument->getType());
+    const bool is_beside = argument != published_by(call).front();
+    if (is_beside && message && light_type_bytes(message->name)) continue;
     log_.any(argument);
     const Place place = unit_.source.where(call->getExprLoc());
     log_.publish(parts_.part_of(argument), {place.file, place.begin}, call->getExprLoc());
