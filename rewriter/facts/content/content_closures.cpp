@@ -141,7 +141,8 @@ void ContentClosures::run(const clang::FunctionDecl* body, bool once,
   ClosureRun run{body, once, {}};
   for (unsigned i = 0; i < body->getNumParams() && i < arguments.size(); ++i) {
     const clang::ParmVarDecl* const parameter = body->getParamDecl(i);
-    if (!is_name_of_message(parameter->getType()) && !is_name_of_array(parameter->getType())) continue;
+    const clang::QualType type = parameter->getType();  // a message by value: the argument makes it
+    if (!is_name_of_message(type) && !is_name_of_array(type) && !is_stock_or_twin(type)) continue;
     log_.any(arguments[i]);
     if (MessagePart part = parts_.part_of(arguments[i]); !part.empty())
       run.given.emplace_back(body->isTemplateInstantiation() ? parameter_root(usr_of(pattern_of(body)), i)

@@ -142,10 +142,12 @@ void ContentNames::assignment(const clang::CXXOperatorCallExpr* call) {
 /// A message by value takes its content along, as does a pointer that owns it; others are another name of what they lead to.
 void ContentNames::returned(const clang::ReturnStmt* stmt) {
   const clang::Expr* const value = stmt->getRetValue();
-  if (!value || !returns_message(view_.function()) || view_.lambda_around(stmt)) return;
-  const MessagePart result = result_root(usr_of(pattern_of(view_.function())));
+  const clang::LambdaExpr* const lambda = view_.lambda_around(stmt);
+  const clang::FunctionDecl* const function = lambda ? lambda->getCallOperator() : view_.function();
+  if (!value || !returns_message(function)) return;
+  const MessagePart result = result_root(usr_of(pattern_of(function)));
   log_.add(Kind::reset, result, stmt->getReturnLoc());
-  if (view_.function()->getReturnType()->isReferenceType()) return alias(result, value);
+  if (function->getReturnType()->isReferenceType()) return alias(result, value);
   const bool by_pointer = is_pointer(value->getType());
   const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(value->IgnoreImplicit());
   const bool copies = made && copied_message(made);

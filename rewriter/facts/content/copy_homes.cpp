@@ -64,6 +64,7 @@ CopyHome CopyHomes::of(const clang::Expr* made) const {
     if (is_made && member) return of_member(member);
     if (const auto* statement = llvm::dyn_cast<clang::DeclStmt>(around))
       return member ? CopyHome() : of_declaration(statement, inner);
+    if (llvm::isa<clang::ReturnStmt>(around)) return member ? of_member(member) : of_result(around);
     if (call && !is_made) return member ? of_member(member) : of_call(call, inner);
     if (!is_made && !leads_on(unit_, around)) return {};
   }
@@ -89,6 +90,13 @@ CopyHome CopyHomes::of_call(const clang::CallExpr* call, const clang::Stmt* argu
     return {};
   return {holders_.of(method->getImplicitObjectArgument()),
           "stored by '" + method->getMethodDecl()->getNameAsString() + "'"};
+}
+
+/// return {image, 1}; what a closure returns has no name here
+CopyHome CopyHomes::of_result(const clang::Stmt* statement) const {
+  if (view_.lambda_around(statement)) return {};
+  return {result_root(usr_of(pattern_of(view_.function()))),
+          "returned from '" + view_.function()->getNameAsString() + "'"};
 }
 
 CopyHome CopyHomes::of_member(const clang::FieldDecl* field) const {

@@ -26,6 +26,7 @@ class CopyHomes {
  private:
   CopyHome of_declaration(const clang::DeclStmt* statement, const clang::Stmt* value) const;
   CopyHome of_call(const clang::CallExpr* call, const clang::Stmt* argument) const;
+  CopyHome of_result(const clang::Stmt* statement) const;
   CopyHome of_member(const clang::FieldDecl* field) const;
   CopyHome of_initializer(const clang::Stmt* value) const;
   bool may_last(const clang::VarDecl* variable, const clang::Stmt* use) const;

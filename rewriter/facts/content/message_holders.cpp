@@ -96,7 +96,9 @@ std::string MessageHolders::of(const clang::Expr* expr, unsigned depth) const {
   if (depth > max_depth) return {};
   expr = expr->IgnoreParens();
   if (const auto* name = llvm::dyn_cast<clang::DeclRefExpr>(expr)) {
-    const auto* variable = llvm::dyn_cast<clang::VarDecl>(name->getDecl());
+    const auto* binding = llvm::dyn_cast<clang::BindingDecl>(name->getDecl());
+    const auto* variable =
+        llvm::dyn_cast<clang::VarDecl>(binding ? binding->getDecomposedDecl() : name->getDecl());
     return variable ? of_name(variable, depth + 1) : std::string();
   }
   if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(expr))

@@ -106,12 +106,24 @@ bool is_instance(const clang::FunctionDecl* function) {
   return false;
 }
 
+namespace {
+
+/// Whether a lambda's body may name members of the object around it.
+bool may_use_this(const clang::CXXRecordDecl* lambda) {
+  return lambda->getLambdaCaptureDefault() != clang::LCD_None ||
+         llvm::any_of(lambda->captures(),
+                      [](const clang::LambdaCapture& capture) { return capture.capturesThis(); });
+}
+
+}  // namespace
+
 std::string record_usr_of(const clang::FunctionDecl* function) {
   const clang::DeclContext* context = function;
   while (context && !context->isTranslationUnit()) {
     const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(context);
     if (method && !method->getParent()->isLambda())
       return method->isStatic() ? "" : usr_of(method->getParent());
+    if (method && !may_use_this(method->getParent())) return "";
     context = context->getParent();
   }
   return "";

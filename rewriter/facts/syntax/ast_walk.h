@@ -67,7 +67,7 @@ const clang::FunctionDecl* enclosing_function(clang::ASTContext& ast, const clan
 std::string enclosing_function_name(clang::ASTContext& ast, const clang::Stmt& stmt);
 /// Whether a function is an instance of a template, or stands in one of a class or function.
 bool is_instance(const clang::FunctionDecl* function);
-/// USR of the class whose `this` the function has, a lambda that of the function around it. Empty: none.
+/// USR of the class whose `this` the function has, a lambda that of the function around it if it may capture that. Empty: none.
 std::string record_usr_of(const clang::FunctionDecl* function);
 
 /// The names of the namespaces around a declaration, "a::b"; those without a name need none.

@@ -262,7 +262,10 @@ MessagePart MessageParts::of_call(const clang::CallExpr* call, unsigned depth) c
   if (const auto* op = llvm::dyn_cast<clang::CXXOperatorCallExpr>(call)) return of_operator(op, depth);
   if (call->getNumArgs() > 0 && (passes_through(function) || casts_pointer(function)))
     return part_of(call->getArg(0), depth + 1);
-  if (!unit_.declares(function)) return of_library_call(call, depth);
+  return unit_.declares(function) ? of_package_call(function, depth) : of_library_call(call, depth);
+}
+
+MessagePart MessageParts::of_package_call(const clang::FunctionDecl* function, unsigned depth) const {
   MessagePart part = of_result(function, depth);
   return part.empty() && returns_message(function) ? result_root(usr_of(pattern_of(function))) : part;
 }
@@ -275,7 +278,7 @@ MessagePart MessageParts::of_operator(const clang::CXXOperatorCallExpr* call, un
     case clang::OO_MinusMinus:
       return part_of(call->getArg(0), depth + 1);
     case clang::OO_Call:
-      return unit_.declares(call->getDirectCallee()) ? of_result(call->getDirectCallee(), depth)
+      return unit_.declares(call->getDirectCallee()) ? of_package_call(call->getDirectCallee(), depth)
                                                      : MessagePart();
     case clang::OO_Subscript:
     case clang::OO_Plus:

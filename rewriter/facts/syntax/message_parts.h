@@ -27,6 +27,7 @@ class MessageParts {
   MessagePart of_pair(const clang::MemberExpr* member, unsigned depth) const;
   MessagePart of_binary(const clang::BinaryOperator* op, unsigned depth) const;
   MessagePart of_operator(const clang::CXXOperatorCallExpr* call, unsigned depth) const;
+  MessagePart of_package_call(const clang::FunctionDecl* function, unsigned depth) const;
   MessagePart of_library_call(const clang::CallExpr* call, unsigned depth) const;
   MessagePart of_result(const clang::FunctionDecl* function, unsigned depth) const;
   MessagePart element_of(const clang::Expr* container, const clang::Expr* index, unsigned depth) const;

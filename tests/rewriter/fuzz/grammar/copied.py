@@ -2,6 +2,7 @@
 """Outputs that publish a copy of the message, which has elements of its own until something has published it; and calls of publish that are
 written in other ways."""
 from . import publishers
+from .fills import in_block
 from .outputs import Output, stored, value_of
 
 
@@ -72,4 +73,48 @@ def with_its_type(program, message):
         f"{publisher.call}publish<{message.cpp}>({value_of(argument, pointer)});", f'fuzz::sent("{publisher.topic.name}");'])
 
 
-WAYS = [in_parameter, in_queue, in_optional, in_result, in_member, by_choice, with_its_type]
+def in_closure_parameter(program, message):
+    publisher = stored(program, message)
+    return Output(lambda argument, pointer=False: in_block(
+        [f"const auto send = [&]({message.cpp} copy) {{", *publisher.publish("copy"), "};",
+         f"send({value_of(argument, pointer)});"]))
+
+
+def in_closure_result(program, message):
+    publisher = stored(program, message)
+    return Output(lambda argument, pointer=False: in_block(
+        [f"const auto copy = [&] {{ return {value_of(argument, pointer)}; }};", *publisher.publish("copy()")]))
+
+
+def in_call_operator(program, message):
+    publisher = stored(program, message)
+    kind = program.unique("Copy")
+    program.prelude += [f"struct {kind} {{", f"  const {message.cpp}& original;",
+                        f"  {message.cpp} operator()() const {{ return original; }}", "};"]
+    return Output(lambda argument, pointer=False: publisher.publish(f"{kind}{{{value_of(argument, pointer)}}}()"))
+
+
+def in_pair(program, message):
+    """What a structured binding takes apart."""
+    publisher = stored(program, message)
+
+    def send(argument, pointer=False):
+        pair = f"std::pair<{message.cpp}, int>"
+        name = program.helper(pair, "both", f"const {message.cpp}& msg", ["return {msg, 1};"], pure=True)
+        return in_block([f"auto [copy, number] = {name}({value_of(argument, pointer)});", "(void)number;",
+                         *publisher.publish("copy")])
+
+    return Output(send)
+
+
+def in_handler_of_call(program, message):
+    """A handler copies; what throws is called."""
+    publisher = stored(program, message)
+    fail = program.helper("void", "fail", "int k", ["if (k >= 0) throw k;"])
+    return Output(lambda argument, pointer=False: [
+        "try {", f"  {fail}(k);", "} catch (int) {", f"  {message.cpp} copy = {value_of(argument, pointer)};",
+        *publisher.publish("copy"), "}"])
+
+
+WAYS = [in_parameter, in_queue, in_optional, in_result, in_member, by_choice, with_its_type, in_closure_parameter, in_closure_result,
+        in_call_operator, in_pair, in_handler_of_call]

@@ -1,4 +1,4 @@
-// Nothing shows which message a function's iterator leads to, or a closure's reference: it may be any of the type.
+// Nothing shows which message a function's iterator leads to: it may be any of the type. A closure's reference is followed.
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/LaserScan.h>
@@ -37,6 +37,7 @@ class Node {
       return scans_[1];
     };
     scan_pub_.publish(choose());
+    if (!scans_[1].ranges.empty()) scans_[1].ranges[0] = 1;
   }
   void plain() {
     cloud_.data.clear();
@@ -60,8 +61,8 @@ class Node {
 // advertise src/node.cpp:15 sensor_msgs/PointCloud2 zero_copy 'plain'
 // publish src/node.cpp:26 sensor_msgs/Image one_copy 'image' TZC1022 line 27 of node.cpp uses a sensor_msgs/Image, and nothing shows which: it may be this one, and be written to after this publish
 // publish src/node.cpp:32 sensor_msgs/Image one_copy 'other' TZC1022 line 27 of node.cpp uses a sensor_msgs/Image, and nothing shows which: it may be this one, and be written to after this publish
-// publish src/node.cpp:39 sensor_msgs/LaserScan one_copy 'scan' TZC1022 line 39 of node.cpp uses a sensor_msgs/LaserScan, and nothing shows which: it may be this one, and be written to after this publish
-// publish src/node.cpp:44 sensor_msgs/PointCloud2 zero_copy 'plain'
+// publish src/node.cpp:39 sensor_msgs/LaserScan one_copy 'scan' TZC1022 line 40 may use its elements for writing after this publish, which copies them
+// publish src/node.cpp:45 sensor_msgs/PointCloud2 zero_copy 'plain'
 //
 // +++ src/node.cpp
 // +#include <tzc/sensor_msgs/Image.h>
