@@ -231,7 +231,7 @@ void SiteDescriber::describe_kept_publisher(const Publish& fact, const Decision*
   site.rule = attached ? "attached-advertise" : "";
   site.flow_path.clear();
   const Level level = attached ? Level::one_copy : Level::plain;
-  if (!publisher && !fact.obstacles.empty()) {
+  if ((!publisher || is(publisher, Outcome::not_needed)) && !fact.obstacles.empty()) {
     refuse(site, fact.obstacles.front(), level);
   } else if (is(publisher, Outcome::refused)) {
     site.flow_path = flow_graph_.path(fact.publisher, publisher->at);

@@ -189,12 +189,18 @@ Decision Solver::decide_filter(const Component& component) const {
   return of_several_types(component).value_or(Decision{Outcome::ported, {}, {}});
 }
 
-/// A publisher all of whose messages are light stays as it is, unless others may publish with it.
+/// Nobody knows the arrays of such a message, so that no publisher could share them.
+bool is_of_unknown_type(const Publish& site) {
+  return std::any_of(site.obstacles.begin(), site.obstacles.end(),
+                     [](const Obstacle& why) { return why.code == codes::TZC1012; });
+}
+
+/// A publisher stays as it is where no message that it publishes gains by another one, unless others may publish with it.
 void Solver::leave_idle_publishers() {
   for (const Component& publisher : components_.all()) {
     const auto& sites = sites_.published_by(publisher);
     const bool idle = !sites.empty() && std::all_of(sites.begin(), sites.end(), [&](const Publish* site) {
-      return publishes_light_message(*site, components_, solution_);
+      return is_of_unknown_type(*site) || publishes_light_message(*site, components_, solution_);
     });
     const Decision* decision = solution_.of(publisher.id);
     if (idle && decision && !is_left_out(*decision) && !is_given_away(publisher))

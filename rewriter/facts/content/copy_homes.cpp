@@ -92,9 +92,9 @@ CopyHome CopyHomes::of_call(const clang::CallExpr* call, const clang::Stmt* argu
           "stored by '" + method->getMethodDecl()->getNameAsString() + "'"};
 }
 
-/// return {image, 1}; what a closure returns has no name here
+/// return {image, 1}. What a closure returns has no name here; of a message itself, the flow of its content tells.
 CopyHome CopyHomes::of_result(const clang::Stmt* statement) const {
-  if (view_.lambda_around(statement)) return {};
+  if (view_.lambda_around(statement) || returns_message(view_.function())) return {};
   return {result_root(usr_of(pattern_of(view_.function()))),
           "returned from '" + view_.function()->getNameAsString() + "'"};
 }

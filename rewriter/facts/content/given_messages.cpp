@@ -283,7 +283,8 @@ void GivenMessages::construction(const clang::CXXConstructExpr* construct) {
 }
 
 /// std::optional<Image> latest = image, std::vector<Image> frames(3, image), F{image, 1}: a copy becomes part of a new object, by the message's
-/// own constructor or by one of a library that is given the message.
+/// own constructor or by one of a library that is given the message. Of what callers give, nothing tells here whether it was published: a copy
+/// of it that is returned in such an object counts as one that was not.
 void GivenMessages::copies(const clang::CXXConstructExpr* construct) {
   const clang::CXXConstructorDecl* constructor = construct->getConstructor();
   const bool is_message = is_stock_or_twin(construct->getType());
@@ -293,7 +294,11 @@ void GivenMessages::copies(const clang::CXXConstructExpr* construct) {
   for (const clang::Expr* argument : construct->arguments()) {
     if (!argument->isLValue() || !is_stock_or_twin(argument->getType())) continue;
     const CopyHome home = homes_.of(construct);
-    give(argument, home.holder, home.how);
+    if (home.holder == result_root(function_) && is_parameter(parts_.part_of(argument)))
+      facts_.given.messages.push_back(
+          {{}, home.holder, home.how, unit_.location(argument->getBeginLoc()), true});
+    else
+      give(argument, home.holder, home.how);
   }
 }
 

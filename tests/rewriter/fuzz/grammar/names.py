@@ -160,26 +160,26 @@ def directly(program, cpp, name, body):
 
 
 def by_function_of_reference(program, cpp, name, body):
-    return [f"{program.helper('void', 'use', f'{cpp}& one, int k', body('one'))}({name}, k);"]
+    return [f"{program.helper('void', 'use', f'{cpp}& shown, int k', body('shown'))}({name}, k);"]
 
 
 def by_function_of_pointer(program, cpp, name, body):
-    return [f"{program.helper('void', 'use', f'{cpp}* one, int k', body('(*one)'))}(&({name}), k);"]
+    return [f"{program.helper('void', 'use', f'{cpp}* shown, int k', body('(*shown)'))}(&({name}), k);"]
 
 
 def by_closure(program, cpp, name, body):
     named = program.unique("use")
-    return [f"const auto {named} = [&]({cpp}& one) {{"] + indented(body("one")) + ["};", f"{named}({name});"]
+    return [f"const auto {named} = [&]({cpp}& shown) {{"] + indented(body("shown")) + ["};", f"{named}({name});"]
 
 
 def by_function_object(program, cpp, name, body):
     named = program.unique("use")
-    return [f"const std::function<void({cpp}&)> {named} = [&]({cpp}& one) {{"] + indented(body("one")) + [
+    return [f"const std::function<void({cpp}&)> {named} = [&]({cpp}& shown) {{"] + indented(body("shown")) + [
         "};", f"{named}({name});"]
 
 
 def by_algorithm(program, cpp, name, body):
-    return [f"std::for_each(&({name}), &({name}) + 1, [&]({cpp}& one) {{"] + indented(body("one")) + ["});"]
+    return [f"std::for_each(&({name}), &({name}) + 1, [&]({cpp}& shown) {{"] + indented(body("shown")) + ["});"]
 
 
 DOES = [directly, by_function_of_reference, by_function_of_pointer, by_closure, by_function_object, by_algorithm]
