@@ -53,11 +53,9 @@ void for_each_event(const Facts& facts, const Visitor& visit) {
       for (const ContentEvent& event : block.events) visit(event);
 }
 
-using LastingStems = std::map<std::string, std::set<std::string>>;  // by function
-
 /// What outlives functions and is named in a function, or in what it calls.
-LastingStems lasting_stems(const Facts& facts) {
-  LastingStems stems;
+std::map<std::string, std::set<std::string>> lasting_stems(const Facts& facts) {
+  std::map<std::string, std::set<std::string>> stems;
   for (const auto& [usr, flow] : facts.contents) {
     std::set<std::string>& names = stems[usr];
     const auto add = [&names = names](const MessagePart& part) {
@@ -172,21 +170,38 @@ void OtherNames::unite_kept_parameters(const Facts& facts) {
   }
 }
 
-/// A function that is given what it names itself, too, as filled(image_) of a member function that reads image_.
+/// A function that is given what it names itself, too, as filled(image_) of a member function that reads image_; also by a function
+/// that was given it.
 void OtherNames::unite_named_arguments(const Facts& facts) {
-  const LastingStems named = lasting_stems(facts);
-  const auto unite_given = [&](const ContentEvent& call) {
-    const auto found = named.find(call.callee);
-    if (found == named.end()) return;
+  GivenAs given;
+  const auto note = [&](const ContentEvent& call) {
     for (const auto& [parameter, part] : call.passed)
-      if (found->second.count(stem_of(part)) != 0) unite(stem_of(parameter), stem_of(part));
+      given.emplace(stem_of(part), std::pair(call.callee, stem_of(parameter)));
   };
   for_each_event(facts, [&](const ContentEvent& event) {
-    if (event.kind != ContentEvent::Kind::call) return;
-    unite_given(event);
-    for (const std::string& other : overrides_of(event.callee, facts))
-      unite_given(call_of_override(event, other));
+    note(event);
+    for (const std::string& other : overrides_of(event.callee, facts)) note(call_of_override(event, other));
   });
+  const NamedStems named = lasting_stems(facts);
+  for (auto next = given.begin(); next != given.end(); next = given.upper_bound(next->first))
+    if (outlives_functions(next->first)) unite_with_parameters(next->first, given, named);
+}
+
+void OtherNames::unite_with_parameters(const std::string& stem, const GivenAs& given,
+                                       const NamedStems& named) {
+  std::set<std::string> seen;
+  std::vector<std::string> open{stem};
+  while (!open.empty()) {
+    const auto [first, last] = given.equal_range(open.back());
+    open.pop_back();
+    for (auto item = first; item != last; ++item) {
+      const auto& [function, parameter] = item->second;
+      if (!seen.insert(parameter).second) continue;
+      open.push_back(parameter);
+      const auto names = named.find(function);
+      if (names != named.end() && names->second.count(stem) != 0) unite(parameter, stem);
+    }
+  }
 }
 
 /// A call returns what any function that overrides the callee does.

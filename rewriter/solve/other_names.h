@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/facts.h"
@@ -27,10 +28,15 @@ class OtherNames {
   const std::set<MessagePart>& moved_with(const MessagePart& changed) const;
 
  private:
+  using NamedStems = std::map<std::string, std::set<std::string>>;  ///< by function
+  /// What is given to functions: a stem -> a function and its parameter.
+  using GivenAs = std::multimap<std::string, std::pair<std::string, std::string>>;
+
   const std::string& family_of(const std::string& stem) const;
   void unite_results(const Facts& facts, const std::string& callee);
   void unite_kept_parameters(const Facts& facts);
   void unite_named_arguments(const Facts& facts);
+  void unite_with_parameters(const std::string& stem, const GivenAs& given, const NamedStems& named);
   void unite(const std::string& one, const std::string& other);
   void add_name(const MessagePart& part);
   void add_elements(const std::set<MessagePart>& changed);
