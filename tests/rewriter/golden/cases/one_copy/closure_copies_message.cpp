@@ -20,16 +20,6 @@ class Node {
   ros::Publisher pub_;
   sensor_msgs::Image image_;
 };
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "node");
-  ros::NodeHandle nh;
-  Node node(nh);
-  for (unsigned i = 0; ros::ok(); ++i) {
-    node.tick(i);
-    node.tock(i);
-  }
-}
 //--- expected
 // advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
 // publish src/node.cpp:10 sensor_msgs/Image one_copy 'image' TZC1022 it is a copy (made in line 11), whose elements lie outside shared memory until it is published

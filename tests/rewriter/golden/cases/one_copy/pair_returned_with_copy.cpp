@@ -25,16 +25,6 @@ class Node {
   ros::Publisher pub_;
   sensor_msgs::Image image_;
 };
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "node");
-  ros::NodeHandle nh;
-  Node node(nh);
-  for (unsigned i = 0; ros::ok(); ++i) {
-    node.tick(i);
-    node.tock(i);
-  }
-}
 //--- expected
 // advertise src/node.cpp:8 sensor_msgs/Image one_copy 'image'
 // publish src/node.cpp:12 sensor_msgs/Image one_copy 'image' TZC1022 its elements come from a message that is never published itself (returned from 'both' in line 22), and lie outside shared memory

@@ -31,16 +31,6 @@ class Node {
   sensor_msgs::Image image_, other_;
   unsigned size_ = 0;
 };
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "node");
-  ros::NodeHandle nh;
-  Node node(nh);
-  for (unsigned i = 0; ros::ok(); ++i) {
-    node.tick(i);
-    node.tock();
-  }
-}
 //--- expected
 // advertise src/node.cpp:8 sensor_msgs/Image one_copy 'image'
 // advertise src/node.cpp:8 sensor_msgs/Image one_copy 'other'

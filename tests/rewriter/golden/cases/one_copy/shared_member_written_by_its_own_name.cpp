@@ -18,13 +18,6 @@ class Node {
   ros::Publisher pub_;
   sensor_msgs::Image image_;
 };
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "node");
-  ros::NodeHandle nh;
-  Node node(nh);
-  while (ros::ok()) node.tick();
-}
 //--- expected
 // advertise src/node.cpp:7 sensor_msgs/Image one_copy 'image'
 // publish src/node.cpp:9 sensor_msgs/Image one_copy 'image' TZC1022 line 15 may use its elements for writing after this publish, which copies them

@@ -21,13 +21,6 @@ class Node {
   image_transport::CameraPublisher pub_;
   sensor_msgs::CameraInfo info_;
 };
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "node");
-  ros::NodeHandle nh;
-  Node node(nh);
-  for (unsigned i = 0; ros::ok(); ++i) node.tick(i);
-}
 //--- expected
 // advertise src/node.cpp:10 sensor_msgs/Image zero_copy 'image_raw'
 // publish src/node.cpp:15 sensor_msgs/Image zero_copy 'image_raw'
