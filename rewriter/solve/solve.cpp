@@ -203,8 +203,12 @@ void Solver::leave_idle_publishers() {
       return is_of_unknown_type(*site) || publishes_light_message(*site, components_, solution_);
     });
     const Decision* decision = solution_.of(publisher.id);
+    const bool is_unknown = std::any_of(sites.begin(), sites.end(),
+                                        [](const Publish* site) { return is_of_unknown_type(*site); });
     if (idle && decision && !is_left_out(*decision) && !is_given_away(publisher))
-      solution_.decisions[publisher.id] = not_needed("what is published with it needs no shared memory");
+      solution_.decisions[publisher.id] =
+          not_needed(is_unknown ? "nobody knows the arrays of what is published with it"
+                                : "what is published with it needs no shared memory");
   }
 }
 

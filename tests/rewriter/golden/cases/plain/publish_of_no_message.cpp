@@ -11,5 +11,5 @@ void run(ros::NodeHandle& nh, const AnyMessage& message) {
   pub.publish(message);
 }
 //--- expected
-// advertise src/node.cpp:10 sensor_msgs/Image not_needed 'any' what is published with it needs no shared memory
+// advertise src/node.cpp:10 sensor_msgs/Image not_needed 'any' nobody knows the arrays of what is published with it
 // publish src/node.cpp:11 const AnyMessage plain 'any' TZC1012 the type of what is published is 'const AnyMessage'
